@@ -126,6 +126,53 @@ fn both_engines_agree_on_rollers_and_heat() {
     }
 }
 
+/// Cylinders: a Newtonian fluid, a layer of oil, Eyring's fluid that slides along and across: figures as above, and where the film breaks.
+#[test]
+fn both_engines_agree_on_lines() {
+    let line = "kind = \"line\"\nradius = \"16 mm\"\nload = \"80 kN/m\"";
+    let straight = "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.1";
+    let across = "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.1\nslide_to_roll_ratio_across = 0.2";
+    let mesh = "[mesh]\ntarget_error = 0.002\n[output]\nsensitivities = false";
+    let starved = format!("{mesh}\n[inlet]\noil_layer = \"150 nm\"");
+    let plain = |more: &str| text_of(line, straight, more, "10");
+    let eyring = thinned_by(
+        "law = \"ree-eyring\", tau_0 = \"5 MPa\"",
+        &text_of(line, across, mesh, "22"),
+    );
+    for text in [plain(mesh), plain(&starved), eyring] {
+        let mut case = parsed(text);
+        case.solver.method = Some(Method::FiniteVolumes);
+        let own = solved(&case);
+        assert_eq!(own.stats.method, Method::FiniteVolumes);
+        let found = cross_check(&case, &own, &mut NoObserver).unwrap();
+        for figure in [
+            Figure::FilmCentral,
+            Figure::FilmMinimum,
+            Figure::FilmMean,
+            Figure::PressureCentral,
+            Figure::OutletPosition,
+            Figure::TractionCoefficient,
+            Figure::TractionCoefficientBody2,
+            Figure::FrictionPower,
+        ] {
+            let crossed = found.figures.iter().find(|c| c.figure == figure);
+            let crossed = crossed.unwrap_or_else(|| panic!("{figure:?}"));
+            assert_eq!(crossed.verdict(), Verdict::Agrees, "{crossed:?}");
+            let (_, bars) = crossed.difference().unwrap();
+            assert!(bars < 0.03 * crossed.own.value.abs(), "{crossed:?}");
+        }
+        // The same figures, but for those of a ridge that runs round a point contact.
+        let names = |found: &Solution| {
+            found
+                .figures()
+                .map(|(figure, _)| figure)
+                .collect::<Vec<_>>()
+        };
+        case.solver.method = Some(Method::FiniteElements);
+        assert_eq!(names(&own), names(&solved(&case)));
+    }
+}
+
 /// Fluids that thin by shear, as above and with what thinning does to the film: Eyring's with sliding across and spin, Carreau's in an ellipse at
 /// an angle.
 #[test]

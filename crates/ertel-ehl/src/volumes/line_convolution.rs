@@ -1,7 +1,7 @@
 //! Deflection of half-spaces under a line contact, by fast Fourier transforms.
 //!
 //! ```text
-//!   δ_i = −2C/π Σ_j L_{i−j} P_j,   L = ∫ ln(|x|/d) dx over the cell of node j, seen from node i      (Johnson 1985, eq. 2.24b)
+//!   δ_i = −2C/π Σ_j K_{i−j} P_j,   K = ∫ ln(|x|/d) dx over the cell of node j, seen from node i      (Johnson 1985, eq. 2.24b)
 //! ```
 
 use std::f64::consts::PI;
@@ -19,7 +19,7 @@ pub struct LineConvolution {
     n: usize,
     /// Transformed length.
     padded: usize,
-    /// Transform of −2C/π L over it: real, as L is even.
+    /// Transform of −2C/π K over it: real, as K is even.
     symbol: Vec<f64>,
     forward: Arc<dyn RealToComplex<f64>>,
     backward: Arc<dyn ComplexToReal<f64>>,
@@ -135,19 +135,19 @@ mod tests {
         assert!(errors[0] > 6.0 * errors[2], "{errors:?}");
     }
 
-    /// The stencil undoes the compliance for waves of two to eight cells to a factor of three: that of |k| by three points.
+    /// The stencil undoes the compliance for waves of two and four cells to a half.
     #[test]
     fn stencil_is_nearly_the_inverse() {
         let grid = Grid::of_line([-128, 128], 1.0 / 32.0);
         let convolution = LineConvolution::new(&grid, 1.3);
         let [centre, beside, ..] = convolution.inverse();
-        for wave in [1.0, 0.5, 0.25] {
+        for wave in [1.0, 0.5] {
             let values: Vec<f64> = (0..grid.n[0])
                 .map(|i| (PI * wave * (i as f64 - 128.0)).cos())
                 .collect();
             let w = convolution.apply(&values);
             let back = centre * w[128] + beside * (w[127] + w[129]);
-            assert!((0.35..1.6).contains(&back), "{wave}: {back}");
+            assert!((back - 1.0).abs() < 0.5, "{wave}: {back}");
         }
     }
 }

@@ -17,8 +17,10 @@ const FIRST_CELLS: f64 = 80.0;
 /// of a layer of four times its thickness errs by 0.15 %.
 const MENISCUS: f64 = 2.0;
 
-/// Widths √H of a film about the dry contact that all grids of a line cover: its pressure rises there, and cells of a row cost little.
+/// Widths √H of a film about the dry contact that all grids of a line cover, where its pressure rises, and multiples of the margin that they have: cells of a row cost
+/// little, and rolling resistance is made far in the inlet, where cells are as large as 1/margin of the distance.
 const WIDE: f64 = 4.0;
+const MARGIN_OF_LINES: f64 = 4.0;
 
 /// Largest cell of the first grid.
 fn largest_cell<P>(problem: &Problem<P>) -> f64 {
@@ -86,9 +88,12 @@ pub fn grid(problem: &Problem<Plan>, h: f64, first: Option<&Grid>) -> Grid {
                 Arrival::Flooded | Arrival::From(_) => problem.plan.margin,
                 Arrival::Layer(_) => MENISCUS * problem.plan.margin,
             };
-            let inner = match is_line {
-                true => 1.0 + WIDE * problem.start_film.sqrt(),
-                false => 1.0,
+            let (inner, margin) = match is_line {
+                true => (
+                    1.0 + WIDE * problem.start_film.sqrt(),
+                    MARGIN_OF_LINES * margin,
+                ),
+                false => (1.0, margin),
             };
             let reach = ((inner + margin * h) / unit).floor() * unit;
             let whole = first.bounds();

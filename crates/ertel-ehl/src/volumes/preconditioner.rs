@@ -280,9 +280,8 @@ impl<'a> Preconditioner<'a> {
                 true => below,
                 false => k + nx,
             };
-            pressure[k] = along
-                + sy * (film[below] + film[above])
-                + sd * (beside(below) + beside(above));
+            pressure[k] =
+                along + sy * (film[below] + film[above]) + sd * (beside(below) + beside(above));
         }
         pressure
     }

@@ -157,8 +157,8 @@ fn cooling_error(cells: u32) -> f64 {
     let motion = Motion::straight(speed, 0.0);
     let length = problem(&motion, 0.01).scales.length;
     // The film cools by e^−2 along the grid.
-    let height = std::f64::consts::PI
-        * (CONDUCTIVITY * length / (DENSITY * HEAT_CAPACITY * speed)).sqrt();
+    let height =
+        std::f64::consts::PI * (CONDUCTIVITY * length / (DENSITY * HEAT_CAPACITY * speed)).sqrt();
     let h = 2.0 / f64::from(cells);
     let viscosity = ViscosityLaw::constant(VISCOSITY).unwrap();
     let channel = Channel::new(height, &motion, &viscosity, 4.0 * h, h);

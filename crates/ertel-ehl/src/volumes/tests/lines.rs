@@ -65,8 +65,11 @@ fn constant_fluid(load: f64, speed: f64) -> Problem<Plan> {
     let viscosity = ViscosityLaw::constant(0.04).unwrap();
     let density = DensityLaw::constant(870.0).unwrap();
     let sliding = motion.sliding(problem.scales.length);
-    problem.fluid = FilmFluid::new(&density, &viscosity, 313.15, &problem.scales)
-        .with_shear(None, &sliding, &problem.scales);
+    problem.fluid = FilmFluid::new(&density, &viscosity, 313.15, &problem.scales).with_shear(
+        None,
+        &sliding,
+        &problem.scales,
+    );
     problem
 }
 
@@ -82,23 +85,25 @@ fn rigid_cylinder() {
     problem.start_film = exact / problem.scales.film;
     problem.extents.inlet = -300.0 * width;
     problem.extents.outlet = 3.0 * width;
-    problem.plan.most_grids = 5;
+    problem.plan.most_grids = 8;
     let found = solved(&problem);
     let errors: Vec<f64> = (found.stats.iter())
         .map(|level| level.figures.value(Figure::FilmCentral).unwrap() / exact - 1.0)
         .collect();
-    assert!(errors[4].abs() < 5e-4, "{errors:?}");
+    assert!(errors[7].abs() < 5e-4, "{errors:?}");
     // What does not fall is what the load deforms.
     let orders = [1, 2].map(|l: usize| {
         let changes = [0, 1].map(|k: usize| errors[l + k] - errors[l + k - 1]);
         (changes[0] / changes[1]).abs().log2()
     });
-    assert!(orders.iter().all(|order| *order > 1.7), "{errors:?} {orders:?}");
+    assert!(
+        orders.iter().all(|order| *order > 1.7),
+        "{errors:?} {orders:?}"
+    );
     let measured = found.measured(&problem);
     let outlet = measured.find(Figure::OutletPosition).unwrap().value;
     let width = width * problem.scales.length;
-    // To a quarter of a cell.
-    assert_relative_eq!(outlet, 0.475_13 * width, max_relative = 1e-2);
+    assert_relative_eq!(outlet, 0.475_13 * width, max_relative = 2e-3);
 }
 
 /// Segments of all grids cover the contact area once, in the direction of the flow.
