@@ -75,7 +75,6 @@ mod tests {
         let about = |heat| About {
             has_half_spaces: true,
             heat,
-            ..About::default()
         };
         assert_eq!(why_not(&about(None)), None);
         assert_eq!(why_not(&about(Some(HeatAbout::default()))), None);
