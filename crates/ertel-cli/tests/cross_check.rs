@@ -73,11 +73,11 @@ fn refusals() {
     let line = CASE
         .replace("\"circular\"", "\"line\"")
         .replace("30 N\"", "1e5 N/m\"");
-    write(&folder, "line.toml", &line);
+    write(&folder, "line.toml", &format!("{line}[thermal]\n"));
     let output = solve(&folder, &["line.toml", "--cross-check"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(
-        stderr(&output).contains("finite volumes do not solve line contacts"),
+        stderr(&output).contains("finite volumes do not solve for the heat of line contacts"),
         "{}",
         stderr(&output)
     );

@@ -126,6 +126,63 @@ fn both_engines_agree_on_rollers_and_heat() {
     }
 }
 
+/// Cylinders: a Newtonian fluid, a layer of oil, Eyring's fluid that slides along and across: films and pressure differ by no more than the sum of their bars,
+/// below 1 % of films. Friction and the outlet do by less than 3 %: the elements' penalty leaves a pressure below zero behind the outlet, which their bars do not
+/// hold (with ten times the penalty the rolling traction differs by a tenth as much), and both methods end the contact area on lines of their own.
+#[test]
+fn both_engines_agree_on_lines() {
+    let line = "kind = \"line\"\nradius = \"16 mm\"\nload = \"80 kN/m\"";
+    let straight = "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.1";
+    let across = format!("{straight}\nslide_to_roll_ratio_across = 0.2");
+    let mesh = "[mesh]\ntarget_error = 0.002\n[output]\nsensitivities = false";
+    let starved = format!("{mesh}\n[inlet]\noil_layer = \"150 nm\"");
+    let plain = |more: &str| text_of(line, straight, more, "10");
+    let eyring = thinned_by(
+        "law = \"ree-eyring\", tau_0 = \"5 MPa\"",
+        &text_of(line, &across, mesh, "22"),
+    );
+    for text in [plain(mesh), plain(&starved), eyring] {
+        let mut case = parsed(text);
+        case.solver.method = Some(Method::FiniteVolumes);
+        let own = solved(&case);
+        assert_eq!(own.stats.method, Method::FiniteVolumes);
+        let found = cross_check(&case, &own, &mut NoObserver).unwrap();
+        let crossed = |figure| {
+            let crossed = found.figures.iter().find(|c| c.figure == figure);
+            crossed.unwrap_or_else(|| panic!("{figure:?}"))
+        };
+        for figure in [
+            Figure::FilmCentral,
+            Figure::FilmMinimum,
+            Figure::FilmMean,
+            Figure::PressureCentral,
+        ] {
+            let crossed = crossed(figure);
+            assert_eq!(crossed.verdict(), Verdict::Agrees, "{crossed:?}");
+            let (_, bars) = crossed.difference().unwrap();
+            assert!(bars < 0.01 * crossed.own.value, "{crossed:?}");
+        }
+        for figure in [
+            Figure::OutletPosition,
+            Figure::TractionCoefficient,
+            Figure::TractionCoefficientBody2,
+            Figure::FrictionPower,
+        ] {
+            let crossed = crossed(figure);
+            let (difference, _) = crossed.difference().unwrap();
+            let size = crossed.own.value.abs();
+            assert!(difference.abs() < 0.03 * size, "{crossed:?}");
+        }
+        // The same figures.
+        let names = |found: &Solution| {
+            let figures = found.figures().map(|(figure, _)| figure);
+            figures.collect::<Vec<_>>()
+        };
+        case.solver.method = Some(Method::FiniteElements);
+        assert_eq!(names(&own), names(&solved(&case)));
+    }
+}
+
 /// Fluids that thin by shear, as above and with what thinning does to the film: Eyring's with sliding across and spin, Carreau's in an ellipse at
 /// an angle.
 #[test]

@@ -21,7 +21,7 @@ use crate::contact::{Material, Shape, Symmetry};
 
 /// Distance, in half-widths, at which a line load deflects nothing: the depth of the finite-element body that stands for a
 /// half-space in Habchi's thesis. It shifts the separation alone.
-const LINE_REFERENCE: f64 = 60.0;
+pub const LINE_REFERENCE: f64 = 60.0;
 
 /// Half-spaces under one load.
 pub struct HalfSpace {

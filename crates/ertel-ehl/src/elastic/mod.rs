@@ -17,7 +17,7 @@ pub use ertel_fem::potential::Accuracy;
 pub use finite_elements::{
     BodySpace, CondensedResponse, ElasticBody, FiniteBodies, FiniteBody, FiniteBodyError,
 };
-pub use half_space::HalfSpace;
+pub use half_space::{HalfSpace, LINE_REFERENCE};
 pub use near::{near_pairs, symbol_stiffness};
 pub use series::Series;
 pub use trace::Trace;

@@ -41,7 +41,8 @@ fn exit([x, y]: [[f64; 2]; 2], [cos, sin]: [f64; 2]) -> f64 {
 impl Beyond {
     /// Of a grid that ends before the contact area does; flooded contacts alone are full out there.
     pub fn of<Plan>(problem: &Problem<Plan>, grid: &Grid) -> Option<Beyond> {
-        if problem.shape.inlet != Inlet::Flooded || grid.rows.is_some() {
+        let is_whole = grid.rows.is_some() || grid.is_line();
+        if problem.shape.inlet != Inlet::Flooded || is_whole {
             return None;
         }
         let boxes = [grid.bounds(), bounds(problem)];

@@ -1,4 +1,5 @@
-//! Triangles over all patches together, without gaps: cells of two triangles, and of three where the next grid has a node in the middle of an edge.
+//! Triangles over all patches together, without gaps: cells of two triangles, and of three where the next grid has a node in the middle of an edge. Segments in
+//! line contacts.
 
 use super::film::share;
 use super::level::Level;
@@ -11,7 +12,7 @@ pub type NodeOf = (usize, [usize; 2]);
 pub struct Composite {
     /// The nodes, each of the finest grid that has it.
     pub nodes: Vec<NodeOf>,
-    /// Corners of the triangles, all of one orientation.
+    /// Corners of the triangles, all of one orientation; of segments in the first two entries.
     pub cells: Vec<[u32; 3]>,
 }
 
@@ -51,6 +52,12 @@ impl Composite {
                 None => NONE,
             };
             numbers[grid.index(i, j)] = number;
+        }
+        if grid.is_line() {
+            let is_inside = |i: usize| on_patch(i, 0, [0; 2]).is_some();
+            let own = (1..grid.n[0]).filter(|i| !(is_inside(i - 1) && is_inside(*i)));
+            (self.cells).extend(own.map(|i| [numbers[i - 1], numbers[i], 0]));
+            return numbers;
         }
         for [i, j] in grid.nodes() {
             if i + 1 == grid.n[0] || j + 1 == grid.n[1] {

@@ -75,9 +75,10 @@ pub(super) struct Side {
 pub(super) fn sides(grid: &Grid, k: usize) -> [Side; 4] {
     let [nx, ny] = grid.n;
     let [dx, dy] = [0, 1].map(|d: usize| grid.length(d, k / nx));
-    let (north, south) = match grid.half && k / nx + 1 == ny {
-        true => (0.0, -2.0 / dy),
-        false => (1.0 / dy, -1.0 / dy),
+    let (north, south, below) = match grid.half && k / nx + 1 == ny {
+        _ if grid.is_line() => (0.0, 0.0, k),
+        true => (0.0, -2.0 / dy, k - nx),
+        false => (1.0 / dy, -1.0 / dy, k - nx),
     };
     let side = |direction, face, weight| Side {
         direction,
@@ -88,7 +89,7 @@ pub(super) fn sides(grid: &Grid, k: usize) -> [Side; 4] {
         side(0, k, 1.0 / dx),
         side(0, k - 1, -1.0 / dx),
         side(1, k, north),
-        side(1, k - nx, south),
+        side(1, below, south),
     ]
 }
 

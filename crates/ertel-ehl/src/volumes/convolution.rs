@@ -249,17 +249,17 @@ impl Convolution {
 }
 
 /// Gaussian elimination of a small positive definite system.
-fn solve_small(mut a: [[f64; 4]; 4], mut b: [f64; 4]) -> [f64; 4] {
-    for k in 0..4 {
-        for i in k + 1..4 {
+pub(super) fn solve_small<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> [f64; N] {
+    for k in 0..N {
+        for i in k + 1..N {
             let factor = a[i][k] / a[k][k];
             let pivot = a[k];
             (a[i].iter_mut().zip(pivot)).for_each(|(a, p)| *a -= factor * p);
             b[i] -= factor * b[k];
         }
     }
-    for k in (0..4).rev() {
-        let sum: f64 = (k + 1..4).map(|j| a[k][j] * b[j]).sum();
+    for k in (0..N).rev() {
+        let sum: f64 = (k + 1..N).map(|j| a[k][j] * b[j]).sum();
         b[k] = (b[k] - sum) / a[k][k];
     }
     b

@@ -9,7 +9,7 @@ use super::ending::{Ends, balance_error};
 use super::figures::{Slowest, bar, bars, figures, films, is_settled};
 use super::film::PatchedFilm;
 use super::grid::RING;
-use super::heat::Settings;
+use super::heat::Params;
 use super::heat::rounds::Rounds;
 use super::level::{Level, convolution, first_state, first_system, refined};
 use super::newton::{NewtonInfo, NewtonParams, newton};
@@ -40,7 +40,7 @@ pub struct Plan {
     /// Half-widths by which a patch goes beyond the dry contact, in cells of it.
     pub margin: f64,
     /// Heat, where it counts.
-    pub heat: Settings,
+    pub heat: Params,
 }
 
 impl Plan {
@@ -55,7 +55,7 @@ impl Plan {
                 ..NewtonParams::default()
             },
             margin: 45.0,
-            heat: Settings::default(),
+            heat: Params::default(),
         }
     }
 }
@@ -77,6 +77,15 @@ const MOST_GRIDS: usize = 24;
 
 /// Grids from which the films' errors are told.
 const LEAST_GRIDS: usize = 4;
+
+/// Grids by which figures and their bars are told.
+const TOLD: usize = 3;
+
+/// Grids of a line at least, whose cells are few: on cells of 7e-4 half-widths a spike is resolved that films say nothing of, and shear follows from it.
+const LEAST_GRIDS_OF_LINES: usize = 10;
+
+/// Relative residual of the linear solves of lines: iterations on a row cost little, and balances of thick films far in the inlet close.
+const KRYLOV_OF_LINES: f64 = 1e-4;
 
 /// e-folds of the viscosity, on the average to the Hertz pressure, that a step may change it by.
 const STEEP: f64 = 4.0;
@@ -120,6 +129,10 @@ fn solve_on(
     let about = (level, problem.scales.film);
     let params = &NewtonParams {
         largest_change: largest_change(problem),
+        krylov_tolerance: match problem.shape.is_line() {
+            true => KRYLOV_OF_LINES,
+            false => problem.plan.newton.krylov_tolerance,
+        },
         ..problem.plan.newton
     };
     let start = state.clone();
@@ -213,6 +226,10 @@ impl Engine for FiniteVolumes {
             balance_error: f64::NAN,
         };
         let most = problem.plan.max_unknowns;
+        let least = match problem.shape.is_line() {
+            true => LEAST_GRIDS_OF_LINES,
+            false => LEAST_GRIDS,
+        };
         for n in 0..problem.plan.most_grids {
             let clock = Instant::now();
             let first = found.levels.first().map(|level| &level.system.grid);
@@ -242,6 +259,7 @@ impl Engine for FiniteVolumes {
                 rounds.warm_up(&mut system, &state, temperatures);
             }
             let operator = clock.elapsed().as_secs_f64();
+            let begun = problem.shape.is_line().then(|| state.clone());
             let mut info = solve_on(problem, &mut system, &mut state, n, observer)?;
             let mut warm = None;
             if let (Some(rounds), Some(start), true) = (&rounds, start, info.converged) {
@@ -265,11 +283,15 @@ impl Engine for FiniteVolumes {
                     Err(_) => info.converged = false,
                 }
             }
-            if !info.converged {
+            if let (Some(begun), false, true) = (begun, info.converged, n > 0 && n + TOLD < least) {
+                // Too coarse for the film: the next grid begins where this one did.
+                state = begun;
+            } else if !info.converged {
                 if let Some(before) = found.levels.last_mut() {
                     before.patch = None;
                 }
-                if found.levels.len() >= LEAST_GRIDS {
+                let mut told = found.stats.iter().rev().take(TOLD);
+                if found.levels.len() >= LEAST_GRIDS && told.all(|level| level.converged) {
                     found.stopped = true;
                     break;
                 }
@@ -304,14 +326,14 @@ impl Engine for FiniteVolumes {
                 ..stats(problem, &found.levels, info, [cells, unknowns])
             });
             let [central, minimum] = film_errors(&found.stats);
-            if central.max(minimum) <= problem.plan.target_error && n + 1 >= LEAST_GRIDS {
+            if central.max(minimum) <= problem.plan.target_error && n + 1 >= least {
                 break;
             }
             h *= 0.5;
         }
         // All figures of those grids from which errors are told.
         let n = found.levels.len();
-        for l in n.saturating_sub(3)..n {
+        for l in n.saturating_sub(TOLD)..n {
             found.stats[l].figures = figures(problem, &found.levels[..=l]);
         }
         found.balance_error = (found.levels.last()).map_or(f64::NAN, |level| {

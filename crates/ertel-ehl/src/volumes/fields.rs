@@ -77,13 +77,15 @@ pub fn nodes(shape: &Shape, film: &PatchedFilm) -> Vec<PointFields> {
         .collect()
 }
 
-/// Fields at the nodes of all grids together, with triangles between them.
+/// Fields at the nodes of all grids together, with triangles between them, or segments in line contacts.
 pub fn surface<Plan>(problem: &Problem<Plan>, film: &PatchedFilm) -> (SurfaceField, ElementFields) {
     let mesh = Composite::new(film.levels());
     let points: Vec<PointFields> = (mesh.nodes.iter())
         .map(|(l, [i, j])| node_fields(&problem.shape, &film.levels()[*l], *i, *j))
         .collect();
-    let corners: Vec<u32> = mesh.cells.iter().flatten().copied().collect();
+    let dim = problem.shape.dim;
+    let of_cell = |cell: &[u32; 3]| cell.iter().copied().take(dim + 1).collect::<Vec<u32>>();
+    let corners: Vec<u32> = mesh.cells.iter().flat_map(of_cell).collect();
     let surface = SurfaceField {
         cells: mesh.cells.clone(),
         order: 1,
@@ -95,7 +97,7 @@ pub fn surface<Plan>(problem: &Problem<Plan>, film: &PatchedFilm) -> (SurfaceFie
         values: corners.iter().map(|node| values[*node as usize]).collect(),
     };
     let elements = ElementFields {
-        dim: 2,
+        dim,
         vertices: surface.points.clone(),
         cells: mesh.cells,
         pressure: linear(&surface.pressure),

@@ -228,7 +228,7 @@ fn note_pressures<Plan>(figures: &mut Figures, problem: &Problem<Plan>, level: &
     let ridge = (found.others.into_iter())
         .map(|k| (pressure[k], grid.place(k % nx, k / nx)))
         .max_by(|a, b| a.0.total_cmp(&b.0));
-    if let Some(ridge) = ridge {
+    if let Some(ridge) = ridge.filter(|_| !problem.shape.is_line()) {
         figures.note(Figure::PressureRidge, at(ridge));
     }
     let largest = match ridge {

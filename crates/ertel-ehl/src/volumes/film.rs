@@ -147,7 +147,7 @@ fn with_film(shape: &Shape, level: &Level, mut fields: PointFields) -> PointFiel
 /// Slopes along both directions by differences, one-sided along the edges.
 pub(super) fn slopes(grid: &Grid, values: &[f64], i: usize, j: usize) -> [f64; 2] {
     let difference = |at: usize, n: usize, mirrored: bool, of: &dyn Fn(usize) -> f64, d: usize| {
-        if mirrored && at + 1 == n {
+        if (mirrored && at + 1 == n) || n == 1 {
             return 0.0;
         }
         let (low, high) = (at.saturating_sub(1), (at + 1).min(n - 1));
@@ -197,6 +197,9 @@ fn at(shape: &Shape, level: &Level, place: [f64; 2]) -> Option<PointFields> {
             (cell[d], weight[d]) = rows.find(axes[d])?;
             continue;
         }
+        if d == 1 && grid.is_line() {
+            continue;
+        }
         let at = axes[d] / grid.spacing[d] - grid.first[d] as f64;
         let last = (grid.n[d] - 1) as f64;
         // Rounding does not lead out of the grid.
@@ -213,8 +216,11 @@ fn at(shape: &Shape, level: &Level, place: [f64; 2]) -> Option<PointFields> {
     let mut deflection = 0.0;
     for (di, wx) in [(0, 1.0 - weight[0]), (1, weight[0])] {
         for (dj, wy) in [(0, 1.0 - weight[1]), (1, weight[1])] {
-            let node = node_fields(shape, level, cell[0] + di, cell[1] + dj);
             let w = wx * wy;
+            if dj > 0 && grid.is_line() {
+                continue;
+            }
+            let node = node_fields(shape, level, cell[0] + di, cell[1] + dj);
             fields.pressure += w * node.pressure;
             deflection += w * node.deflection;
             fields.missing += w * node.missing;

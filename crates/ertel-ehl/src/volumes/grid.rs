@@ -53,6 +53,35 @@ impl Grid {
         }
     }
 
+    /// The grid of a line contact over these columns, counted from the middle at the distance h: one row that stands for a unit of length.
+    pub fn of_line(columns: [i64; 2], h: f64) -> Grid {
+        Grid {
+            spacing: [h, 1.0],
+            first: [columns[0], 0],
+            n: [(columns[1] - columns[0] + 1) as usize, 1],
+            half: false,
+            turn: Turn::NONE,
+            rows: None,
+        }
+    }
+
+    /// Whether all is the same along the second direction, and nothing flows there.
+    #[inline(always)]
+    pub fn is_line(&self) -> bool {
+        self.n[1] == 1
+    }
+
+    /// Rows whose pressures are unknown between the edges.
+    #[inline(always)]
+    pub fn inner_rows(&self) -> std::ops::Range<usize> {
+        let ny = self.n[1];
+        match (self.is_line(), self.half) {
+            (true, _) => 0..1,
+            (false, true) => RING..ny,
+            (false, false) => RING..ny - RING,
+        }
+    }
+
     /// The box that it covers, with its mirror image, in the plane in which the zone is the unit circle.
     pub fn bounds(&self) -> [[f64; 2]; 2] {
         [0, 1].map(|d: usize| {
@@ -125,9 +154,7 @@ impl Grid {
     /// Whether the pressure of a node is unknown; that of the nodes along the edge is given.
     #[inline(always)]
     pub fn is_unknown(&self, i: usize, j: usize) -> bool {
-        let [nx, ny] = self.n;
-        let above = if self.half { ny } else { ny - RING };
-        (RING..nx - RING).contains(&i) && (RING..above).contains(&j)
+        (RING..self.n[0] - RING).contains(&i) && self.inner_rows().contains(&j)
     }
 
     /// Share of its cell that a node stands for in sums: half of it along the edges and on the centreline of a half.
@@ -138,6 +165,7 @@ impl Grid {
         let y = match &self.rows {
             Some(rows) if rows.height(j) == 0.0 => 0.0,
             Some(_) if !(self.half && j + 1 == ny) => 1.0,
+            None if self.is_line() => 1.0,
             None if j > 0 && j + 1 < ny => 1.0,
             _ => 0.5,
         };

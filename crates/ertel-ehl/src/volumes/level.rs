@@ -45,6 +45,8 @@ impl Level {
 pub(super) fn within([x, y]: [[usize; 2]; 2], half: bool, i: usize, j: usize) -> f64 {
     let along = |[low, high]: [usize; 2], at: usize, ends: bool| match at {
         _ if at < low || at > high => 0.0,
+        // The row of a line contact.
+        _ if low == high => 1.0,
         _ if at == low || (at == high && ends) => 0.5,
         _ => 1.0,
     };

@@ -1,4 +1,4 @@
-//! Finite volumes on regular grids: a monotone engine for point contacts and rollers between half-spaces, flooded or starved, Newtonian or thinned by stress, of one
+//! Finite volumes on regular grids: a monotone engine for line and point contacts and rollers between half-spaces, flooded or starved, Newtonian or thinned by stress, of one
 //! temperature or, in flooded point contacts, with the heat of film and bodies.
 //!
 //! ```text
@@ -14,7 +14,7 @@
 //! | [`rows`] | rows of nodes along a roller |
 //! | [`roller_zone`] | where its pressure ends |
 //! | [`convolution`] | deflection of the half-spaces |
-//! | [`rows_convolution`], [`deflection`] | the same under rows of a roller |
+//! | [`rows_convolution`], [`line_convolution`], [`deflection`] | the same under rows of a roller, under a line |
 //! | [`faces`] | flux through a face and its derivatives |
 //! | [`thinning`] | how stress thins the film at a node |
 //! | [`contents`] | oil in gaps that it does not fill |
@@ -52,6 +52,7 @@ pub mod film;
 pub mod grid;
 pub mod heat;
 pub mod level;
+pub mod line_convolution;
 pub mod multigrid;
 pub mod newton;
 pub mod passing;

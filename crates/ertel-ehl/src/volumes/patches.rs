@@ -17,6 +17,11 @@ const FIRST_CELLS: f64 = 80.0;
 /// of a layer of four times its thickness errs by 0.15 %.
 const MENISCUS: f64 = 2.0;
 
+/// Widths √H of a film about the dry contact that all grids of a line cover, where its pressure rises, and multiples of the margin that they have: cells of a row cost
+/// little, and rolling resistance is made far in the inlet, where cells are as large as 1/margin of the distance.
+const WIDE: f64 = 4.0;
+const MARGIN_OF_LINES: f64 = 4.0;
+
 /// Largest cell of the first grid.
 fn largest_cell<P>(problem: &Problem<P>) -> f64 {
     let e = &problem.extents;
@@ -61,12 +66,15 @@ pub fn grid(problem: &Problem<Plan>, h: f64, first: Option<&Grid>) -> Grid {
         return roller_grid(problem, roller, h, first);
     }
     let (unit, zone) = (2.0 * h, &problem.shape.zone);
+    let is_line = problem.shape.is_line();
     let region = match first {
         // Nodes whose pressure is given stand beyond the centre at least.
         None => {
             let least = ((RING + 1) as f64 * h / unit).ceil() * unit;
             bounds(problem).map(|[low, high]| {
                 let most = match problem.shape.inlet {
+                    // Cells of a row are few anyway.
+                    _ if is_line => f64::INFINITY,
                     Inlet::Flooded => FIRST_CELLS * h,
                     Inlet::Layer(_) | Inlet::Meniscus => f64::INFINITY,
                 };
@@ -80,11 +88,22 @@ pub fn grid(problem: &Problem<Plan>, h: f64, first: Option<&Grid>) -> Grid {
                 Arrival::Flooded | Arrival::From(_) => problem.plan.margin,
                 Arrival::Layer(_) => MENISCUS * problem.plan.margin,
             };
-            let reach = ((1.0 + margin * h) / unit).floor() * unit;
+            let (inner, margin) = match is_line {
+                true => (
+                    1.0 + WIDE * problem.start_film.sqrt(),
+                    MARGIN_OF_LINES * margin,
+                ),
+                false => (1.0, margin),
+            };
+            let reach = ((inner + margin * h) / unit).floor() * unit;
             let whole = first.bounds();
             whole.map(|[low, high]| [low.max(-reach), high.min(reach)])
         }
     };
+    if is_line {
+        let columns = region[0].map(|x| (x / h).round() as i64);
+        return Grid::of_line(columns, h);
+    }
     let half = problem.shape.symmetry == Symmetry::Half;
     Grid::covering(region, h, half, zone)
 }

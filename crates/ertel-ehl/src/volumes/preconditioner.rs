@@ -29,7 +29,7 @@ pub struct Pattern {
     inverse: Stencils,
 }
 
-/// Unknowns up to which a factorisation is all; it costs as much as the cycle at about a half of them.
+/// Unknowns up to which a factorisation is all; it costs as much as the cycle at about a half of them. That of a row costs no more than its nodes.
 const DIRECT: usize = 10_000;
 
 /// Unknowns up to which the coarsest grid of a cycle is factorised: in some milliseconds.
@@ -44,9 +44,9 @@ impl Pattern {
     /// # Errors
     /// When no order of elimination is found.
     pub fn new(grid: &Grid, inverse: impl Into<Stencils>) -> Result<Pattern, OrderingError> {
-        let [nx, ny] = grid.n;
-        let n = nx * ny;
-        Pattern::with_coarsest(grid, inverse, if n > DIRECT { COARSEST } else { n })
+        let n = grid.n_nodes();
+        let is_small = n <= DIRECT || grid.is_line();
+        Pattern::with_coarsest(grid, inverse, if is_small { n } else { COARSEST })
     }
 
     /// The same with this many unknowns of the coarsest grid at most.
@@ -55,8 +55,7 @@ impl Pattern {
         inverse: impl Into<Stencils>,
         coarsest: usize,
     ) -> Result<Pattern, OrderingError> {
-        let [nx, ny] = grid.n;
-        let n = [nx - 2 * RING, ny - if grid.half { RING } else { 2 * RING }];
+        let n = [grid.n[0] - 2 * RING, grid.inner_rows().len()];
         Ok(Pattern {
             grids: Grids::new(n, grid.half, coarsest)?,
             direct: OnceLock::new(),
@@ -69,7 +68,7 @@ impl Pattern {
     /// The node of an unknown.
     fn node(&self, unknown: usize) -> usize {
         let [i, j] = [unknown % self.n[0], unknown / self.n[0]];
-        self.grid.index(i + RING, j + RING)
+        self.grid.index(i + RING, j + self.grid.inner_rows().start)
     }
 
     /// Number of unknowns.
@@ -168,6 +167,7 @@ impl Cross {
         cross.add(grid, at, (0, k - 1), -1.0 / dx, false);
         // Beyond the centreline of a half all is mirrored.
         match grid.half && k / nx + 1 == ny {
+            _ if grid.is_line() => {}
             true => cross.add(grid, at, (1, k - nx), -2.0 / dy, false),
             false => {
                 cross.add(grid, at, (1, k), 1.0 / dy, true);
@@ -269,16 +269,19 @@ impl<'a> Preconditioner<'a> {
         let mut pressure = vec![0.0; grid.n_nodes()];
         for k in (0..p.len()).map(|unknown| p.node(unknown)) {
             let [s0, sx, sy, sd] = *p.inverse.of(k / nx);
+            let beside = |k: usize| film[k - 1] + film[k + 1];
+            let along = s0 * film[k] + sx * beside(k);
+            if grid.is_line() {
+                pressure[k] = along;
+                continue;
+            }
             let below = k - nx;
             let above = match grid.half && k / nx + 1 == ny {
                 true => below,
                 false => k + nx,
             };
-            let beside = |k: usize| film[k - 1] + film[k + 1];
-            pressure[k] = s0 * film[k]
-                + sx * beside(k)
-                + sy * (film[below] + film[above])
-                + sd * (beside(below) + beside(above));
+            pressure[k] =
+                along + sy * (film[below] + film[above]) + sd * (beside(below) + beside(above));
         }
         pressure
     }

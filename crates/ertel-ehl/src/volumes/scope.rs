@@ -3,8 +3,6 @@
 /// What of a contact decides whether finite volumes solve it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct About {
-    /// All is the same along y.
-    pub is_line: bool,
     /// The bodies are half-spaces.
     pub has_half_spaces: bool,
     /// What of its heat finite volumes have to do with, where its temperature varies.
@@ -14,6 +12,8 @@ pub struct About {
 /// What of the heat of a contact decides.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HeatAbout {
+    /// All is the same along y.
+    pub is_line: bool,
     /// A roller of finite length.
     pub is_roller: bool,
     /// A body spins about the normal of the contact.
@@ -32,11 +32,11 @@ pub struct HeatAbout {
 pub fn why_not(about: &About) -> Option<&'static str> {
     let heat = about.heat.unwrap_or_default();
     let reasons = [
-        (about.is_line, "do not solve line contacts"),
         (
             !about.has_half_spaces,
             "need half-spaces, no finite-element bodies",
         ),
+        (heat.is_line, "do not solve for the heat of line contacts"),
         (
             heat.is_roller,
             "do not solve for the heat of rollers of finite length",
@@ -75,10 +75,14 @@ mod tests {
         let about = |heat| About {
             has_half_spaces: true,
             heat,
-            ..About::default()
         };
         assert_eq!(why_not(&about(None)), None);
         assert_eq!(why_not(&about(Some(HeatAbout::default()))), None);
+        let line = HeatAbout {
+            is_line: true,
+            ..HeatAbout::default()
+        };
+        assert!(why_not(&about(Some(line))).is_some_and(|reason| reason.contains("line")));
         let spins = HeatAbout {
             spins: true,
             ..HeatAbout::default()

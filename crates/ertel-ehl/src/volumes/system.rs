@@ -103,6 +103,9 @@ impl System {
             row[0] *= 0.5;
             row[nx - 1] *= 0.5;
         }
+        if self.grid.is_line() {
+            return self.convolution.apply(&values);
+        }
         values[..nx].iter_mut().for_each(|p| *p *= 0.5);
         if !self.grid.half {
             let last = (ny - 1) * nx;
@@ -217,13 +220,11 @@ impl System {
         let grid = &self.grid;
         let [nx, ny] = grid.n;
         let step = [1, nx][direction];
-        let above = if grid.half { ny - 1 } else { ny - RING };
+        let inner = grid.inner_rows();
         let (columns, rows) = match direction {
-            0 => (
-                RING - 1..nx - RING,
-                RING..if grid.half { ny } else { ny - RING },
-            ),
-            _ => (RING..nx - RING, RING - 1..above),
+            0 => (RING - 1..nx - RING, inner),
+            _ if grid.is_line() => return vec![Face::default(); grid.n_nodes()],
+            _ => (RING..nx - RING, RING - 1..inner.end.min(ny - 1)),
         };
         let middle = [[0.5, 0.0], [0.0, 0.5]][direction];
         let mut faces = vec![Face::default(); grid.n_nodes()];
@@ -281,6 +282,7 @@ impl System {
                 let along = through(0, k) - through(0, k - 1);
                 // Beyond the centreline of a half all is mirrored.
                 let across = match grid.half && j + 1 == ny {
+                    _ if grid.is_line() => 0.0,
                     true => -2.0 * through(1, k - nx),
                     false => through(1, k) - through(1, k - nx),
                 };

@@ -126,6 +126,7 @@ impl<Plan> Side<'_, Plan> {
                 rows: Some(rows.drawn_to(roller.half_length())),
                 ..before.clone()
             },
+            _ if before.is_line() => before.clone(),
             _ => Grid {
                 spacing: [h, h * zone.axis_ratio],
                 turn: zone.turn,

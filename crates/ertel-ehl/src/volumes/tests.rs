@@ -373,5 +373,6 @@ fn tangents_against_differences_of_solves() {
     }
 }
 
+mod lines;
 mod rollers;
 mod starved;

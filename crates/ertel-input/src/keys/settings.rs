@@ -57,7 +57,7 @@ rows! {
     /// `[solver]`.
     pub SOLVER {
         method: Choice(&["finite-elements", "finite-volumes"]) => r#"`"finite-elements"`, as in Habchi's thesis, or `"finite-volumes"`
-            ([theory](../theory/finite-volumes.md)), for rollers of finite length, circular and elliptical contacts of half-spaces, flooded or starved, with a
+            ([theory](../theory/finite-volumes.md)), for line, circular and elliptical contacts of half-spaces and rollers of finite length, flooded or starved, with a
             lubricant of one temperature. If absent: finite volumes for rollers of finite length, elliptical and starved contacts that they solve, and for circular ones with M above 1500 or L above 11,
             with thick films, or with `ree-eyring` or a limiting stress; finite elements for all others and where a key is given that only they have. What one does not solve is left to the other; a note says so. With
             `"finite-volumes"` the keys of finite elements are errors"#;

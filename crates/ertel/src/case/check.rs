@@ -378,7 +378,6 @@ impl Case {
 /// Why finite volumes do not solve a case, in words that follow "finite volumes"; `None` where they do.
 pub fn finite_volumes_refuse(case: &Case) -> Option<&'static str> {
     volumes::why_not(&volumes::About {
-        is_line: case.contact.kind.is_line(),
         has_half_spaces: case.elastic_model() == ElasticModel::HalfSpace,
         heat: heat_about(case),
     })
@@ -399,6 +398,7 @@ fn heat_about(case: &Case) -> Option<volumes::HeatAbout> {
             || differs(&|t| body.heat_capacity.heat_capacity(0.0, t))
     };
     Some(volumes::HeatAbout {
+        is_line: case.contact.kind.is_line(),
         is_roller: case.contact.kind == ContactKind::Roller,
         spins: case.motion.spin != [0.0; 2],
         is_starved: case.supply.is_limited(),

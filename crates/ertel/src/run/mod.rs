@@ -166,7 +166,8 @@ pub fn first_method(case: &Case) -> Method {
     }
     // Where heat counts, both take as long for contacts that both solve.
     let is_left = case.thermal().is_some() || finite_volumes_refuse(case).is_some();
-    if asks_for_elements(case) || is_left {
+    // Elements of high order that are small at the spike alone take less time for a line.
+    if asks_for_elements(case) || is_left || case.contact.kind.is_line() {
         return Method::FiniteElements;
     }
     let is_easy = || {

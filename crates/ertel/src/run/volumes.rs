@@ -14,7 +14,7 @@ use crate::sensitivity::by_derivatives;
 use crate::solution::{SensitivityMethod, Solution, Stats};
 use crate::solve::{Observer, SolveError};
 use crate::volumes::film::PatchedFilm;
-use crate::volumes::heat::{Settings, output};
+use crate::volumes::heat::{Params, output};
 use crate::volumes::roller_zone::with_rows_by_film;
 use crate::volumes::tangents::Tangents;
 use crate::volumes::{FiniteVolumes, Plan, fields, reduction, summary};
@@ -134,7 +134,7 @@ fn plan(case: &Case) -> Plan {
     match case.thermal() {
         None => plan,
         Some(thermal) => Plan {
-            heat: Settings {
+            heat: Params {
                 depth: thermal.depth,
                 tolerance: thermal.tolerance,
                 max_rounds: thermal.max_iterations,

@@ -30,7 +30,7 @@ pub mod temperatures;
 pub mod transport;
 pub mod warmth;
 
-pub use rounds::{Settings, Warm};
+pub use rounds::{Params, Warm};
 
 #[cfg(test)]
 mod tests;

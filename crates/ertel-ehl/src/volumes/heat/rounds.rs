@@ -21,7 +21,7 @@ use crate::volumes::system::{State, System};
 
 /// How heat is solved for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
+pub struct Params {
     /// Depth of the bodies, half-widths.
     pub depth: f64,
     /// Relative change from round to round, and the error that it leaves, at which film and heat have converged.
@@ -30,9 +30,9 @@ pub struct Settings {
     pub max_rounds: usize,
 }
 
-impl Default for Settings {
-    fn default() -> Settings {
-        Settings {
+impl Default for Params {
+    fn default() -> Params {
+        Params {
             depth: 3.15,
             tolerance: 1e-4,
             max_rounds: 40,
@@ -40,7 +40,7 @@ impl Default for Settings {
     }
 }
 
-impl Settings {
+impl Params {
     /// The tolerance of films that are told with some relative error.
     pub fn in_force(&self, target_error: f64) -> f64 {
         self.tolerance.max(SHARE * target_error)
@@ -97,17 +97,17 @@ pub struct Rounds<'a> {
     pub heat: &'a Heat,
     /// Heights at which the film is heated.
     pub heights: Heights,
-    /// Settings.
-    pub settings: Settings,
+    /// Parameters.
+    pub params: Params,
 }
 
 impl<'a> Rounds<'a> {
     /// Of a problem, where heat counts.
-    pub fn new<Plan>(problem: &'a Problem<Plan>, settings: Settings) -> Option<Rounds<'a>> {
+    pub fn new<Plan>(problem: &'a Problem<Plan>, params: Params) -> Option<Rounds<'a>> {
         Some(Rounds {
             heat: problem.heat.as_ref()?,
             heights: temperatures::heights(&problem.fluid)?,
-            settings,
+            params,
         })
     }
 
@@ -115,7 +115,7 @@ impl<'a> Rounds<'a> {
     pub fn start(&self, system: &System, before: Option<&Level>) -> (Bodies, Temperatures) {
         let (grid, heat) = (&system.grid, self.heat);
         let f = system.fluid.nodes().map_or(2, |nodes| nodes.n());
-        let mut bodies = Bodies::new(grid, heat, self.settings.depth);
+        let mut bodies = Bodies::new(grid, heat, self.params.depth);
         let mut own = unheated(grid, heat, f);
         let Some((level, warm, patch)) =
             before.and_then(|level| Some((level, level.warm.as_ref()?, level.patch?)))
@@ -180,10 +180,10 @@ impl<'a> Rounds<'a> {
         let (mut change, mut first) = (1.0_f64, 0.0);
         let mut relaxation = Relaxation::default();
         let mut hold = false;
-        let tolerance = self.settings.in_force(target);
+        let tolerance = self.params.in_force(target);
         let most = match is_start {
-            true => self.settings.max_rounds.min(ROUNDS_OF_STARTS),
-            false => self.settings.max_rounds,
+            true => self.params.max_rounds.min(ROUNDS_OF_STARTS),
+            false => self.params.max_rounds,
         };
         for round in 1..=most {
             if observer.cancelled() {

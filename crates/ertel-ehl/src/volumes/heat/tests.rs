@@ -6,7 +6,7 @@ use ertel_rheology::viscosity::{Cheng, ViscosityLaw};
 use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
 
 use super::columns::{FilmHeat, Films};
-use super::temperatures::{Bodies, account, step, unheated};
+use super::temperatures::{Bodies, Temperatures, account, step, unheated};
 use super::warmth::of_film;
 use crate::contact::{HertzZone, Motion, Turn};
 use crate::film::cross_film::CrossFilm;
@@ -14,105 +14,182 @@ use crate::film::{FilmFluid, FilmNodes, MOST_NODES};
 use crate::forms::energy::{BodyHeat, Heat, Heights};
 use crate::volumes::contents::Arrival;
 use crate::volumes::convolution::Convolution;
-use crate::volumes::grid::Grid;
-use crate::volumes::system::{State, System};
+use crate::volumes::grid::{Grid, RING};
+use crate::volumes::system::{Linearised, State, System};
 use crate::volumes::tests::problem;
 
 const AMBIENT: f64 = 313.15;
 const CONDUCTIVITY: f64 = 0.13;
 const VISCOSITY: f64 = 0.04;
 const FILM: f64 = 1e-7;
+const DENSITY: f64 = 870.0;
+const HEAT_CAPACITY: f64 = 2000.0;
+
+/// Nodes across the film.
+const NODES: usize = 9;
+
+/// A film of one height, m, between perfect conductors on a grid, moved by their mean speed, m/s, and sheared by their sliding, m/s.
+struct Channel {
+    system: System,
+    state: State,
+    heat: Heat,
+    heights: Heights,
+    films: Vec<f64>,
+}
+
+impl Channel {
+    fn new(height: f64, motion: &Motion, viscosity: &ViscosityLaw, rows: f64, h: f64) -> Channel {
+        let problem = problem(motion, 0.01);
+        let scales = &problem.scales;
+        let density = DensityLaw::dowson_higginson(DENSITY).unwrap();
+        let fluid = FilmFluid::new(&density, viscosity, AMBIENT, scales)
+            .with_shear(None, &motion.sliding(scales.length), scales)
+            .with_nodes(FilmNodes::new(8));
+        let body = |velocity| BodyHeat {
+            density: 7850.0,
+            conductivity: ConductivityLaw::constant(1e9).unwrap(),
+            heat_capacity: HeatCapacityLaw::constant(470.0).unwrap(),
+            velocity,
+            bulk_temperature: AMBIENT,
+        };
+        let heat = Heat {
+            conductivity: ConductivityLaw::constant(CONDUCTIVITY).unwrap(),
+            heat_capacity: HeatCapacityLaw::constant(HEAT_CAPACITY).unwrap(),
+            bodies: motion.surfaces(scales.length).map(body),
+            inlet_temperature: AMBIENT,
+            length: scales.length,
+            film: scales.film,
+            pressure: scales.pressure,
+            density: scales.density,
+            viscosity: scales.viscosity,
+            lambda: scales.lambda,
+            entrainment_speed: motion.entrainment_speed,
+        };
+        let zone = HertzZone {
+            axis_ratio: 1.0,
+            turn: Turn::NONE,
+            roller: None,
+        };
+        let grid = Grid::covering([[-1.0, 1.0], [-rows, rows]], h, true, &zone);
+        let n = grid.n_nodes();
+        let film = height / scales.film;
+        let system = System {
+            convolution: Convolution::new(&grid, 0.3).into(),
+            gap: vec![film; n],
+            load: 0.0,
+            beyond: None,
+            fluid,
+            lambda: scales.lambda,
+            entrainment: problem.entrainment,
+            arrival: Arrival::Flooded,
+            warmth: Vec::new(),
+            grid,
+        };
+        Channel {
+            state: State {
+                pressure: vec![0.0; n],
+                separation: 0.0,
+                wetted: vec![true; n],
+                contents: Vec::new(),
+            },
+            heights: Heights::new(system.fluid.nodes().unwrap()),
+            films: vec![film; n],
+            system,
+            heat,
+        }
+    }
+
+    fn of(&self) -> FilmHeat<'_> {
+        FilmHeat {
+            grid: &self.system.grid,
+            fluid: &self.system.fluid,
+            heat: &self.heat,
+            heights: &self.heights,
+        }
+    }
+
+    fn films<'a>(&'a self, temperature: &'a [f64]) -> Films<'a> {
+        Films {
+            pressure: &self.state.pressure,
+            film: &self.films,
+            missing: &[],
+            temperature,
+            held: &[],
+        }
+    }
+
+    /// Temperatures after some steps from the given ones, which stand along the edges.
+    fn solve(&self, own: &mut Temperatures) -> Linearised {
+        let bodies = Bodies::new(&self.system.grid, &self.heat, 3.15);
+        let at = self.system.linearise(&self.state);
+        for _ in 0..12 {
+            let temperature = own.film.clone();
+            let now = self.films(&temperature);
+            let (_, info) = step(&self.of(), &bodies, &now, &at.faces, own);
+            assert!(info.is_finite);
+        }
+        at
+    }
+}
 
 /// Rise at mid-film, K, and heat of shear, W/m², in the middle of a uniform film of 100 nm between surfaces that slide by their mean speed, m/s, and take away all heat.
 fn couette(speed: f64, viscosity: &ViscosityLaw) -> (f64, f64, f64) {
-    let motion = Motion::straight(speed, 1.0);
-    let problem = problem(&motion, 0.01);
-    let scales = &problem.scales;
-    let density = DensityLaw::dowson_higginson(870.0).unwrap();
-    let fluid = FilmFluid::new(&density, viscosity, AMBIENT, scales)
-        .with_shear(None, &motion.sliding(scales.length), scales)
-        .with_nodes(FilmNodes::new(8));
-    let body = |velocity| BodyHeat {
-        density: 7850.0,
-        conductivity: ConductivityLaw::constant(1e9).unwrap(),
-        heat_capacity: HeatCapacityLaw::constant(470.0).unwrap(),
-        velocity,
-        bulk_temperature: AMBIENT,
-    };
-    let heat = Heat {
-        conductivity: ConductivityLaw::constant(CONDUCTIVITY).unwrap(),
-        heat_capacity: HeatCapacityLaw::constant(2000.0).unwrap(),
-        bodies: motion.surfaces(scales.length).map(body),
-        inlet_temperature: AMBIENT,
-        length: scales.length,
-        film: scales.film,
-        pressure: scales.pressure,
-        density: scales.density,
-        viscosity: scales.viscosity,
-        lambda: scales.lambda,
-        entrainment_speed: speed,
-    };
-    let zone = HertzZone {
-        axis_ratio: 1.0,
-        turn: Turn::NONE,
-        roller: None,
-    };
-    let grid = Grid::covering([[-1.0, 1.0], [-1.0, 1.0]], 0.25, true, &zone);
-    let n = grid.n_nodes();
-    let film = FILM / scales.film;
-    let system = System {
-        convolution: Convolution::new(&grid, 0.3).into(),
-        gap: vec![film; n],
-        load: 0.0,
-        beyond: None,
-        fluid,
-        lambda: scales.lambda,
-        entrainment: problem.entrainment,
-        arrival: Arrival::Flooded,
-        warmth: Vec::new(),
-        grid,
-    };
-    let state = State {
-        pressure: vec![0.0; n],
-        separation: 0.0,
-        wetted: vec![true; n],
-        contents: Vec::new(),
-    };
-    let heights = Heights::new(system.fluid.nodes().unwrap());
-    let of = FilmHeat {
-        grid: &system.grid,
-        fluid: &system.fluid,
-        heat: &heat,
-        heights: &heights,
-    };
-    let bodies = Bodies::new(&system.grid, &heat, 3.15);
-    let mut own = unheated(&system.grid, &heat, 9);
-    let at = system.linearise(&state);
-    let films = vec![film; n];
-    for _ in 0..12 {
-        let temperature = own.film.clone();
-        let now = Films {
-            pressure: &state.pressure,
-            film: &films,
-            missing: &[],
-            temperature: &temperature,
-            held: &[],
-        };
-        let (_, info) = step(&of, &bodies, &now, &at.faces, &mut own);
-        assert!(info.is_finite);
-    }
+    let channel = Channel::new(FILM, &Motion::straight(speed, 1.0), viscosity, 1.0, 0.25);
+    let grid = &channel.system.grid;
+    let mut own = unheated(grid, &channel.heat, NODES);
+    let at = channel.solve(&mut own);
     let temperature = own.film.clone();
-    let now = Films {
-        pressure: &state.pressure,
-        film: &films,
-        missing: &[],
-        temperature: &temperature,
-        held: &[],
-    };
-    let made = account(&of, &now, &at.faces, &mut own).made;
-    let [i, j] = system.grid.centre();
-    let k = system.grid.index(i, j);
-    (own.film[9 * k + 4] - AMBIENT, made[k][0], own.flux[0][k])
+    let now = channel.films(&temperature);
+    let made = account(&channel.of(), &now, &at.faces, &mut own).made;
+    let [i, j] = grid.centre();
+    let k = grid.index(i, j);
+    (
+        own.film[NODES * k + NODES / 2] - AMBIENT,
+        made[k][0],
+        own.flux[0][k],
+    )
+}
+
+/// A film that comes warm between cold walls, T = T_w + ΔT cos πs, cools as e^(−x/l), l = ρ c u h²/(π² k) (Graetz's problem of a plug flow, its first wave): largest
+/// error of the temperatures at mid-film, of ΔT.
+fn cooling_error(cells: u32) -> f64 {
+    let speed = 1.0;
+    let motion = Motion::straight(speed, 0.0);
+    let length = problem(&motion, 0.01).scales.length;
+    // The film cools by e^−2 along the grid.
+    let height =
+        std::f64::consts::PI * (CONDUCTIVITY * length / (DENSITY * HEAT_CAPACITY * speed)).sqrt();
+    let h = 2.0 / f64::from(cells);
+    let viscosity = ViscosityLaw::constant(VISCOSITY).unwrap();
+    let channel = Channel::new(height, &motion, &viscosity, 4.0 * h, h);
+    let grid = &channel.system.grid;
+    let mut own = unheated(grid, &channel.heat, NODES);
+    let rise = |x: f64, s: f64| 20.0 * (std::f64::consts::PI * s).cos() * (-1.0 - x).exp();
+    let heights = FilmNodes::new(8).points().to_vec();
+    for (k, [i, j]) in grid.nodes().enumerate().filter(|(_, [i, _])| *i < RING) {
+        for (t, s) in own.film[NODES * k..].iter_mut().zip(&heights) {
+            *t = AMBIENT + rise(grid.place(i, j)[0], *s);
+        }
+    }
+    channel.solve(&mut own);
+    let errors = (grid.nodes().enumerate())
+        .filter(|(_, [i, j])| grid.is_unknown(*i, *j))
+        .map(|(k, [i, j])| {
+            let found = own.film[NODES * k + NODES / 2] - AMBIENT;
+            (found - rise(grid.place(i, j)[0], 0.0)).abs()
+        });
+    errors.fold(0.0, f64::max) / 20.0
+}
+
+/// Convection along the flow: the closed form, by the second order.
+#[test]
+fn film_cools_along_the_flow() {
+    let [coarse, middle, fine] = [16, 32, 64].map(cooling_error);
+    assert!(fine < 2e-4, "{coarse} {middle} {fine}");
+    for [before, after] in [[coarse, middle], [middle, fine]] {
+        let order = (before / after).log2();
+        assert!((1.8..2.3).contains(&order), "{order}: {before} {after}");
+    }
 }
 
 /// A film of one viscosity heats up by the parabola of μU²/8k, and half of its heat goes into each body.
