@@ -182,7 +182,11 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
 /// How many contacts have no films, and why.
 pub(in crate::output) fn write_idle(out: &mut Lines, machine: &MachineSolution) {
     let contacts = &machine.machine.contacts;
-    match contacts.iter().filter(|contact| contact.like.is_none()).count() {
+    match contacts
+        .iter()
+        .filter(|contact| contact.like.is_none())
+        .count()
+    {
         0 => {}
         n => out.note(&format!(
             "{n} of {} contacts are not solved: nothing presses there, or inertia alone",
