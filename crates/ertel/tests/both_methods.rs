@@ -87,7 +87,8 @@ fn both_engines_agree() {
     }
 }
 
-/// A tilted roller with a logarithmic profile and a ball with heat, by both methods: figures as above, and temperatures.
+/// A tilted roller with a logarithmic profile and a ball with heat, by both methods: figures as above, and mean temperatures. The largest ones stand on the ridge of
+/// a Newtonian film, which neither resolves at this target.
 #[test]
 fn both_engines_agree_on_rollers_and_heat() {
     let motion = "entrainment_speed = \"2 m/s\"\nslide_to_roll_ratio = 0.1";
@@ -108,8 +109,8 @@ fn both_engines_agree_on_rollers_and_heat() {
     for (mut case, asked) in cases.into_iter().zip([
         &[Figure::RollerMoment, Figure::FrictionPower][..],
         &[
-            Figure::FilmTemperatureMaximum,
-            Figure::Body1TemperatureMaximum,
+            Figure::FilmTemperatureMean,
+            Figure::Body1TemperatureMean,
             Figure::TractionCoefficient,
         ],
     ]) {

@@ -22,6 +22,9 @@ const MENISCUS: f64 = 2.0;
 const WIDE: f64 = 4.0;
 const MARGIN_OF_LINES: f64 = 4.0;
 
+/// Rounding of places, in cells.
+const ROUNDING: f64 = 1e-9;
+
 /// Largest cell of the first grid.
 fn largest_cell<P>(problem: &Problem<P>) -> f64 {
     let e = &problem.extents;
@@ -32,15 +35,18 @@ fn largest_cell<P>(problem: &Problem<P>) -> f64 {
     }
 }
 
-/// Cell of the first grid; a meniscus lies on the lines of a grid with cells of twice the size.
+/// Cell of the first grid. A meniscus lies on the lines of a grid with cells of twice the size, and so does the outlet edge of a line: the oil behind the film is sheared as
+/// far as that, which is a part of its traction.
 pub fn first_cell<P>(problem: &Problem<P>) -> f64 {
     let largest = largest_cell(problem);
+    let unit = 2.0 * largest;
+    let dividing = |length: f64| largest * length / (unit * (length / unit).ceil());
     match Arrival::of(problem) {
-        Arrival::Flooded | Arrival::Layer(_) => largest,
-        Arrival::From(meniscus) => {
-            let unit = 2.0 * largest;
-            largest * meniscus.abs() / (unit * (meniscus.abs() / unit).ceil())
+        Arrival::From(meniscus) => dividing(meniscus.abs()),
+        Arrival::Flooded | Arrival::Layer(_) if problem.shape.is_line() => {
+            dividing(problem.extents.outlet)
         }
+        Arrival::Flooded | Arrival::Layer(_) => largest,
     }
 }
 
@@ -79,7 +85,11 @@ pub fn grid(problem: &Problem<Plan>, h: f64, first: Option<&Grid>) -> Grid {
                     Inlet::Layer(_) | Inlet::Meniscus => f64::INFINITY,
                 };
                 let (low, high) = (low.max(-most), high.min(most));
-                let (low, high) = ((low / unit).ceil() * unit, (high / unit).floor() * unit);
+                // An edge that lies on a line does, whatever its rounding.
+                let (low, high) = (
+                    (low / unit - ROUNDING).ceil() * unit,
+                    (high / unit + ROUNDING).floor() * unit,
+                );
                 [low.min(-least), high.max(least)]
             })
         }
