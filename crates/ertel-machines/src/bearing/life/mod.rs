@@ -103,6 +103,27 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
+    /// Four digits, and ranges without an end.
+    #[test]
+    fn ranges_in_words() {
+        let said = |value, low, high| {
+            let name = "κ";
+            Error::Range {
+                name,
+                value,
+                low,
+                high,
+            }
+            .to_string()
+        };
+        let told = said(0.069_608_395_489_7, 0.1, f64::INFINITY);
+        assert_eq!(told, "κ is 0.06961; the standard covers 0.1 and more");
+        let told = said(3.0, f64::NEG_INFINITY, 1.0);
+        assert_eq!(told, "κ is 3; the standard covers 1 and less");
+        let told = said(12.0, 1.0, 10.0);
+        assert_eq!(told, "κ is 12; the standard covers 1 to 10");
+    }
+
     /// By hand: (20/2)³ = 1000 million; rollers 10^(10/3) = 2154.43 million; 0.64 · 2 of it.
     #[test]
     fn lives_by_hand() {
