@@ -422,7 +422,7 @@ fn end_across(shape: &Shape) -> f64 {
     }
 }
 
-/// Axis ratio from which an ellipse is wide, and the nearest edge across the motion, in half-widths.
+/// Axis ratio beyond which an ellipse is wide, and the nearest edge across the motion, in half-widths.
 const WIDE: f64 = 1.5;
 const NEAREST_SIDE: f64 = 2.0;
 

@@ -313,13 +313,14 @@ fn thick_films_and_steep_viscosities() {
     }
 }
 
-/// Sensitivities of a sliding ball and of an ellipse at an angle by linear solves agree with those of the adjoint to 3 % of the largest.
+/// Sensitivities of a sliding ball, an ellipse at an angle and a cylinder by linear solves agree with those of the adjoint to 3 % of the largest.
 #[test]
 fn both_tell_the_same_sensitivities() {
     let motion = "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.1";
     let ellipse = "kind = \"elliptical\"\nradius_x = \"10 mm\"\nradius_y = \"30 mm\"\nentrainment_angle = \"25 deg\"\nload = \"60 N\"";
     let more = "[mesh]\ntarget_error = 0.005\n[output]\nsensitivities = true";
-    for contact in [BALL, ellipse] {
+    let cylinder = "kind = \"line\"\nradius = \"16 mm\"\nload = \"60 kN/m\"";
+    for contact in [BALL, ellipse, cylinder] {
         let mut case = case(contact, motion, more);
         let [elements, volumes] = METHODS.map(|method| {
             case.solver.method = Some(method);

@@ -138,7 +138,7 @@ fn mirrored_motion_mirrors_the_contact() {
             s.summary.film_minimum_at.y,
         )
     });
-    // The bar of a moment by spin holds what the outer half of the ball adds.
+    // The bar of a moment by spin allows for what the outer half of the ball adds.
     for (a, b, least) in [(a.0, b.0, 5.0), (a.1, b.1, 1.0)] {
         let bar = a.error.unwrap() + b.error.unwrap();
         assert!(

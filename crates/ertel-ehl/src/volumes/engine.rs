@@ -230,6 +230,7 @@ impl Engine for FiniteVolumes {
             true => LEAST_GRIDS_OF_LINES,
             false => LEAST_GRIDS,
         };
+        let mut given_up = f64::NAN;
         for n in 0..problem.plan.most_grids {
             let clock = Instant::now();
             let first = found.levels.first().map(|level| &level.system.grid);
@@ -286,6 +287,7 @@ impl Engine for FiniteVolumes {
             if let (Some(begun), false, true) = (begun, info.converged, n > 0 && n + TOLD < least) {
                 // Too coarse for the film: the next grid begins where this one did.
                 state = begun;
+                given_up = info.change;
             } else if !info.converged {
                 if let Some(before) = found.levels.last_mut() {
                     before.patch = None;
@@ -331,9 +333,17 @@ impl Engine for FiniteVolumes {
             }
             h *= 0.5;
         }
-        // All figures of those grids from which errors are told.
+        // All figures of those grids from which errors are told, which are solutions.
         let n = found.levels.len();
-        for l in n.saturating_sub(TOLD)..n {
+        let told = n.saturating_sub(TOLD);
+        if let Some(l) = (told..n).find(|l| !found.stats[*l].converged) {
+            return Err(SolveError::GridNotConverged {
+                level: l,
+                iterations: found.stats[l].newton_iterations,
+                change: given_up,
+            });
+        }
+        for l in told..n {
             found.stats[l].figures = figures(problem, &found.levels[..=l]);
         }
         found.balance_error = (found.levels.last()).map_or(f64::NAN, |level| {

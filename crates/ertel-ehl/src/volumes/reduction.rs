@@ -3,7 +3,7 @@
 //! ```text
 //!   r = 1 − h/h_N on each grid, bars from grid to grid
 //! ```
-//! Errors of the grid are alike in both films, so that the finest grids are left out.
+//! Errors of the grid are alike in both films, so that the finest grids are left out; of lines, whose grids are small, none.
 
 use super::engine::{FiniteVolumes, Plan, Volumes};
 use super::figures::{Slowest, bar};
@@ -25,7 +25,11 @@ pub fn film_reduction(
     observer: &mut dyn Observer,
 ) -> Result<Option<FilmReduction>, SolveError> {
     let n = thinned.stats.len();
-    newtonian.plan.most_grids = n.saturating_sub(LEFT_OUT).max(LEAST).min(n);
+    let left_out = match newtonian.shape.is_line() {
+        true => 0,
+        false => LEFT_OUT,
+    };
+    newtonian.plan.most_grids = n.saturating_sub(left_out).max(LEAST).min(n);
     // All of these grids.
     newtonian.plan.target_error = 0.0;
     let beside = match FiniteVolumes.solve(&newtonian, observer) {
@@ -42,7 +46,7 @@ pub fn film_reduction(
         let values = [0, 1, 2].map(|back| on_grid(last.checked_sub(back)?));
         Some(Estimate {
             value: values[0]?,
-            error: bar(values, false, Slowest::OF_FILMS),
+            error: bar(values, false, Slowest::of(figure)),
         })
     };
     let [central, minimum] = [Figure::FilmCentral, Figure::FilmMinimum].map(of);

@@ -47,7 +47,8 @@ rows! {
         growth, depth_growth: Number, bounds [0.05, 2.0] => r"growth of the cell size with distance along the surface, and with depth{};
             half-spaces do not use the latter, and a warning says so";
         inlet, outlet, side: Number => r"edges of the contact area: x < -1, x > 1, and |y| > 1 for circular and elliptical contacts (for a
-            roller its ends); chosen from the expected film if absent";
+            roller its ends); chosen from the expected film if absent, the side of an \
+            ellipse wide across the motion no farther than its bodies";
         body_width, body_depth: Number, bounds [8.0, 600.0] => r"size of a finite-element body, in half-widths{}; 60 if absent, more for thick
             films. No effect on half-spaces, and a warning says so";
         pressure_order: Count, bounds [1.0, 5.0] => "Lagrange order of the pressure";

@@ -176,8 +176,12 @@ fn report(rows: &[Row]) {
     line("all", &all);
     println!();
     head("contacts");
-    let mut families: Vec<&str> = rows.iter().map(|r| r.family.as_str()).collect();
-    families.dedup();
+    let mut families: Vec<&str> = Vec::new();
+    for row in &rows {
+        if !families.contains(&row.family.as_str()) {
+            families.push(&row.family);
+        }
+    }
     for family in families {
         let own: Vec<&Row> = rows.iter().filter(|r| r.family == family).collect();
         line(family, &own);

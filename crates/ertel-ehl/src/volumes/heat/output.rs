@@ -112,7 +112,7 @@ fn reduction(
         let values = [0, 1, 2].map(|back| on_grid(last.checked_sub(back)?));
         Some(Estimate {
             value: values[0]?,
-            error: bar(values, false, Slowest::OF_FILMS),
+            error: bar(values, false, Slowest::of(figure)),
         })
     };
     let traction = |back: usize| {
@@ -128,7 +128,7 @@ fn reduction(
             error: bar(
                 [traction(0), traction(1), traction(2)],
                 false,
-                Slowest::OF_FILMS,
+                Slowest::of(Figure::TractionCoefficient),
             ),
         },
     })

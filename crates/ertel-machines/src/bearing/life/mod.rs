@@ -14,6 +14,8 @@ mod roller_rating;
 mod roller_reference;
 mod table;
 
+use ertel_ehl::words::digits;
+
 pub use contamination::{Cleanliness, GuideCleanliness, contamination_factor, contamination_guide};
 pub use equivalent::{Factors, dynamic_equivalent_load, factors, static_equivalent_load};
 pub use factor::{
@@ -33,18 +35,12 @@ pub const BALL_EXPONENT: f64 = 3.0;
 /// Exponent of the life of roller bearings, L10 = (C/P)^(10/3).
 pub const ROLLER_EXPONENT: f64 = 10.0 / 3.0;
 
-/// A value with four digits.
-fn four(value: f64) -> String {
-    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
-    rounded.to_string()
-}
-
 /// A range in words.
 fn range(low: f64, high: f64) -> String {
     match (low == f64::NEG_INFINITY, high == f64::INFINITY) {
-        (_, true) => format!("{low} and more"),
-        (true, _) => format!("{high} and less"),
-        _ => format!("{low} to {high}"),
+        (_, true) => format!("{} and more", digits(low, 4)),
+        (true, _) => format!("{} and less", digits(high, 4)),
+        _ => format!("{} to {}", digits(low, 4), digits(high, 4)),
     }
 }
 
@@ -52,7 +48,7 @@ fn range(low: f64, high: f64) -> String {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
     /// Outside of a standard's table or range, which is not extrapolated.
-    #[error("{name} is {}; the standard covers {}", four(*.value), range(*.low, *.high))]
+    #[error("{name} is {}; the standard covers {}", digits(*.value, 4), range(*.low, *.high))]
     Range {
         /// What.
         name: &'static str,

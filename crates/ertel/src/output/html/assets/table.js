@@ -92,8 +92,7 @@ class TableView {
     // A curve has at least two points.
     const by = axes.filter((c) => c !== x && distinct(c) > 1 && distinct(c) <= 12 && 2 * distinct(c) <= this.rows.length);
     fill("table-by", [["one curve", ""], ...by.map((c) => [this.columns[c].words, c])], by[0] ?? "");
-    const figures = numeric.filter(([, i]) => i > 0);
-    const find = (names) => names.map((n) => this.columns.findIndex((c) => c.title === n && c.isNumber)).find((i) => i >= 0) ?? (figures[this.nAxes] ?? numeric[0])[1];
+    const find = (names) => names.map((n) => this.columns.findIndex((c) => c.title === n && c.isNumber)).find((i) => i >= 0) ?? (numeric.find(([, i]) => i > this.nAxes) ?? numeric[0])[1];
     fill("table-y1", [["Central and minimum film", "films"], ...named], this.columns.some((c) => c.title === "film_central_m" && c.isNumber) ? "films" : numeric[0][1]);
     const slides = this.columns.find((c) => c.title === "traction_coefficient")?.numbers.some((v) => Math.abs(v) > 1e-9);
     fill("table-y2", [["Central and minimum film", "films"], ...named], find([...(slides ? ["friction_total", "traction_coefficient"] : ["pressure_central_Pa", "pressure_maximum_Pa"]), ...OF_WHOLE_MACHINES]));
