@@ -63,7 +63,7 @@ async function look(name, file, expected, how) {
   // Angles in degrees, speeds in rpm, torques in N m: no heading has the unit of a column of the file in it, and no plot the numbers of the points.
   const said = await page.$$eval("#table thead button, #plot-1 .u-legend, #plot-2 .u-legend", (all) => all.map((e) => e.textContent));
   for (const text of said) assert.doesNotMatch(text, /\b(rad|J)\b|^Point\b.*:/, `${name}: ${text}`);
-  const second = await page.$$eval("#table-y2", (all) => all.map((e) => e.selectedOptions[0].textContent));
+  const second = await page.$$eval("#table-y2", (all) => all.map((e) => e.selectedOptions[0]?.textContent));
   for (const text of second) assert.notEqual(text, "Point", name);
   await page.screenshot({ path: join(SCREENSHOTS, `shipped-${name.replaceAll("/", "-")}.png`), fullPage: true });
   await page.close();
