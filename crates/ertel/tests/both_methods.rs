@@ -128,8 +128,8 @@ fn both_engines_agree_on_rollers_and_heat() {
 }
 
 /// Cylinders: a Newtonian fluid, a layer of oil, Eyring's fluid that slides along and across: films and pressure differ by no more than the sum of their bars,
-/// below 1 % of films. Friction and the outlet do by less than 3 %: the elements' penalty leaves a pressure below zero behind the outlet, which their bars do not
-/// hold (with ten times the penalty the rolling traction differs by a tenth as much), and both methods end the contact area on lines of their own.
+/// below 1 % of films. Traction and the outlet differ by up to 0.6 %, the friction power of the layer by 1.8 %, beyond the bars of the elements, whose penalty leaves a
+/// pressure below zero behind the film.
 #[test]
 fn both_engines_agree_on_lines() {
     let line = "kind = \"line\"\nradius = \"16 mm\"\nload = \"80 kN/m\"";
@@ -163,16 +163,16 @@ fn both_engines_agree_on_lines() {
             let (_, bars) = crossed.difference().unwrap();
             assert!(bars < 0.01 * crossed.own.value, "{crossed:?}");
         }
-        for figure in [
-            Figure::OutletPosition,
-            Figure::TractionCoefficient,
-            Figure::TractionCoefficientBody2,
-            Figure::FrictionPower,
+        for (figure, share) in [
+            (Figure::OutletPosition, 0.01),
+            (Figure::TractionCoefficient, 0.01),
+            (Figure::TractionCoefficientBody2, 0.01),
+            (Figure::FrictionPower, 0.02),
         ] {
             let crossed = crossed(figure);
             let (difference, _) = crossed.difference().unwrap();
             let size = crossed.own.value.abs();
-            assert!(difference.abs() < 0.03 * size, "{crossed:?}");
+            assert!(difference.abs() < share * size, "{crossed:?}");
         }
         // The same figures.
         let names = |found: &Solution| {
