@@ -32,7 +32,7 @@ impl HertzZone {
 
     /// A place in semi-axes of an ellipse.
     #[inline(always)]
-    fn circle(&self, at: [f64; 2]) -> [f64; 2] {
+    pub fn circle(&self, at: [f64; 2]) -> [f64; 2] {
         let [x, y] = self.turn.to_axes(at);
         [x, y / self.axis_ratio]
     }

@@ -61,8 +61,9 @@ pub fn bounds<P>(problem: &Problem<P>) -> [[f64; 2]; 2] {
         };
         return [[inlet, e.outlet], [-e.side, e.side]];
     }
-    let reach = e.side.max(e.inlet.abs()).max(e.outlet);
-    [[-reach, reach]; 2]
+    // The motion leaves by any side.
+    let reach = e.inlet.abs().max(e.outlet);
+    [[-reach, reach], [-e.side, e.side]]
 }
 
 /// The grid with cells of the size h: the first one over the box, the others within it as far as the margin goes. Its corners are nodes of a
