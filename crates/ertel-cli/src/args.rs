@@ -17,7 +17,7 @@ use crate::schema::SchemaArgs;
 #[command(after_help = "\
 Exit codes: 0 solved, 1 results could not be written or a validation does not hold, 2 bad input or usage, 3 not converged (a point of a curve or study, too), 130 interrupted.")]
 pub struct Cli {
-    /// Folder of own lubricants and materials, `fluids/NAME.toml` and `solids/NAME.toml` [env: ERTEL_DATA]
+    /// Folder with your lubricants and materials, `fluids/NAME.toml` and `solids/NAME.toml` [env: ERTEL_DATA]
     #[arg(long = "data", global = true, value_name = "DIR")]
     pub own_data: Option<PathBuf>,
     /// When messages and reports are coloured.
@@ -140,7 +140,7 @@ pub struct SweepArgs {
     /// Write the results of each point into a folder of its own, too
     #[arg(long)]
     pub folders: bool,
-    /// Solve once more what failed
+    /// Retry failed points
     #[arg(long)]
     pub retry: bool,
     /// Solve part I of N of the points, as one of the jobs of a cluster
@@ -161,7 +161,7 @@ pub struct SweepArgs {
     /// No progress on stderr and no report on stdout
     #[arg(short, long)]
     pub quiet: bool,
-    /// Tell more: what was read, a line for each point, every failure and warning
+    /// Verbose: also print files read, a line for each point, failures and warnings
     #[arg(short, long, conflicts_with_all = ["quiet", "json"])]
     pub verbose: bool,
 }
@@ -227,7 +227,7 @@ pub struct CompareArgs {
     /// Write a PDF picture beside the SVG one
     #[arg(long)]
     pub pdf: bool,
-    /// Solve once more what failed
+    /// Retry failed points
     #[arg(long)]
     pub retry: bool,
     /// Points solved at the same time [default: as many as cores]

@@ -106,7 +106,7 @@ fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
         return Err(failed(error));
     }
     print::stderr(&format!(
-        "{} is written; `ertel solve --check {0}` says what it is, `ertel solve {0}` solves it",
+        "Wrote {}. Check it with `ertel solve --check {0}`, solve it with `ertel solve {0}`",
         path.display()
     ));
     Ok(())

@@ -149,7 +149,7 @@ fn dry_run(study: &Study, folder: &Path, events: &Events) -> Result<(), Failure>
     let n_done = finished.iter().flatten().count();
     let n_cold = plan.parents.iter().filter(|p| p.is_none()).count();
     print::stdout(&format!(
-        "{}\n{} points, {n_done} finished; {n_cold} from the dry contact, the longest way from there {} solves\n",
+        "{}\n{} points, {n_done} finished; {n_cold} from the dry contact, longest chain: {} solves\n",
         columns(&rows),
         study.points.len(),
         plan.depth()

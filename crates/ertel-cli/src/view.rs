@@ -61,7 +61,7 @@ fn read(page: &Path) -> Result<String, Failure> {
         let folder = page.parent().unwrap_or(page).display();
         Failure::Argument(match error {
             error if error.is_missing() => format!(
-                "there is no {}\n  = help: a result folder holds it since ertel writes pages; solve the case of {folder} once more",
+                "{}: no such file\n  = help: result folders contain it; solve the case of {folder} again",
                 page.display()
             ),
             FileError::Encoding { .. } => refused_text(page, "it is not text"),

@@ -62,7 +62,7 @@ pub fn run(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
         ]);
     }
     let mut text = format!(
-        "Laws by how well they predict isotherms that they were not fitted to ({} isotherms)\n\n{}",
+        "Cross-validation: error on the isotherm left out ({} isotherms)\n\n{}",
         ranking.isotherms.len(),
         columns(&rows)
     );

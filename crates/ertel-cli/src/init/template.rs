@@ -331,7 +331,7 @@ pub const TEMPLATES: &[Template] = &[
 const HEAD: &str = "\
 # Numbers have units, inside quotes; a ± gives an uncertainty: \"30 N ± 2 %\". All keys: docs/reference/case-file.md.
 #
-#   ertel solve --check FILE.toml    reads and checks this file, and says what it is
+#   ertel solve --check FILE.toml    checks this file and prints a summary
 #   ertel estimate FILE.toml         films by published formulas, at once
 #   ertel solve FILE.toml            solves it and writes films, pressures and pictures into a folder
 #
@@ -362,7 +362,7 @@ const OPTIONS: [(&str, &str); 6] = [
     (
         "mesh",
         "\
-## How exact the films shall be.
+## Accuracy of the films.
 # [mesh]
 # target_error = \"0.2 %\"
 ",
@@ -406,7 +406,7 @@ impl Template {
     pub fn text(&self) -> String {
         let options: Vec<String> = self.options().map(|(_, text)| text).collect();
         format!(
-            "{HEAD}{}\n## More that may be said; remove the `# ` before a line.\n\n{}",
+            "{HEAD}{}\n## Optional sections: remove the `# ` before a line to use it.\n\n{}",
             self.case,
             options.join("\n")
         )

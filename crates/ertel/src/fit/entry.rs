@@ -203,7 +203,7 @@ fn intervals(fit: &Fit) -> String {
                 written(low, constant.unit),
                 written(high, constant.unit)
             ),
-            None => write!(text, "{} held", constant.key),
+            None => write!(text, "{} fixed", constant.key),
         };
     }
     text + "."

@@ -384,7 +384,7 @@ pub fn fit(data: &Data, law: LawName, params: &Params) -> Result<Fit, FitError> 
     let [low, high] = data.temperature_range();
     if !law.is_thermal() && high - low > law::ISOTHERM {
         warnings.push(format!(
-            "the law `{}` knows no temperature, but the data go from {low:.1} K to {high:.1} K: fit one isotherm, or `cheng`",
+            "the law `{}` does not depend on temperature, but the data go from {low:.1} K to {high:.1} K: fit one isotherm, or `cheng`",
             law.name()
         ));
     }

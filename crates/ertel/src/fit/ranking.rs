@@ -73,7 +73,7 @@ fn try_rank(
     isotherms: &[f64],
 ) -> Result<Ranked, String> {
     if !law.is_thermal() {
-        return Err("it knows no temperature, and says nothing about another isotherm".to_owned());
+        return Err("no temperature dependence; cannot be ranked".to_owned());
     }
     if isotherms.len() < FEWEST_ISOTHERMS {
         return Err(format!(

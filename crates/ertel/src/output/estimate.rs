@@ -190,7 +190,7 @@ fn write_thermal(out: &mut Lines, estimate: &CaseEstimate) {
         out.row("thermal loading L_T = μ β u_m²/k", digits(loading, 3));
     }
     for f in &thermal.factors {
-        let name = format!("  film times, {}", f.name);
+        let name = format!("  thermal reduction factor, {}", f.name);
         out.row(&name, digits(f.factor, 4));
     }
     match &thermal.recommended {

@@ -178,7 +178,7 @@ fn open_balance(solution: &Solution) -> Option<Warning> {
     }
     let share = digits(100.0 * error.abs(), 2);
     let text = format!(
-        "the heat balance is open by {share} %, bodies and film carry off {} than is made: the mesh does not resolve the thermal \
+        "the heat balance is open by {share} %, bodies and film remove {} than is generated: the mesh does not resolve the thermal \
          boundary layer, mostly at the inlet edge; the heat carried off by each of them is as uncertain",
         if error < 0.0 { "more" } else { "less" }
     );

@@ -3,7 +3,7 @@
 use crate::contact::Groups;
 
 pub(super) const SOURCE: &str = "Chittenden, Dowson, Dunn & Taylor 1985, Proc. R. Soc. A 397, 245-269; the radii are those along and across the \
-     motion (constants recalled)";
+     motion";
 
 /// Central film over the radius along the motion, h_c/R_e, for D = R_e/R_s.
 ///

@@ -2,11 +2,10 @@
 
 use crate::contact::Groups;
 
-pub(super) const SOURCE: &str =
-    "Dowson & Higginson 1977, Elasto-hydrodynamic Lubrication, 2nd ed. (constants verified)";
+pub(super) const SOURCE: &str = "Dowson & Higginson 1977, Elasto-hydrodynamic Lubrication, 2nd ed.";
 
 pub(super) const SOURCE_1966: &str = "Dowson & Higginson 1966, Elasto-hydrodynamic Lubrication, 1st ed.; superseded by the formula of \
-     1977 (constants verified)";
+     1977";
 
 /// Minimum film over radius of a line contact, h_min/R.
 ///

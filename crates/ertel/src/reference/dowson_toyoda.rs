@@ -2,8 +2,7 @@
 
 use crate::contact::Groups;
 
-pub(super) const SOURCE: &str = "Dowson & Toyoda, 5th Leeds-Lyon Symposium 1978; central film (constants verified in two codes \
-     that cite it)";
+pub(super) const SOURCE: &str = "Dowson & Toyoda, 5th Leeds-Lyon Symposium 1978; central film";
 
 /// Central film over radius of a line contact, h_c/R.
 ///

@@ -5,7 +5,7 @@
 use crate::contact::Groups;
 
 pub(super) const SOURCE: &str = "Hamrock & Dowson 1977, J. Lubr. Technol. 99, 264-276; regression of computed compressible \
-     films, ellipticity 1 to 8 (constants verified)";
+     films, ellipticity 1 to 8";
 
 /// Central film over radius, h_c/R.
 ///

@@ -1,6 +1,6 @@
 //! Published film-thickness formulas, shown beside the computed film.
 //!
-//! Every formula carries its source and how sure its constants are. The film is h = H R in metres;
+//! Every formula carries its source; how sure its constants are stands in docs/reference/command.md. The film is h = H R in metres;
 //! groups follow [`Groups`].
 
 pub mod biboulet_houpert;
@@ -144,7 +144,7 @@ impl FilmFormula {
         }
     }
 
-    /// Source of the constants, what the formula assumes, and how sure the constants are.
+    /// Source of the constants, and what the formula assumes.
     pub fn source(self) -> &'static str {
         match self {
             FilmFormula::HamrockDowson => hamrock_dowson::SOURCE,

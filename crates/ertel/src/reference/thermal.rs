@@ -49,18 +49,12 @@ impl ThermalReduction {
         }
     }
 
-    /// Source, and how sure the constants are.
+    /// Source and assumptions.
     pub fn source(self) -> &'static str {
         match self {
-            ThermalReduction::GuptaCheng => {
-                "Gupta, Cheng et al. 1992; inlet heating with sliding (constants verified in a paper that uses it)"
-            }
-            ThermalReduction::WilsonSheu => {
-                "Wilson & Sheu 1983; inlet heating with sliding (constants verified in a paper that uses it)"
-            }
-            ThermalReduction::MurchWilson => {
-                "Murch & Wilson 1975; inlet heating, pure rolling (constants verified in a paper that uses it)"
-            }
+            ThermalReduction::GuptaCheng => "Gupta, Cheng et al. 1992; inlet heating with sliding",
+            ThermalReduction::WilsonSheu => "Wilson & Sheu 1983; inlet heating with sliding",
+            ThermalReduction::MurchWilson => "Murch & Wilson 1975; inlet heating, pure rolling",
         }
     }
 

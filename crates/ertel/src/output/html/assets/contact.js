@@ -2,6 +2,20 @@
 
 const SAMPLES = 801;
 
+// What counts as within the dry contact, as a share of its size; the largest film there times the margin is the end of the colours.
+const WITHIN = 0.9;
+const FILM_MARGIN = 1.3;
+
+// Whether a point lies inside a closed polygon: a ray from it crosses an odd number of edges.
+function isInside(polygon, x, y) {
+  let inside = false;
+  for (let i = 0, j = polygon.length - 1; i < polygon.length; j = i++) {
+    const [[x1, y1], [x2, y2]] = [polygon[i], polygon[j]];
+    if ((y1 > y) !== (y2 > y) && x < x1 + (y - y1) / (y2 - y1) * (x2 - x1)) inside = !inside;
+  }
+  return inside;
+}
+
 class ContactView {
   constructor(results) {
     this.results = results;
@@ -88,12 +102,12 @@ class ContactView {
     let size = 0;
     this.results.forEach((r, k) => {
       const f = fields[k];
+      const edge = this.zone(r).map((p) => p.map((v) => WITHIN * r.a * v));
       for (let i = 0; i < f.values.length; i++) {
-        const inside = (r.mesh.x[i] / r.data.zone[0]) ** 2 + (r.mesh.y[i] / r.data.zone[1]) ** 2 < 0.8;
-        if (inside) size = Math.max(size, Math.abs(f.read(f.values[i])));
+        if (isInside(edge, r.mesh.x[i], r.mesh.y[i])) size = Math.max(size, Math.abs(f.read(f.values[i])));
       }
     });
-    return { name, words: fields[0].words, unit: unitOf(fields[0].unit, size), isWide: fields.every((f) => f.isWide) };
+    return { name, words: fields[0].words, within: size, unit: unitOf(fields[0].unit, size), isWide: fields.every((f) => f.isWide) };
   }
 
   show() {
@@ -104,9 +118,8 @@ class ContactView {
       const [xs, ys] = w.map((ends) => ends.map((v) => v * r.a));
       return r.raster(look.name, xs, ys, width, height).map(look.unit.show);
     };
-    const isFilm = look.name === "film_thickness" || look.name === "deflection";
-    // Far from the contact the gap is wide: its colours belong to the film.
-    const top = isFilm && look.name === "film_thickness" ? 2.2 * Math.max(...this.results.map((r) => look.unit.show(r.figures[0].value))) : Infinity;
+    // Far from the contact the gap is wide: the colours belong to the film within the dry contact.
+    const top = look.name === "film_thickness" ? FILM_MARGIN * look.unit.show(look.within) : Infinity;
     const ends = (raster) => {
       let [low, high] = [Infinity, -Infinity];
       for (const v of raster) if (Number.isFinite(v)) { if (v < low) low = v; if (v > high) high = v; }

@@ -91,7 +91,7 @@ class FieldMap {
     const scale = Math.min(inner / (u1 - u0), tallest / (v1 - v0));
     const [wide, high] = [scale * (u1 - u0), scale * (v1 - v0)];
     this.frame = { left, top, width: Math.round(Math.max(wide, least)), height: Math.round(Math.max(high, least)) };
-    const notes = [this.turned ? "The motion is downwards." : "", wide < least || high < least ? "The axes have different scales." : ""];
+    const notes = [this.turned ? "The motion is downwards (arrow)." : "", wide < least || high < least ? "The axes have different scales." : ""];
     this.title.textContent = [this.caption, ...notes].filter(Boolean).join(" ");
     const full = top + this.frame.height + bottom;
     this.canvas.style.height = `${full}px`;
@@ -157,6 +157,7 @@ class FieldMap {
     ctx.font = "12px system-ui, sans-serif";
     if (this.values.contours) this.paintContours(ctx);
     this.paintZone(ctx);
+    this.paintMotion(ctx);
     this.paintAxes(ctx, ink);
     this.paintBar(ctx, ink);
     this.paintCursor(ctx);
@@ -205,6 +206,25 @@ class FieldMap {
       ctx.beginPath();
       this.zone.forEach(([x, y], i) => ctx[i ? "lineTo" : "moveTo"](...this.toPixel(x, y)));
       ctx.closePath();
+      ctx.stroke();
+    }
+    ctx.restore();
+  }
+
+  // An arrow in the corner, in the direction of the entrainment.
+  paintMotion(ctx) {
+    const { left, top } = this.frame;
+    const [length, head] = [36, 7];
+    ctx.save();
+    ctx.translate(left + 14, top + 14);
+    if (this.turned) ctx.rotate(Math.PI / 2);
+    ctx.lineCap = "round";
+    for (const [style, width] of [["#ffffff", 4.5], ["#000000", 1.8]]) {
+      ctx.strokeStyle = style;
+      ctx.lineWidth = width;
+      ctx.beginPath();
+      ctx.moveTo(0, 0); ctx.lineTo(length, 0);
+      ctx.moveTo(length - head, -head / 2); ctx.lineTo(length, 0); ctx.lineTo(length - head, head / 2);
       ctx.stroke();
     }
     ctx.restore();
