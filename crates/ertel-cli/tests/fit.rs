@@ -276,7 +276,7 @@ fn all_laws_are_ranked() {
     for words in [
         "isotherm left out",
         "Not ranked",
-        "it knows no temperature",
+        "no temperature dependence; cannot be ranked",
         "equation of state",
         "cheng",
         "wlf",
