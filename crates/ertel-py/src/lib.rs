@@ -6,6 +6,7 @@ mod data;
 mod errors;
 mod machine;
 mod pool;
+mod read;
 mod solution;
 mod solve;
 mod study;
@@ -44,5 +45,8 @@ fn _ertel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(data::fluid, module)?)?;
     module.add_function(wrap_pyfunction!(data::field_names, module)?)?;
     module.add_function(wrap_pyfunction!(data::figure_names, module)?)?;
+    module.add_function(wrap_pyfunction!(read::fields_on_grid, module)?)?;
+    module.add_function(wrap_pyfunction!(read::study_table, module)?)?;
+    module.add_function(wrap_pyfunction!(read::palette, module)?)?;
     Ok(())
 }

@@ -22,7 +22,7 @@ const MOST_GRID_POINTS: usize = 5_000_000;
 type Fields<'py> = Vec<(&'static str, Bound<'py, PyArray1<f64>>)>;
 
 /// The same, each a two-dimensional one.
-type Grids<'py> = Vec<(&'static str, Bound<'py, PyArray2<f64>>)>;
+pub type Grids<'py> = Vec<(&'static str, Bound<'py, PyArray2<f64>>)>;
 
 /// The solution of a case.
 #[pyclass(frozen, module = "ertel._ertel")]
@@ -92,12 +92,7 @@ impl NativeSolution {
 
     /// Values of each field at the crossings of `x` and `y` (m), rows along y; not a number outside the contact area.
     fn on_grid<'py>(&self, py: Python<'py>, x: Vec<f64>, y: Vec<f64>) -> PyResult<Grids<'py>> {
-        if x.len().saturating_mul(y.len()) > MOST_GRID_POINTS {
-            let [n, m] = [x.len(), y.len()];
-            return Err(errors::CaseError::new_err(format!(
-                "a grid of {n} x {m} points is too large: at most {MOST_GRID_POINTS} in all"
-            )));
-        }
+        check_grid(&x, &y)?;
         let grids = crate::pool::detached(py, || self.fields().on_grid(&x, &y))?;
         let rows = grids
             .first()
@@ -129,6 +124,18 @@ impl NativeSolution {
         })?
         .map_err(errors::output)
     }
+}
+
+/// # Errors
+/// A grid of too many points.
+pub fn check_grid(x: &[f64], y: &[f64]) -> PyResult<()> {
+    if x.len().saturating_mul(y.len()) > MOST_GRID_POINTS {
+        let [n, m] = [x.len(), y.len()];
+        return Err(errors::CaseError::new_err(format!(
+            "a grid of {n} x {m} points is too large: at most {MOST_GRID_POINTS} in all"
+        )));
+    }
+    Ok(())
 }
 
 /// The points of a curve.

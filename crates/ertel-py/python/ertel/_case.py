@@ -75,6 +75,33 @@ class Case:
         case._native = native
         return case
 
+    def with_(self, settings: Mapping[str, Any]) -> Case:
+        """The same case with other values, as ``--set`` of the program makes it.
+
+        Parameters
+        ----------
+        settings : mapping
+            Values by key path, ``{"motion.entrainment_speed": "2 m/s"}``: what a case takes, also pint quantities, numbers, lists and tables.
+
+        Raises
+        ------
+        CaseError
+            For an unknown key, with the choices, and for a value that the key does not take.
+
+        Examples
+        --------
+        >>> faster = case.with_({"motion.entrainment_speed": "4 m/s"})   # doctest: +SKIP
+        """
+        if not isinstance(settings, Mapping):
+            raise CaseError(f"settings: a mapping from key paths to values, not a {type(settings).__name__}")
+        texts = []
+        for key, value in settings.items():
+            if not isinstance(key, str) or "=" in key:
+                raise CaseError(f"{key!r} is no key path: write it as \"contact.load\"")
+            texts.append(f"{key}={_toml._value(key.split('.'), value, 0)}")
+        # The class of what it returns is that of a case read from a file: keywords of a machine are in its text.
+        return Case._of(self._native.with_settings(texts))
+
     @property
     def text(self) -> str:
         """The case file."""
