@@ -38,6 +38,7 @@ fn _ertel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(compare::compare, module)?)?;
     module.add_function(wrap_pyfunction!(data::names, module)?)?;
     module.add_function(wrap_pyfunction!(data::viscosity, module)?)?;
+    module.add_function(wrap_pyfunction!(data::interpolated, module)?)?;
     module.add_function(wrap_pyfunction!(data::use_own_data, module)?)?;
     module.add_function(wrap_pyfunction!(data::table_text, module)?)?;
     module.add_function(wrap_pyfunction!(data::fit_law, module)?)?;

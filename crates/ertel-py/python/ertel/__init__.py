@@ -29,6 +29,7 @@ from ._data import (
     viscosity,
 )
 from ._ertel import CaseError, ConvergenceError, OutputError, __version__
+from ._laws import TabulatedLaw
 from ._machine import MachineContact, MachineFigure, MachineSolution
 from ._machines import Bearing, Cam, GearPair
 from ._read import read
@@ -61,6 +62,7 @@ __all__ = [
     "Result",
     "Study",
     "StudySummary",
+    "TabulatedLaw",
     "__version__",
     "compare",
     "estimate",
