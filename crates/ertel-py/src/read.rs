@@ -5,13 +5,18 @@ use std::path::PathBuf;
 use ertel::solution::{ContactFields, Field};
 use ertel::study::journal::Entries;
 use ertel::study::{STUDY_FORMAT, StudyEcho};
-use numpy::{IntoPyArray, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
+use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
 use crate::case::json;
 use crate::errors;
 use crate::pool::detached;
-use crate::solution::{Grids, check_grid};
+
+/// Points of a grid: with some twenty fields these take half a gigabyte.
+const MOST_GRID_POINTS: usize = 5_000_000;
+
+/// Fields by name, each a two-dimensional array.
+type Grids<'py> = Vec<(&'static str, Bound<'py, PyArray2<f64>>)>;
 
 /// Fields given by their values at points (m, n x 2) of cells (corners, m x 3, or m x 2 of a line contact) at the crossings of `x` and `y`
 /// (m), rows along y; not a number outside the cells.
@@ -24,7 +29,12 @@ pub fn fields_on_grid<'py>(
     x: Vec<f64>,
     y: Vec<f64>,
 ) -> PyResult<Grids<'py>> {
-    check_grid(&x, &y)?;
+    if x.len().saturating_mul(y.len()) > MOST_GRID_POINTS {
+        let [n, m] = [x.len(), y.len()];
+        return Err(errors::CaseError::new_err(format!(
+            "a grid of {n} x {m} points is too large: at most {MOST_GRID_POINTS} in all"
+        )));
+    }
     let bad = |text: String| errors::OutputError::new_err(text);
     let (points, cells) = (points.as_array(), cells.as_array());
     let n_corners = cells.ncols();

@@ -15,14 +15,8 @@ use pyo3::prelude::*;
 
 use crate::errors;
 
-/// Points of a grid: with some twenty fields these take half a gigabyte.
-const MOST_GRID_POINTS: usize = 5_000_000;
-
 /// Fields by name, each a one-dimensional array.
 type Fields<'py> = Vec<(&'static str, Bound<'py, PyArray1<f64>>)>;
-
-/// The same, each a two-dimensional one.
-pub type Grids<'py> = Vec<(&'static str, Bound<'py, PyArray2<f64>>)>;
 
 /// The solution of a case.
 #[pyclass(frozen, module = "ertel._ertel")]
@@ -90,21 +84,6 @@ impl NativeSolution {
         Ok((points.reshape([n_points, 2])?, cells, fields))
     }
 
-    /// Values of each field at the crossings of `x` and `y` (m), rows along y; not a number outside the contact area.
-    fn on_grid<'py>(&self, py: Python<'py>, x: Vec<f64>, y: Vec<f64>) -> PyResult<Grids<'py>> {
-        check_grid(&x, &y)?;
-        let grids = crate::pool::detached(py, || self.fields().on_grid(&x, &y))?;
-        let rows = grids
-            .first()
-            .map_or(0, |grid| grid.values.len() / x.len().max(1));
-        (grids.into_iter())
-            .map(|grid| {
-                let values = grid.values.into_pyarray(py).reshape([rows, x.len()])?;
-                Ok((grid.field.name(), values))
-            })
-            .collect()
-    }
-
     /// Profiles along y = 0 by the names of `centreline.csv`.
     fn centreline<'py>(&self, py: Python<'py>) -> Fields<'py> {
         let temperatures = self.solution.thermal.as_ref().map(|t| &t.centreline);
@@ -124,18 +103,6 @@ impl NativeSolution {
         })?
         .map_err(errors::output)
     }
-}
-
-/// # Errors
-/// A grid of too many points.
-pub fn check_grid(x: &[f64], y: &[f64]) -> PyResult<()> {
-    if x.len().saturating_mul(y.len()) > MOST_GRID_POINTS {
-        let [n, m] = [x.len(), y.len()];
-        return Err(errors::CaseError::new_err(format!(
-            "a grid of {n} x {m} points is too large: at most {MOST_GRID_POINTS} in all"
-        )));
-    }
-    Ok(())
 }
 
 /// The points of a curve.

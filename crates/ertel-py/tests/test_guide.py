@@ -24,6 +24,7 @@ def test_snippets(name: str, root: Path, tmp_path: Path, monkeypatch: pytest.Mon
 def test_named_attributes_exist(root: Path) -> None:
     """What tables and sentences of the guide name is in the package."""
     import ertel
+    import ertel.distributed
 
     text = (root / "docs/guide/python.md").read_text(encoding="utf-8")
     for owner, attribute in re.findall(r"`(ertel|result)\.(\w+)", text):
