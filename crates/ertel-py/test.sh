@@ -9,7 +9,7 @@ place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 "${PYTHON:-python3}" -m venv "$place/venv"
 python=$place/venv/bin/python
-"$python" -m pip install --quiet "maturin>=1.9,<2" pytest nbclient ipykernel mypy pandas pandas-stubs xarray pyvista matplotlib pint pyarrow distributed
+"$python" -m pip install --quiet "maturin>=1.9,<2" pytest nbclient ipykernel mypy pandas pandas-stubs xarray pyvista matplotlib pint pyarrow distributed scipy SALib meshio
 # The README's command to the letter, in an environment that has nothing; then the wheel itself for its size.
 "${PYTHON:-python3}" -m venv "$place/fresh"
 (cd "$root" && "$place/fresh/bin/python" -m pip install --quiet ./crates/ertel-py)

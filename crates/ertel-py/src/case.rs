@@ -40,6 +40,17 @@ impl NativeCase {
         })
     }
 
+    /// The same case with values in place of its own, each written `key=value` with a value of TOML.
+    fn with_settings(&self, settings: Vec<String>) -> PyResult<Self> {
+        let (name, folder) = (self.name.clone(), self.folder.clone());
+        let case = Case::from_text_with(&name, &self.case.source, &folder, &settings);
+        Ok(Self {
+            case: case.map_err(errors::input)?,
+            folder,
+            name,
+        })
+    }
+
     /// Text of the case file.
     #[getter]
     fn text(&self) -> &str {

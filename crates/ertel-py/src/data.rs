@@ -7,7 +7,7 @@ use ertel::solution::{Field, Figure};
 use ertel_input::file::read_table;
 use ertel_quantity::Dimension;
 use ertel_rheology::viscosity::PressureLaw;
-use ertel_rheology::{DensityLaw, database};
+use ertel_rheology::{DensityLaw, Isotherms, database};
 use pyo3::prelude::*;
 
 use crate::errors::{self, CaseError};
@@ -51,6 +51,29 @@ pub fn viscosity(
         law.map_or(f64::NAN, |law| law.density(*p, temperature))
     });
     Ok((viscosity.collect(), density.collect()))
+}
+
+/// Values of the table law at places (Pa, K): isotherms at `temperatures` (K) over the same `pressures` (Pa), with a row of values (SI) for each;
+/// of a viscosity (`of_logarithms`) their logarithms are interpolated, as the law does.
+#[pyfunction]
+pub fn interpolated(
+    of_logarithms: bool,
+    temperatures: Vec<f64>,
+    pressures: Vec<f64>,
+    values: Vec<Vec<f64>>,
+    places: Vec<(f64, f64)>,
+) -> PyResult<Vec<f64>> {
+    let pressures = vec![pressures; temperatures.len()];
+    let table = match of_logarithms {
+        true => Isotherms::of_logarithms(temperatures, pressures, values),
+        false => Isotherms::straight(temperatures, pressures, values),
+    };
+    let table = table.map_err(|error| CaseError::new_err(error.to_string()))?;
+    let at = places.into_iter().map(|(p, t)| table.evaluate(p, t));
+    Ok(match of_logarithms {
+        true => at.map(f64::exp).collect(),
+        false => at.collect(),
+    })
 }
 
 /// Sets the folder of own lubricants and materials, once for the process.

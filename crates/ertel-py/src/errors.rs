@@ -24,7 +24,7 @@ pyo3::create_exception!(
     ertel,
     OutputError,
     PyOSError,
-    "Results could not be written; nothing is left half-written."
+    "Results could not be written, of which nothing is left half-written, or read."
 );
 
 /// Bad input.

@@ -6,6 +6,7 @@ mod data;
 mod errors;
 mod machine;
 mod pool;
+mod read;
 mod solution;
 mod solve;
 mod study;
@@ -37,6 +38,7 @@ fn _ertel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(compare::compare, module)?)?;
     module.add_function(wrap_pyfunction!(data::names, module)?)?;
     module.add_function(wrap_pyfunction!(data::viscosity, module)?)?;
+    module.add_function(wrap_pyfunction!(data::interpolated, module)?)?;
     module.add_function(wrap_pyfunction!(data::use_own_data, module)?)?;
     module.add_function(wrap_pyfunction!(data::table_text, module)?)?;
     module.add_function(wrap_pyfunction!(data::fit_law, module)?)?;
@@ -44,5 +46,8 @@ fn _ertel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(data::fluid, module)?)?;
     module.add_function(wrap_pyfunction!(data::field_names, module)?)?;
     module.add_function(wrap_pyfunction!(data::figure_names, module)?)?;
+    module.add_function(wrap_pyfunction!(read::fields_on_grid, module)?)?;
+    module.add_function(wrap_pyfunction!(read::study_table, module)?)?;
+    module.add_function(wrap_pyfunction!(read::palette, module)?)?;
     Ok(())
 }

@@ -15,14 +15,8 @@ use pyo3::prelude::*;
 
 use crate::errors;
 
-/// Points of a grid: with some twenty fields these take half a gigabyte.
-const MOST_GRID_POINTS: usize = 5_000_000;
-
 /// Fields by name, each a one-dimensional array.
 type Fields<'py> = Vec<(&'static str, Bound<'py, PyArray1<f64>>)>;
-
-/// The same, each a two-dimensional one.
-type Grids<'py> = Vec<(&'static str, Bound<'py, PyArray2<f64>>)>;
 
 /// The solution of a case.
 #[pyclass(frozen, module = "ertel._ertel")]
@@ -88,26 +82,6 @@ impl NativeSolution {
             .map(|(field, values)| (field.name(), values.into_pyarray(py)))
             .collect();
         Ok((points.reshape([n_points, 2])?, cells, fields))
-    }
-
-    /// Values of each field at the crossings of `x` and `y` (m), rows along y; not a number outside the contact area.
-    fn on_grid<'py>(&self, py: Python<'py>, x: Vec<f64>, y: Vec<f64>) -> PyResult<Grids<'py>> {
-        if x.len().saturating_mul(y.len()) > MOST_GRID_POINTS {
-            let [n, m] = [x.len(), y.len()];
-            return Err(errors::CaseError::new_err(format!(
-                "a grid of {n} x {m} points is too large: at most {MOST_GRID_POINTS} in all"
-            )));
-        }
-        let grids = crate::pool::detached(py, || self.fields().on_grid(&x, &y))?;
-        let rows = grids
-            .first()
-            .map_or(0, |grid| grid.values.len() / x.len().max(1));
-        (grids.into_iter())
-            .map(|grid| {
-                let values = grid.values.into_pyarray(py).reshape([rows, x.len()])?;
-                Ok((grid.field.name(), values))
-            })
-            .collect()
     }
 
     /// Profiles along y = 0 by the names of `centreline.csv`.

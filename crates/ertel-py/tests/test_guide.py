@@ -11,7 +11,8 @@ import pytest
 @pytest.mark.parametrize("name", ["docs/guide/python.md", "crates/ertel-py/README.md"])
 def test_snippets(name: str, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     if name.endswith("python.md"):
-        pytest.importorskip("pandas")
+        for package in ("pandas", "matplotlib", "scipy", "SALib", "meshio"):
+            pytest.importorskip(package)
     snippets = re.findall(r"```python\n(.*?)```", (root / name).read_text(encoding="utf-8"), re.DOTALL)
     assert snippets
     monkeypatch.chdir(tmp_path)
@@ -23,6 +24,7 @@ def test_snippets(name: str, root: Path, tmp_path: Path, monkeypatch: pytest.Mon
 def test_named_attributes_exist(root: Path) -> None:
     """What tables and sentences of the guide name is in the package."""
     import ertel
+    import ertel.distributed
 
     text = (root / "docs/guide/python.md").read_text(encoding="utf-8")
     for owner, attribute in re.findall(r"`(ertel|result)\.(\w+)", text):

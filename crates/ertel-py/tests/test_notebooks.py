@@ -20,5 +20,5 @@ def test_notebook(path: Path, cases: Path, tmp_path: Path, monkeypatch: pytest.M
     nbclient.NotebookClient(notebook, timeout=300, resources={"metadata": {"path": str(tmp_path)}}).execute()
 
 
-def test_there_are_six() -> None:
-    assert len(NOTEBOOKS) == 6
+def test_there_are_seven() -> None:
+    assert len(NOTEBOOKS) == 7

@@ -10,7 +10,8 @@ A contact is a :class:`Case`; solving it gives a :class:`Result` (a :class:`Curv
 249.38 ± 0.24 nm
 
 Numbers are in SI. Bad input raises :class:`CaseError` with the words of the program, a solve that does not converge
-:class:`ConvergenceError`, files that cannot be written :class:`OutputError`.
+:class:`ConvergenceError`, files that cannot be written or read
+:class:`OutputError`. :func:`read` opens a folder of results.
 """
 
 from ._case import Case, estimate, solve
@@ -28,9 +29,12 @@ from ._data import (
     viscosity,
 )
 from ._ertel import CaseError, ConvergenceError, OutputError, __version__
+from ._laws import TabulatedLaw
 from ._machine import MachineContact, MachineFigure, MachineSolution
 from ._machines import Bearing, Cam, GearPair
+from ._read import read
 from ._result import Curve, Quantity, Result
+from ._studies import Comparison, Distribution, MonteCarlo, Study
 from ._study import StudySummary, compare, merge, sweep
 
 # The text of the error says how far the solve came, why it stopped, and what to try.
@@ -41,8 +45,10 @@ __all__ = [
     "Cam",
     "Case",
     "CaseError",
+    "Comparison",
     "ConvergenceError",
     "Curve",
+    "Distribution",
     "FilmFit",
     "Fit",
     "Fluid",
@@ -50,10 +56,13 @@ __all__ = [
     "MachineContact",
     "MachineFigure",
     "MachineSolution",
+    "MonteCarlo",
     "OutputError",
     "Quantity",
     "Result",
+    "Study",
     "StudySummary",
+    "TabulatedLaw",
     "__version__",
     "compare",
     "estimate",
@@ -64,6 +73,7 @@ __all__ = [
     "fluids",
     "merge",
     "own_data",
+    "read",
     "solids",
     "solve",
     "sweep",

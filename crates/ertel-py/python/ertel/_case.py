@@ -6,10 +6,12 @@ import json
 import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
+from types import MappingProxyType
+from typing import Any, Literal
 
 from . import _ertel, _toml
 from ._ertel import CaseError
+from ._laws import UNITS, Law, TabulatedLaw, tabulated
 from ._machine import MachineSolution
 from ._result import Curve, Result
 
@@ -46,6 +48,7 @@ class Case:
     """
 
     _native: _ertel.NativeCase
+    _tabulated: Mapping[str, TabulatedLaw] = MappingProxyType({})
 
     def __init__(self, *, folder: str | os.PathLike[str] = "", **sections: Any) -> None:
         if not sections:
@@ -74,6 +77,95 @@ class Case:
         case = cls.__new__(cls)
         case._native = native
         return case
+
+    def with_(self, settings: Mapping[str, Any]) -> Case:
+        """The same case with other values, as ``--set`` of the program makes it.
+
+        Parameters
+        ----------
+        settings : mapping
+            Values by key path, ``{"motion.entrainment_speed": "2 m/s"}``: what a case takes, also pint quantities, numbers, lists and tables.
+
+        Raises
+        ------
+        CaseError
+            For an unknown key, with the choices, and for a value that the key does not take.
+
+        Examples
+        --------
+        >>> faster = case.with_({"motion.entrainment_speed": "4 m/s"})   # doctest: +SKIP
+        """
+        if not isinstance(settings, Mapping):
+            raise CaseError(f"settings: a mapping from key paths to values, not a {type(settings).__name__}")
+        texts = []
+        for key, value in settings.items():
+            if not isinstance(key, str) or "=" in key:
+                raise CaseError(f"{key!r} is no key path: write it as \"contact.load\"")
+            texts.append(f"{key}={_toml._value(key.split('.'), value, 0)}")
+        # The class of what it returns is that of a case read from a file: keywords of a machine are in its text.
+        case = Case._of(self._native.with_settings(texts))
+        case._tabulated = {name: told for name, told in self._tabulated.items() if f"lubricant.{name}" not in settings and "lubricant" not in settings}
+        return case
+
+    def with_law(
+        self,
+        name: Literal["viscosity", "density"],
+        law: Law,
+        *,
+        pressures: tuple[float, float] | None = None,
+        temperatures: tuple[float, float] | None = None,
+        tolerance: float = 1e-4,
+    ) -> Case:
+        """The same case with a low-shear viscosity or a density that is a function of Python.
+
+        The function is tabulated, as ``law = "table"`` of a case file, so that the case needs it no more: it can be saved, pickled, solved
+        by the program. The table is refined until its interpolation error is below `tolerance`; the bound that was reached is told in
+        :attr:`tabulated`, and at the top of :attr:`text`.
+
+        Parameters
+        ----------
+        name : {"viscosity", "density"}
+            Which law of the lubricant: Pa.s or kg/m^3.
+        law : callable
+            Function of pressure above ambient (Pa) and temperature (K), both floats.
+        pressures : tuple of float, optional
+            Limits of the table, Pa; from 0 to twice the Hertz pressure by default. Beyond them the table goes on in straight lines.
+        temperatures : tuple of float, optional
+            Limits, K; by default from 20 K below the temperature of the lubricant to 100 K above it.
+        tolerance : float
+            Largest relative interpolation error.
+
+        Raises
+        ------
+        CaseError
+            Where the function is not finite, not positive, or not smooth enough; the text says at which pressure and temperature.
+
+        Examples
+        --------
+        >>> from math import exp
+        >>> barus = case.with_law("viscosity", lambda p, t: 0.04 * exp(2e-8 * p))   # doctest: +SKIP
+        """
+        if name not in UNITS:
+            raise CaseError(f"with_law: {name!r} is no law that may be a function: viscosity or density")
+        if not callable(law):
+            raise CaseError(f"law: a function of pressure (Pa) and temperature (K), not a {type(law).__name__}")
+        if pressures is None:
+            pressures = (0.0, 2.0 * self.estimate()["hertz"]["pressure"])
+        if temperatures is None:
+            inlet = self.si["temperature"]
+            temperatures = (inlet - 20.0, inlet + 100.0)
+        table, told = tabulated(name, law, pressures, temperatures, tolerance)
+        other = self.with_({f"lubricant.{name}": table})
+        text = f"# lubricant.{name}: {told}.\n{other.text}"
+        native = self._native
+        case = Case.from_text(text, name=native.name, folder=native.folder)
+        case._tabulated = {**self._tabulated, name: told}
+        return case
+
+    @property
+    def tabulated(self) -> dict[str, TabulatedLaw]:
+        """Laws that :meth:`with_law` made, by name, with range and bound of the interpolation error."""
+        return dict(self._tabulated)
 
     @property
     def text(self) -> str:
@@ -165,7 +257,7 @@ class Case:
 
     def __reduce__(self) -> tuple[Any, ...]:
         native = self._native
-        return (_restored, (type(self), native.name, native.text, str(native.folder)))
+        return (_restored, (type(self), native.name, native.text, str(native.folder), dict(self._tabulated)))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Case):
@@ -182,8 +274,10 @@ class Case:
         return f"<ertel.Case{title}: {what}>"
 
 
-def _restored(cls: type[Case], name: str, text: str, folder: str) -> Case:
-    return cls.from_text(text, name=name, folder=folder)
+def _restored(cls: type[Case], name: str, text: str, folder: str, laws: dict[str, TabulatedLaw]) -> Case:
+    case = cls.from_text(text, name=name, folder=folder)
+    case._tabulated = laws
+    return case
 
 
 def _listener(progress: Progress) -> Callable[[str], None] | None:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _ertel
 from ._result import _FIGURE_NAMES, Quantity, _read
+from ._stored import Stored, document, shaped, text_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -95,7 +96,7 @@ class MachineContact:
         raise AttributeError(f"a contact of a machine has no attribute `{name}`")
 
 
-class MachineSolution:
+class MachineSolution(Stored):
     """The solution of a whole machine. Numbers in SI.
 
     Figures of the machine are attributes (``machine.friction_torque``), and items of :attr:`figures`. Those that are sums over the contacts are
@@ -111,19 +112,39 @@ class MachineSolution:
         All contacts, unloaded ones among them; of a bearing those of each element with both rings.
     """
 
+    _native: _ertel.NativeMachine | None
+    _document: dict[str, Any]
+    _table: str | None
+    _report: str | None
+    figures: dict[str, MachineFigure]
+    contacts: list[MachineContact]
+
     def __init__(self, case: Case, native: _ertel.NativeMachine) -> None:
-        self.case = case
-        self._native: _ertel.NativeMachine | None = native
-        self._document: dict[str, Any] = json.loads(native.document())
+        self._set_origin(case)
+        self._native = native
         self._table = native.table()
         self._report = native.report()
-        self.figures: dict[str, MachineFigure] = {
+        self._take(json.loads(native.document()))
+
+    @classmethod
+    def _read(cls, folder: Path, inputs: Path | None) -> MachineSolution:
+        machine = cls.__new__(cls)
+        machine._set_origin(None, folder, inputs)
+        machine._native, machine._table, machine._report = None, None, None
+        path = folder / "machine.json"
+        content = document(path, "ertel-machine", ("title", "figures", "contacts", "governing_contact", "n_solved", "warnings"))
+        shaped(path, lambda: machine._take(content))
+        return machine
+
+    def _take(self, content: dict[str, Any]) -> None:
+        self._document = content
+        self.figures = {
             name: MachineFigure(
                 value=entry["value"], error=entry["error"], unit=entry["unit"], words=entry["words"], source=entry["source"]
             )
-            for name, entry in self._document["figures"].items()
+            for name, entry in content["figures"].items()
         }
-        self.contacts: list[MachineContact] = _contacts(self._document["contacts"], self.place_name)
+        self.contacts = _contacts(content["contacts"], self.place_name)
 
     def to_dict(self) -> dict[str, Any]:
         """What ``machine.json`` has."""
@@ -132,18 +153,29 @@ class MachineSolution:
     @property
     def report(self) -> str:
         """What ``ertel solve`` shows."""
+        if self._report is None:
+            assert self._folder is not None
+            self._report = text_of(self._folder / "report.txt")
         return self._report
+
+    @property
+    def title(self) -> str:
+        """Title of the case, empty if there is none."""
+        return self._document["title"]
 
     @property
     def table(self) -> str:
         """What ``machine.csv`` has: a line for each contact, units in the titles of the columns."""
+        if self._table is None:
+            assert self._folder is not None
+            self._table = text_of(self._folder / "machine.csv")
         return self._table
 
     def to_pandas(self) -> pd.DataFrame:
         """The table of the contacts, units in the titles of the columns."""
         import pandas as pd
 
-        return pd.read_csv(io.StringIO(self._table))
+        return pd.read_csv(io.StringIO(self.table))
 
     @property
     def warnings(self) -> list[str]:
@@ -185,7 +217,7 @@ class MachineSolution:
             When the folder holds something else, or cannot be written.
         """
         if self._native is None:
-            raise RuntimeError("files of a machine: only in the process that solved it; this one was pickled")
+            raise self._refuse("the files of a machine")
         self._native.save(Path(folder))
         return Path(folder)
 
@@ -217,7 +249,7 @@ class MachineSolution:
         rows = "".join(
             f"<tr><td>{html.escape(figure.words)}</td><td>{html.escape(str(figure))}</td></tr>" for figure in self.figures.values()
         )
-        title = html.escape(self.case.title or "ertel machine")
+        title = html.escape(self.title or "ertel machine")
         warnings = "".join(f"<li>{html.escape(w)}</li>" for w in self.warnings)
         notes = f"<ul>{warnings}</ul>" if warnings else ""
         return f"<table><caption>{title}</caption><tbody>{rows}</tbody></table>{notes}"

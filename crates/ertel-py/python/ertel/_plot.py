@@ -7,10 +7,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _ertel
+
 if TYPE_CHECKING:
+    import pandas as pd
     from matplotlib.figure import Figure
 
     from ._result import Result
+
+# Those of curves in the program's pictures.
+_PALETTE = _ertel.palette()
 
 # Prefixes that suit fields of a contact.
 _SHOWN = {"Pa": (1e-6, "MPa"), "m": (1e9, "nm"), "1/s": (1e-6, "1/µs")}
@@ -25,19 +31,19 @@ def centreline(result: Result) -> Figure:
     shown = (x > -2.0) & (x < 1.6)
     figure = Figure(figsize=(6.4, 4.0), layout="constrained")
     pressure_axes = figure.add_subplot()
-    pressure_axes.plot(x[shown], line["pressure_Pa"][shown] * 1e-6, color="tab:red", label="pressure")
+    pressure_axes.plot(x[shown], line["pressure_Pa"][shown] * 1e-6, color=_PALETTE[0], label="pressure")
     pressure_axes.plot(
-        x[shown], line["hertz_pressure_Pa"][shown] * 1e-6, color="tab:red", linestyle=":", label="pressure, dry contact"
+        x[shown], line["hertz_pressure_Pa"][shown] * 1e-6, color="tab:gray", linestyle="--", label="pressure, dry contact"
     )
     pressure_axes.set(xlabel="x/a (-)", ylabel="pressure (MPa)", ylim=(0.0, None))
     film_axes = pressure_axes.twinx()
     central = float(result.film_central)
-    film_axes.plot(x[shown], line["film_thickness_m"][shown] * 1e9, color="tab:blue", label="film thickness")
+    film_axes.plot(x[shown], line["film_thickness_m"][shown] * 1e9, color=_PALETTE[1], label="film thickness")
     film_axes.set(ylabel="film thickness (nm)", ylim=(0.0, 4e9 * central))
     handles = [*pressure_axes.get_lines(), *film_axes.get_lines()]
     # Beside the curves, none of which it may cover.
     figure.legend(handles=handles, loc="outside lower center", ncols=3, frameon=False)
-    pressure_axes.set_title(result.case.title)
+    pressure_axes.set_title(result.title)
     return figure
 
 
@@ -51,11 +57,11 @@ def field_map(result: Result, values: NDArray[np.float64], unit: str, words: str
     x, y = (result.points / half_width).T
     figure = Figure(figsize=(6.4, 4.6), layout="constrained")
     axes = figure.add_subplot()
-    axes.set_title(result.case.title)
+    axes.set_title(result.title)
     label = f"{words} ({unit})"
     if result.is_line:
         order = np.argsort(x)
-        axes.plot(x[order], values[order] * factor)
+        axes.plot(x[order], values[order] * factor, color=_PALETTE[0])
         axes.set(xlabel="x/a (-)", ylabel=label, xlim=(-2.0, 1.6))
         return figure
     x_low, x_high, y_low, y_high = (limit / half_width for limit in result._frame())
@@ -67,3 +73,46 @@ def field_map(result: Result, values: NDArray[np.float64], unit: str, words: str
     axes.set(xlabel="x/a (-)", ylabel="y/a (-)", aspect="equal", xlim=(x_low, x_high), ylim=(y_low, y_high))
     figure.colorbar(drawn, label=label)
     return figure
+
+
+def study_figure(rows: pd.DataFrame, axes: list[str], name: str, x: str | None, title: str) -> Figure:
+    """A figure over one of the axes, a curve for each combination of the others."""
+    import pandas as pd
+    from matplotlib.figure import Figure
+
+    column, error, unit = _columns(rows, name)
+    x = x or next((axis for axis in axes if pd.api.types.is_numeric_dtype(rows[axis]) and rows[axis].nunique() > 1), axes[0])
+    if x not in axes:
+        raise KeyError(f"no axis `{x}`: there are {', '.join(axes)}")
+    others = [axis for axis in axes if axis != x and rows[axis].nunique() > 1]
+    groups = list(rows.groupby(others, sort=True)) if others else [((), rows)]
+    factor, shown = _SHOWN.get(unit, (1.0, unit))
+    figure = Figure(figsize=(6.4, 4.0), layout="constrained")
+    drawn = figure.add_subplot()
+    for i, (values, group) in enumerate(groups):
+        group = group.sort_values(x)
+        values = values if isinstance(values, tuple) else (values,)
+        label = ", ".join(f"{axis} = {value:.4g}" if isinstance(value, float) else f"{axis} = {value}" for axis, value in zip(others, values))
+        bars = None if error is None else group[error].to_numpy(float) * factor
+        drawn.errorbar(
+            group[x].to_numpy(), group[column].to_numpy(float) * factor, bars, marker="o", markersize=4, capsize=2,
+            color=_PALETTE[i % len(_PALETTE)], label=label or None,
+        )
+    words = {own: text for own, text, _ in _ertel.figure_names()}.get(name, name.replace("_", " "))
+    drawn.set(xlabel=x, ylabel=f"{words} ({shown})" if shown else words, title=title)
+    if others:
+        figure.legend(loc="outside lower center", ncols=2, frameon=False)
+    return figure
+
+
+def _columns(rows: pd.DataFrame, name: str) -> tuple[str, str | None, str]:
+    """Titles of the columns of a figure and of its error bar, and its unit: figures are followed by their bars."""
+    names = {}
+    for error in map(str, rows.columns):
+        figure, found, unit = error.partition("_error")
+        if found and figure + unit in rows.columns:
+            names[figure] = (figure + unit, error, unit.removeprefix("_"))
+    if name not in names:
+        raise KeyError(f"no figure `{name}` in the table: there are {', '.join(names)}")
+    column, error, unit = names[name]
+    return column, error, unit.replace("_per_", "/").replace("_", " ")

@@ -16,7 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _ertel
-from ._ertel import CaseError
+from ._ertel import CaseError, OutputError
+from ._stored import Stored, columns, document, shaped, surface, text_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -59,6 +60,20 @@ class Quantity:
 
     def __float__(self) -> float:
         return self.value
+
+    def to_pint(self, registry: Any = None) -> Any:
+        """The value as a quantity of pint; needs pint.
+
+        Parameters
+        ----------
+        registry : pint.UnitRegistry, optional
+            The registry to which it shall belong, by default pint's application registry.
+        """
+        import pint
+
+        units = pint.get_application_registry() if registry is None else registry
+        # Units such as "N m" and "W/m" are products for pint, too.
+        return units.Quantity(self.value, self.unit.replace(" ", "*") or "dimensionless")
 
     def __str__(self) -> str:
         factor, unit = 1.0, self.unit
@@ -120,7 +135,7 @@ def _grid(n_points: int, extent: tuple[float, float, float, float]) -> tuple[int
     return n, (x_low, x_high, y_low, y_high)
 
 
-class Result:
+class Result(Stored):
     """The solution of a case. Numbers in SI, x along the motion, z normal to the contact, body 1 the plane.
 
     Every field of the contact is an attribute with its values at :attr:`points`: ``pressure`` (Pa), ``film_thickness`` (m),
@@ -128,13 +143,27 @@ class Result:
     (``film_centreline_minimum``, ``roller_moment``, ``heat_shear``, ...), None where this contact does not have it; :meth:`figures` lists them.
     """
 
+    _native: _ertel.NativeSolution | None
+    _document: dict[str, Any]
+    _report: str | None
+    _contact: tuple[Floats, NDArray[np.uint32], dict[str, Floats]] | None = None
+    _centreline: dict[str, Floats] | None = None
+
     def __init__(self, case: Case, native: _ertel.NativeSolution) -> None:
-        self.case = case
-        self._native: _ertel.NativeSolution | None = native
-        self._document: dict[str, Any] = json.loads(native.document())
+        self._set_origin(case)
+        self._native = native
+        self._document = json.loads(native.document())
         self._report = native.report()
-        self._contact: tuple[Floats, NDArray[np.uint32], dict[str, Floats]] | None = None
-        self._centreline: dict[str, Floats] | None = None
+
+    @classmethod
+    def _read(cls, folder: Path, inputs: Path | None) -> Result:
+        result = cls.__new__(cls)
+        result._set_origin(None, folder, inputs)
+        result._native, result._report = None, None
+        path = folder / "result.json"
+        result._document = document(path, "ertel-result", ("title", "kind", "figures", "hertz", "warnings", "summary"))
+        shaped(path, lambda: (result._figures(), result.hertz_pressure, repr(result)))
+        return result
 
     # Figures
 
@@ -145,7 +174,14 @@ class Result:
     @property
     def report(self) -> str:
         """What ``ertel solve`` shows."""
+        if self._report is None:
+            self._report = text_of(self._stored("the report") / "report.txt")
         return self._report
+
+    @property
+    def title(self) -> str:
+        """Title of the case, empty if there is none."""
+        return self._document["title"]
 
     @property
     def warnings(self) -> list[str]:
@@ -232,8 +268,11 @@ class Result:
 
     def _fields(self) -> tuple[Floats, NDArray[np.uint32], dict[str, Floats]]:
         if self._contact is None:
-            points, cells, fields = self._alive("fields").contact()
-            self._contact = (points, cells, dict(fields))
+            if self._native is None:
+                self._contact = surface(self._stored("fields") / "surface.vtu")
+            else:
+                points, cells, fields = self._native.contact()
+                self._contact = (points, cells, dict(fields))
         return self._contact
 
     @property
@@ -281,7 +320,10 @@ class Result:
     def centreline(self) -> dict[str, Floats]:
         """Profiles along y = 0, by the names of the columns of ``centreline.csv``."""
         if self._centreline is None:
-            self._centreline = dict(self._alive("profiles").centreline())
+            if self._native is None:
+                self._centreline = columns(self._stored("profiles") / "centreline.csv")
+            else:
+                self._centreline = dict(self._native.centreline())
         return self._centreline
 
     def to_xarray(self, n_points: int = 201, extent: tuple[float, float, float, float] | None = None) -> xr.Dataset:
@@ -313,7 +355,8 @@ class Result:
             raise CaseError(f"a grid of {n_points} x {n_rows} points is too large: at most {_MOST_GRID_POINTS} in all; give fewer n_points")
         x = np.linspace(x_low, x_high, n_points)
         y = np.linspace(y_low, y_high, n_rows)
-        grids = self._alive("fields on a grid").on_grid(x.tolist(), y.tolist())
+        points, cells, fields = self._fields()
+        grids = _ertel.fields_on_grid(points, cells, list(fields.items()), x.tolist(), y.tolist())
         data = {}
         for name, values in grids:
             unit, words = _FIELD_NAMES[name]
@@ -323,7 +366,40 @@ class Result:
         coordinates: dict[str, Any] = {"x": ("x", x, position)}
         if not self.is_line:
             coordinates["y"] = ("y", y, {"units": "m", "long_name": "position across the motion"})
-        return xr.Dataset(data, coordinates, {"title": self.case.title})
+        return xr.Dataset(data, coordinates, {"title": self.title})
+
+    def to_netcdf(
+        self, path: str | os.PathLike[str], n_points: int = 201, extent: tuple[float, float, float, float] | None = None
+    ) -> Path:
+        """Write the fields of :meth:`to_xarray` and every figure as a netCDF file of the classic format (64-bit offsets); needs scipy.
+
+        Each figure is a variable without dimension, with ``units`` and ``long_name``, and, where they are known, ``error`` (half-width of
+        the error bar), ``resolved`` (1 or 0), ``x`` and ``y`` (m).
+
+        Parameters
+        ----------
+        path : path
+            The file; a former one is replaced.
+        n_points, extent
+            As of :meth:`to_xarray`.
+        """
+        data = self.to_xarray(n_points, extent)
+        for name, quantity in self._figures().items():
+            attributes: dict[str, Any] = {"units": quantity.unit or "1", "long_name": _FIGURE_NAMES[name][0]}
+            if quantity.error is not None:
+                attributes.update(error=quantity.error, resolved=int(quantity.resolved))
+            if quantity.uncertainty is not None:
+                attributes["uncertainty"] = quantity.uncertainty
+            if quantity.place is not None:
+                attributes["x"], attributes["y"] = quantity.place
+            data[name] = ((), quantity.value, attributes)
+        data.attrs.update(kind=self._document["kind"], source=f"ertel {self._document['ertel_version']}")
+        encoding = {str(name): {"_FillValue": np.nan} for name, variable in data.data_vars.items() if variable.dims}
+        try:
+            data.to_netcdf(path, engine="scipy", format="NETCDF3_64BIT", encoding=encoding)
+        except OSError as error:
+            raise OutputError(f"{os.fspath(path)}: cannot be written: {error}") from None
+        return Path(path)
 
     def _frame(self) -> tuple[float, float, float, float]:
         """The contact and a margin: what pictures show."""
@@ -405,8 +481,13 @@ class Result:
 
     def _alive(self, what: str) -> _ertel.NativeSolution:
         if self._native is None:
-            raise RuntimeError(f"{what}: only in the process that solved the case; this result was pickled")
+            raise self._refuse(what)
         return self._native
+
+    def _stored(self, what: str) -> Path:
+        if self._folder is None:
+            raise self._refuse(what)
+        return self._folder
 
     def _started(self) -> _ertel.NativeSolution | None:
         # A result that was pickled has no start; without one a solve begins at the dry contact.
@@ -431,22 +512,39 @@ class Result:
                 continue
             words = html.escape(words)
             rows.append(f"<tr><td>{words}</td><td>{html.escape(str(quantity))}</td></tr>")
-        title = html.escape(self.case.title or "ertel result")
+        title = html.escape(self.title or "ertel result")
         warnings = "".join(f"<li>{html.escape(w)}</li>" for w in self.warnings)
         notes = f"<ul>{warnings}</ul>" if warnings else ""
         return f"<table><caption>{title}</caption><tbody>{''.join(rows)}</tbody></table>{notes}"
 
 
-class Curve:
+class Curve(Stored):
     """The points of a case with a ``[curve]``."""
 
+    _native: _ertel.NativeCurve | None
+    _document: dict[str, Any]
+    _table: str | None
+    _report: str | None
+    failures: list[tuple[int, str]]
+
     def __init__(self, case: Case, native: _ertel.NativeCurve) -> None:
-        self.case = case
-        self._native: _ertel.NativeCurve | None = native
-        self._document: dict[str, Any] = json.loads(native.document())
+        self._set_origin(case)
+        self._native = native
+        self._document = json.loads(native.document())
         self._table = native.table()
         self._report = native.report()
-        self.failures: list[tuple[int, str]] = native.failures()
+        self.failures = native.failures()
+
+    @classmethod
+    def _read(cls, folder: Path, inputs: Path | None) -> Curve:
+        curve = cls.__new__(cls)
+        curve._set_origin(None, folder, inputs)
+        curve._native, curve._table, curve._report = None, None, None
+        path = folder / "curve.json"
+        curve._document = document(path, "ertel-curve", ("title", "quantity", "points"))
+        points = curve._document["points"]
+        curve.failures = shaped(path, lambda: [(i, point["reason"]) for i, point in enumerate(points) if not point["converged"]])
+        return curve
 
     def to_dict(self) -> dict[str, Any]:
         """What ``curve.json`` has."""
@@ -455,18 +553,53 @@ class Curve:
     @property
     def report(self) -> str:
         """What ``ertel solve`` shows."""
+        if self._report is None:
+            assert self._folder is not None
+            self._report = text_of(self._folder / "report.txt")
         return self._report
+
+    @property
+    def title(self) -> str:
+        """Title of the case, empty if there is none."""
+        return self._document["title"]
+
+    @property
+    def table(self) -> str:
+        """What ``curve.csv`` has: a line for each point, units in the titles of the columns."""
+        if self._table is None:
+            assert self._folder is not None
+            self._table = text_of(self._folder / "curve.csv")
+        return self._table
 
     def to_pandas(self) -> pd.DataFrame:
         """The table of the points, units in the titles of the columns."""
         import pandas as pd
 
-        return pd.read_csv(io.StringIO(self._table))
+        return pd.read_csv(io.StringIO(self.table))
+
+    def plot(self, figure: str = "film_central") -> Figure:
+        """Draw a figure over the quantity of the curve, in the colours of the program.
+
+        Parameters
+        ----------
+        figure : str
+            Name of the figure, as ``"film_central"`` or ``"friction_torque"``.
+
+        Raises
+        ------
+        KeyError
+            With the names that there are.
+        """
+        from ._plot import study_figure
+
+        rows = self.to_pandas()
+        axis = str(rows.columns[1])
+        return study_figure(rows, [axis], figure, axis, self.title)
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
         """Write what ``ertel solve`` writes."""
         if self._native is None:
-            raise RuntimeError("files of a curve: only in the process that solved it; this one was pickled")
+            raise self._refuse("the files of a curve")
         self._native.save(Path(folder))
         return Path(folder)
 

@@ -1,0 +1,190 @@
+"""Folders of results: their files, read when they are asked for."""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import csv
+import json
+import xml.etree.ElementTree as ET
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _ertel
+from ._ertel import CaseError, OutputError
+
+if TYPE_CHECKING:
+    from ._case import Case
+
+Floats = NDArray[np.float64]
+
+# Version of the layout of JSON files that is read here.
+FORMAT_VERSION = 1
+
+
+class Stored:
+    """What was solved in this process, or is read from a folder."""
+
+    _case: Case | None
+    _folder: Path | None
+    # Folder of the files that the case names, where it is another one.
+    _inputs: Path | None
+
+    @property
+    def case(self) -> Case:
+        """What was solved. Of a folder it is read from ``case.toml`` there.
+
+        Raises
+        ------
+        CaseError
+            When this version does not read it, as where it names files that are elsewhere: give their folder to :func:`ertel.read`.
+        """
+        if self._case is None:
+            from ._case import Case
+
+            assert self._folder is not None
+            text = text_of(self._folder / "case.toml")
+            name = str(self._folder / "case.toml")
+            try:
+                self._case = Case.from_text(text, name=name, folder=self._inputs or self._folder)
+            except CaseError as error:
+                advice = "" if self._inputs else "\nIf it names files, give their folder: ertel.read(folder, inputs=...)"
+                raise CaseError(f"{error}{advice}") from None
+        return self._case
+
+    @property
+    def folder(self) -> Path | None:
+        """The folder that it was read from; None of what was solved in this process."""
+        return self._folder
+
+    def _set_origin(self, case: Case | None, folder: Path | None = None, inputs: Path | None = None) -> None:
+        self._case, self._folder, self._inputs = case, folder, inputs
+
+    def _refuse(self, what: str) -> Exception:
+        if self._folder is not None:
+            return OutputError(f"{what}: this was read from {self._folder}, which has the files already; solve its case again: .case.solve()")
+        return RuntimeError(f"{what}: only in the process that solved the case; this result was pickled")
+
+
+def text_of(path: Path) -> str:
+    """The text of a file of a folder.
+
+    Raises
+    ------
+    OutputError
+        Naming file and reason.
+    """
+    try:
+        return path.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        raise OutputError(f"{path}: the folder does not have this file; solve the case again to write it") from None
+    except UnicodeDecodeError:
+        raise OutputError(f"{path}: it is no UTF-8 text; the file is damaged") from None
+    except OSError as error:
+        raise OutputError(f"{path}: cannot be read: {error.strerror}") from None
+
+
+def document(path: Path, format: str, needed: tuple[str, ...]) -> dict[str, Any]:
+    """A JSON file of the program, of this format and with these keys.
+
+    Raises
+    ------
+    OutputError
+        A file that is missing, damaged, of another format or version, or lacks keys.
+    """
+    try:
+        content = json.loads(text_of(path), parse_constant=_refuse_constant)
+    except ValueError as error:
+        raise OutputError(f"{path}: damaged, it is no JSON: {error}") from None
+    except RecursionError:
+        raise OutputError(f"{path}: damaged, it is nested too deeply") from None
+    if not isinstance(content, dict) or content.get("format") != format:
+        raise OutputError(f'{path}: it is no file of ertel with "format": "{format}"')
+    version = content.get("format_version", FORMAT_VERSION)
+    if version != FORMAT_VERSION:
+        by = content.get("ertel_version", "another version")
+        raise OutputError(
+            f"{path}: its layout is version {version}, written by ertel {by}; ertel {_ertel.__version__} reads version {FORMAT_VERSION}"
+        )
+    missing = [key for key in needed if key not in content]
+    if missing:
+        raise OutputError(
+            f"{path}: it has no {', '.join(f'`{key}`' for key in missing)}; it is damaged, or from an older ertel: solve the case again"
+        )
+    return content
+
+
+def _refuse_constant(name: str) -> None:
+    raise ValueError(f"{name} is no number of JSON")
+
+
+def shaped(path: Path, read: Any) -> Any:
+    """What `read` makes of a document whose inner parts may not be as they should."""
+    try:
+        return read()
+    except (KeyError, TypeError, ValueError, AttributeError, IndexError, StopIteration) as error:
+        raise OutputError(f"{path}: damaged, its content is not that of a result ({type(error).__name__}: {error})") from None
+
+
+def columns(path: Path) -> dict[str, Floats]:
+    """The columns of a CSV file of numbers; empty fields are not a number."""
+    rows = list(csv.reader(line for line in text_of(path).splitlines() if line))
+    if len(rows) < 2 or any(len(row) != len(rows[0]) for row in rows):
+        raise OutputError(f"{path}: damaged, it has no rows or rows of different lengths")
+    try:
+        values = np.array([[float(field) if field else np.nan for field in row] for row in rows[1:]])
+    except ValueError as error:
+        raise OutputError(f"{path}: damaged, {error}") from None
+    return {name: values[:, i].copy() for i, name in enumerate(rows[0])}
+
+
+_TYPES = {"Float64": "<f8", "Int64": "<i8", "UInt8": "u1"}
+_CORNERS = {3: 2, 5: 3}
+
+
+def surface(path: Path) -> tuple[Floats, NDArray[np.uint32], dict[str, Floats]]:
+    """Points (m), cells and fields of ``surface.vtu``, fields by their names in Python."""
+    try:
+        root = ET.fromstring(text_of(path))
+    except ET.ParseError as error:
+        raise OutputError(f"{path}: damaged, it is no XML: {error}") from None
+    try:
+        arrays = {
+            str(array.get("Name")): (section, _array(array))
+            for section in ("Points", "Cells", "PointData")
+            for array in root.findall(f"./UnstructuredGrid/Piece/{section}/DataArray")
+        }
+        points = arrays["Points"][1].reshape(-1, 3)[:, :2].copy()
+        kinds = set(arrays["types"][1].tolist())
+        (kind,) = kinds
+        cells = arrays["connectivity"][1].reshape(-1, _CORNERS[kind])
+        if cells.min() < 0 or cells.max() >= len(points):
+            raise ValueError("a cell has a corner that is no point")
+        fields = {}
+        for column, (section, values) in arrays.items():
+            if section == "PointData":
+                if len(values) != len(points):
+                    raise ValueError(f"{column} has another number of values than points")
+                fields[_field_of(column)] = values.astype(np.float64)
+    except (KeyError, ValueError, TypeError, binascii.Error) as error:
+        raise OutputError(f"{path}: damaged, or not written by ertel ({type(error).__name__}: {error})") from None
+    return points, cells.astype(np.uint32), fields
+
+
+def _field_of(column: str) -> str:
+    """The name of a field by that of its array, which ends in the unit."""
+    names = [name for name, _, _ in _ertel.field_names() if column == name or column.startswith(name + "_")]
+    if not names:
+        raise ValueError(f"no field is called {column}")
+    return max(names, key=len)
+
+
+def _array(element: ET.Element) -> NDArray[Any]:
+    data = base64.b64decode((element.text or "").strip(), validate=True)
+    n_bytes = int.from_bytes(data[:8], "little")
+    if element.get("format") != "binary" or len(data) != 8 + n_bytes:
+        raise ValueError(f"the array {element.get('Name')} is cut off")
+    return np.frombuffer(data, dtype=_TYPES[str(element.get("type"))], offset=8)

@@ -1,0 +1,126 @@
+//! What folders of results need of the solver's libraries: fields of a file on a grid, tables of studies, colours of pictures.
+
+use std::path::PathBuf;
+
+use ertel::solution::{ContactFields, Field};
+use ertel::study::journal::Entries;
+use ertel::study::{STUDY_FORMAT, StudyEcho};
+use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::prelude::*;
+
+use crate::case::json;
+use crate::errors;
+use crate::pool::detached;
+
+/// Points of a grid: with some twenty fields these take half a gigabyte.
+const MOST_GRID_POINTS: usize = 5_000_000;
+
+/// Fields by name, each a two-dimensional array.
+type Grids<'py> = Vec<(&'static str, Bound<'py, PyArray2<f64>>)>;
+
+/// Fields given by their values at points (m, n x 2) of cells (corners, m x 3, or m x 2 of a line contact) at the crossings of `x` and `y`
+/// (m), rows along y; not a number outside the cells.
+#[pyfunction]
+pub fn fields_on_grid<'py>(
+    py: Python<'py>,
+    points: PyReadonlyArray2<'py, f64>,
+    cells: PyReadonlyArray2<'py, u32>,
+    fields: Vec<(String, PyReadonlyArray1<'py, f64>)>,
+    x: Vec<f64>,
+    y: Vec<f64>,
+) -> PyResult<Grids<'py>> {
+    if x.len().saturating_mul(y.len()) > MOST_GRID_POINTS {
+        let [n, m] = [x.len(), y.len()];
+        return Err(errors::CaseError::new_err(format!(
+            "a grid of {n} x {m} points is too large: at most {MOST_GRID_POINTS} in all"
+        )));
+    }
+    let bad = |text: String| errors::OutputError::new_err(text);
+    let (points, cells) = (points.as_array(), cells.as_array());
+    let n_corners = cells.ncols();
+    if points.ncols() != 2 || !(n_corners == 2 || n_corners == 3) {
+        return Err(bad("points of two numbers, cells of two or three".into()));
+    }
+    let n_points = points.nrows();
+    let corner = |cell: &[u32], i: usize| cell.get(i).copied().unwrap_or_default();
+    let mut whole = ContactFields {
+        points: points.rows().into_iter().map(|p| [p[0], p[1]]).collect(),
+        cells: (cells.rows().into_iter())
+            .map(|c| {
+                let cell = c.to_vec();
+                [corner(&cell, 0), corner(&cell, 1), corner(&cell, 2)]
+            })
+            .collect(),
+        fields: Vec::new(),
+        is_line: n_corners == 2,
+    };
+    if whole
+        .cells
+        .iter()
+        .flatten()
+        .any(|c| *c as usize >= n_points)
+    {
+        return Err(bad("a cell has a corner that is no point".into()));
+    }
+    for (name, values) in fields {
+        let field = Field::ALL.into_iter().find(|field| field.name() == name);
+        let field = field.ok_or_else(|| bad(format!("no field `{name}`")))?;
+        let values = values.as_array().to_vec();
+        if values.len() != n_points {
+            return Err(bad(format!(
+                "`{name}` has another number of values than points"
+            )));
+        }
+        whole.fields.push((field, values));
+    }
+    let grids = detached(py, || whole.on_grid(&x, &y))?;
+    let n_rows = if whole.is_line { 1 } else { y.len() };
+    (grids.into_iter())
+        .map(|grid| {
+            let values = grid.values.into_pyarray(py).reshape([n_rows, x.len()])?;
+            Ok((grid.field.name(), values))
+        })
+        .collect()
+}
+
+/// The study in a folder, be it finished or not: what it is as JSON, and the table of its finished points; touches nothing.
+#[pyfunction]
+pub fn study_table(py: Python<'_>, folder: PathBuf) -> PyResult<(String, String)> {
+    let read = || {
+        let echo = StudyEcho::read(&folder)?;
+        Ok((echo, Entries::read(&folder)?))
+    };
+    let read: Result<_, ertel::study::StudyError> = detached(py, read)?;
+    let bad = |text: String| errors::OutputError::new_err(text);
+    let (echo, entries) = read.map_err(|error| bad(error.to_string()))?;
+    let Some(echo) = echo else {
+        return Err(bad(format!(
+            "{}: no list of points of a study ({STUDY_FORMAT})",
+            folder.display()
+        )));
+    };
+    let records = (echo.points.iter()).map(|(key, _)| entries.records.get(key));
+    let failures: Vec<_> = (records.clone().enumerate())
+        .filter_map(|(i, record)| {
+            let record = record.filter(|record| !record.converged)?;
+            let reason = record.field("reason").unwrap_or_default();
+            Some((i + 1, reason.to_owned()))
+        })
+        .collect();
+    let about = serde_json::json!({
+        "title": echo.title,
+        "ertel_version": echo.ertel_version,
+        "columns": echo.columns,
+        "n_points": echo.points.len(),
+        "n_finished": records.flatten().count(),
+        "n_damaged": entries.n_damaged,
+        "failures": failures,
+    });
+    Ok((json(&about)?, echo.table(&entries.records)))
+}
+
+/// Colours of curves in the program's pictures, as `#0072B2`.
+#[pyfunction]
+pub fn palette() -> Vec<&'static str> {
+    ertel_plot::PALETTE.to_vec()
+}
