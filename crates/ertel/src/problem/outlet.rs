@@ -8,7 +8,7 @@
 //! ```
 //! (particular solution: Kapitza 1955): between 90° and that, an outlet edge X cuts off a load that falls with 1/X.
 
-use super::ToHalves;
+use super::area::ToHalves;
 
 /// Film, in a²/R, from which on far pressures count. Measured, all but round, at 45 degrees: at 0.2 and 0.45 the film with the outlet edge near and
 /// far, and with either penalty, is the same within 0.03 %; at 2.7 it is 6 % apart.
