@@ -52,7 +52,7 @@ fn results_are_shown_and_files_of_users_kept() {
             "one of the pages to be shown",
         ),
         (vec!["view", "one", "-o", "empty"], "it is a folder"),
-        (vec!["view", "empty"], "there is no empty/report.html"),
+        (vec!["view", "empty"], "empty/report.html: no such file"),
         (vec!["view", "nowhere"], "nowhere"),
         (vec!["view", "mine.html"], "no page of results"),
         (vec!["view"], "RESULT"),

@@ -60,7 +60,7 @@ fn an_area_that_ends_with_the_ball_has_the_same_films() {
         case.solver.method = Some(Method::FiniteVolumes);
         case
     };
-    for angle in [0.0, 10_f64.to_radians()] {
+    for angle in [0.0, 10.0, 30.0] {
         let mut case = rolling_at(angle);
         let near = solved(&case);
         let reach = near.shape.ends[1] / near.shape.zone.axis_ratio;
@@ -73,7 +73,7 @@ fn an_area_that_ends_with_the_ball_has_the_same_films() {
             assert!((a.value - b.value).abs() < 0.2 * bar, "{a:?} {b:?}");
         }
     }
-    let across = solved(&rolling_at(80_f64.to_radians()));
+    let across = solved(&rolling_at(43.0));
     let reach = across.shape.ends[1] / across.shape.zone.axis_ratio;
     let [_, _, side] = across.extents;
     assert!(side > 2.0 * reach, "{side} {reach}");

@@ -27,6 +27,7 @@ const PANELS: &str = "film/cross_film/panels.rs";
 
 const OUTLET: &str = "crates/ertel/src/problem/outlet.rs";
 const PROBLEM: &str = "crates/ertel/src/problem.rs";
+const AREA: &str = "crates/ertel/src/problem/area.rs";
 const PARAMS: &str = "params.rs";
 const REYNOLDS: &str = "forms/reynolds.rs";
 const ENDS: &str = "contact/roller/ends.rs";
@@ -428,9 +429,9 @@ pub const ROWS: &[Row] = &[
         ISOTHERMAL,
         "X from −{} to {}, |Y| ≤ {} as in the thesis",
         &[
-            (PROBLEM, "let mut inlet: f64 = {};", 0, 1.0),
+            (AREA, "let mut inlet: f64 = {};", 0, 1.0),
             (OUTLET, "{}_f64.max((1.0 + ", 0, 1.0),
-            (PROBLEM, "{}_f64.max(reach.side", 0, 1.0),
+            (AREA, "{}_f64.max(reach.side", 0, 1.0),
         ],
     ),
     (
@@ -442,11 +443,11 @@ pub const ROWS: &[Row] = &[
         ISOTHERMAL,
         "must be {} (H_f/{})^{} times the film (from {} to {})",
         &[
-            (PROBLEM, "({} * (film / {}).powf({})).clamp({}, {})", 0, 1.0),
-            (PROBLEM, "({} * (film / {}).powf({})).clamp({}, {})", 1, 1.0),
-            (PROBLEM, "({} * (film / {}).powf({})).clamp({}, {})", 2, 1.0),
-            (PROBLEM, "({} * (film / {}).powf({})).clamp({}, {})", 3, 1.0),
-            (PROBLEM, "({} * (film / {}).powf({})).clamp({}, {})", 4, 1.0),
+            (AREA, "({} * (film / {}).powf({})).clamp({}, {})", 0, 1.0),
+            (AREA, "({} * (film / {}).powf({})).clamp({}, {})", 1, 1.0),
+            (AREA, "({} * (film / {}).powf({})).clamp({}, {})", 2, 1.0),
+            (AREA, "({} * (film / {}).powf({})).clamp({}, {})", 3, 1.0),
+            (AREA, "({} * (film / {}).powf({})).clamp({}, {})", 4, 1.0),
         ],
     ),
     (
@@ -461,17 +462,17 @@ pub const ROWS: &[Row] = &[
         ISOTHERMAL,
         "inlet and side are {} + {} H_f (1 + H_f) times as far (H_f at most 1) in isothermal point contacts, {} times in line contacts",
         &[
-            (PROBLEM, "{} + {} * film * (1.0", 0, 1.0),
-            (PROBLEM, "{} + {} * film * (1.0", 1, 1.0),
-            (PROBLEM, "Family::Cylinder => {}, ", 0, 1.0),
+            (AREA, "{} + {} * film * (1.0", 0, 1.0),
+            (AREA, "{} + {} * film * (1.0", 1, 1.0),
+            (AREA, "Family::Cylinder => {}, ", 0, 1.0),
         ],
     ),
     (
         ISOTHERMAL,
         "Body: {} wide and deep, or {} times the distance",
         &[
-            (PROBLEM, "unwrap_or_else(|| {}_f64.max({} * widest)", 0, 1.0),
-            (PROBLEM, "unwrap_or_else(|| {}_f64.max({} * widest)", 1, 1.0),
+            (AREA, "unwrap_or_else(|| {}_f64.max({} * widest)", 0, 1.0),
+            (AREA, "unwrap_or_else(|| {}_f64.max({} * widest)", 1, 1.0),
         ],
     ),
     (
