@@ -431,7 +431,7 @@ pub const ROWS: &[Row] = &[
         &[
             (AREA, "let mut inlet: f64 = {};", 0, 1.0),
             (OUTLET, "{}_f64.max((1.0 + ", 0, 1.0),
-            (AREA, "{}_f64.max(reach.side", 0, 1.0),
+            (AREA, "{}_f64 .max(reach.side", 0, 1.0),
         ],
     ),
     (
