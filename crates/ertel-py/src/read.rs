@@ -99,6 +99,18 @@ pub fn study_table(py: Python<'_>, folder: PathBuf) -> PyResult<(String, String)
             folder.display()
         )));
     };
+    if entries.is_foreign(true) {
+        return Err(bad(format!(
+            "{}: the journal of its points is damaged, or that of another program",
+            folder.display()
+        )));
+    }
+    if !entries.exists() && folder.join("results.csv").exists() {
+        return Err(bad(format!(
+            "{}: results.csv is there, but the journal of its points is not",
+            folder.display()
+        )));
+    }
     let records = (echo.points.iter()).map(|(key, _)| entries.records.get(key));
     let failures: Vec<_> = (records.clone().enumerate())
         .filter_map(|(i, record)| {

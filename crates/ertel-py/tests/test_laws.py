@@ -80,12 +80,26 @@ def test_functions_that_are_no_law(law: Any, words: str, line: dict[str, Any]) -
         ertel.Case(**line).with_law("viscosity", law)
 
 
+def test_a_law_in_its_place_leaves_nothing_behind(line: dict[str, Any]) -> None:
+    """Neither what was said of the function nor its error; one note after a second function."""
+    case = ertel.Case(**line).with_law("viscosity", barus)
+    own = {"law": "barus", "mu_0": "40 mPa.s", "alpha": "20 1/GPa"}
+    other = case.with_({"lubricant.viscosity": own})
+    assert not other.tabulated and "Python function" not in other.text
+    kept = case.with_({"motion.entrainment_speed": "1 m/s"})
+    assert kept.tabulated.keys() == {"viscosity"} and "Python function" in kept.text
+    assert case.with_law("viscosity", barus, tolerance=1e-3).text.count("Python function") == 1
+
+
 def test_ranges_and_names(line: dict[str, Any]) -> None:
     case = ertel.Case(**line)
     for arguments, words in [
         ({"pressures": (1.0, 0.0)}, "pressures"),
         ({"temperatures": (0.0, 300.0)}, "temperatures"),
         ({"tolerance": 0.0}, "tolerance"),
+        ({"tolerance": "x"}, "tolerance"),
+        ({"pressures": (1.0,)}, "pressures"),
+        ({"temperatures": ("a", 300.0)}, "temperatures"),
     ]:
         with pytest.raises(ertel.CaseError, match=words):
             case.with_law("viscosity", barus, **arguments)

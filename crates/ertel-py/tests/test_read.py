@@ -133,6 +133,19 @@ def test_studies(line: dict[str, Any], tmp_path: Path) -> None:
     assert len(axes.containers) == 2, "a curve for each load"
     with pytest.raises(KeyError, match="contact"):
         study.plot(x="contact.load")
+    # A journal that is gone, of something else, or damaged in part.
+    journal = folder / "journal.jsonl"
+    whole = journal.read_text()
+    journal.unlink()
+    with pytest.raises(ertel.OutputError, match="journal"):
+        ertel.read(folder)
+    journal.write_text("nothing of the kind\n" * 6)
+    with pytest.raises(ertel.OutputError, match="journal"):
+        ertel.read(folder)
+    journal.write_text("\n".join(["damaged" if i == 1 else own for i, own in enumerate(whole.splitlines())]) + "\n")
+    damaged = ertel.read(folder)
+    assert isinstance(damaged, ertel.Study) and (damaged.n_finished, damaged.n_damaged) == (5, 1)
+    journal.write_text(whole)
     # A run that was killed after two points, and its table before it was written.
     (folder / "results.csv").unlink()
     lines = (folder / "journal.jsonl").read_text().splitlines(keepends=True)
@@ -157,6 +170,9 @@ def test_samples_of_the_program(program: str, cases: Path, tmp_path: Path) -> No
     films = samples.to_pandas()["film_central_m"]
     assert film.mean == pytest.approx(films.mean()) and film.standard == pytest.approx(films.std())
     assert films.min() <= film.quantiles[0.5] <= films.max() and film.correlations
+    pytest.importorskip("matplotlib")
+    axes = samples.plot("film_central").axes[0]
+    assert len(axes.containers) == 1 and axes.containers[0].lines[0].get_linestyle() == "None", "a point for each sample"
 
 
 def test_comparisons(cases: Path, tmp_path: Path) -> None:

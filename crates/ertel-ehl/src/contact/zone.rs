@@ -30,9 +30,20 @@ impl HertzZone {
         }
     }
 
+    /// Whether oil that enters a contact area by an edge across the longer axis passes the zone: that from the corner between this edge and the inlet misses
+    /// the unit circle. Distances from the centre, in semi-axes.
+    ///
+    /// ```text
+    ///   side u_x − inlet u_y ≥ |u|        u: the motion in the plane in which the zone is the unit circle
+    /// ```
+    pub fn is_passed_from(&self, side: f64, inlet: f64) -> bool {
+        let [along, across] = self.circle([1.0, 0.0]).map(f64::abs);
+        side * along - inlet * across >= along.hypot(across)
+    }
+
     /// A place in semi-axes of an ellipse.
     #[inline(always)]
-    pub fn circle(&self, at: [f64; 2]) -> [f64; 2] {
+    fn circle(&self, at: [f64; 2]) -> [f64; 2] {
         let [x, y] = self.turn.to_axes(at);
         [x, y / self.axis_ratio]
     }

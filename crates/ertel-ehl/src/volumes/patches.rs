@@ -61,9 +61,12 @@ pub fn bounds<P>(problem: &Problem<P>) -> [[f64; 2]; 2] {
         };
         return [[inlet, e.outlet], [-e.side, e.side]];
     }
-    // The motion leaves by any side.
-    let reach = e.inlet.abs().max(e.outlet);
-    [[-reach, reach], [-e.side, e.side]]
+    // The motion enters and leaves by any side, unless what enters by a nearer one passes the dry contact.
+    let along = e.inlet.abs().max(e.outlet);
+    match problem.shape.zone.is_passed_from(e.side, along) {
+        true => [[-along, along], [-e.side, e.side]],
+        false => [[-along.max(e.side), along.max(e.side)]; 2],
+    }
 }
 
 /// The grid with cells of the size h: the first one over the box, the others within it as far as the margin goes. Its corners are nodes of a

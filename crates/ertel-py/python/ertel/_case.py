@@ -104,7 +104,15 @@ class Case:
             texts.append(f"{key}={_toml._value(key.split('.'), value, 0)}")
         # The class of what it returns is that of a case read from a file: keywords of a machine are in its text.
         case = Case._of(self._native.with_settings(texts))
-        case._tabulated = {name: told for name, told in self._tabulated.items() if f"lubricant.{name}" not in settings and "lubricant" not in settings}
+        replaced = [key.split(".") for key in settings]
+        gone = [name for name in self._tabulated if any(["lubricant", name][: len(key)] == key[:2] for key in replaced)]
+        if gone:
+            text = case.text
+            for name in gone:
+                text = _without_note(text, name)
+            native = case._native
+            case = Case.from_text(text, name=native.name, folder=native.folder)
+        case._tabulated = {name: told for name, told in self._tabulated.items() if name not in gone}
         return case
 
     def with_law(
@@ -156,7 +164,7 @@ class Case:
             temperatures = (inlet - 20.0, inlet + 100.0)
         table, told = tabulated(name, law, pressures, temperatures, tolerance)
         other = self.with_({f"lubricant.{name}": table})
-        text = f"# lubricant.{name}: {told}.\n{other.text}"
+        text = f"# lubricant.{name}: {told}.\n{_without_note(other.text, name)}"
         native = self._native
         case = Case.from_text(text, name=native.name, folder=native.folder)
         case._tabulated = {**self._tabulated, name: told}
@@ -272,6 +280,11 @@ class Case:
         title = f" {self.title!r}" if self.title else ""
         what = f"whole machine, {kind} contacts" if self.is_machine else f"{kind} contact"
         return f"<ertel.Case{title}: {what}>"
+
+
+def _without_note(text: str, name: str) -> str:
+    """The text of a case without what it says at its top of a law that was a function."""
+    return "".join(line for line in text.splitlines(keepends=True) if not line.startswith(f"# lubricant.{name}: table of a Python function"))
 
 
 def _restored(cls: type[Case], name: str, text: str, folder: str, laws: dict[str, TabulatedLaw]) -> Case:

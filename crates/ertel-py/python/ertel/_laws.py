@@ -60,10 +60,14 @@ def tabulated(
     name: str, law: Law, pressures: tuple[float, float], temperatures: tuple[float, float], tolerance: float
 ) -> tuple[dict[str, Any], TabulatedLaw]:
     """The table of a case file, refined until its error is below `tolerance`."""
-    for what, (low, high) in {"pressures": pressures, "temperatures": temperatures}.items():
+    for what, limits in {"pressures": pressures, "temperatures": temperatures}.items():
+        try:
+            low, high = (float(limit) for limit in limits)
+        except (TypeError, ValueError):
+            raise CaseError(f"{what} = {limits!r}: two numbers in SI, the first one below the second") from None
         if not (math.isfinite(low) and math.isfinite(high) and low < high and (what == "pressures" or low > 0.0)):
             raise CaseError(f"{what} = ({low!r}, {high!r}): two numbers in SI, the first one below the second")
-    if not 0.0 < tolerance < 1.0:
+    if not isinstance(tolerance, (int, float)) or not 0.0 < tolerance < 1.0:
         raise CaseError(f"tolerance = {tolerance!r}: a number between 0 and 1")
     n = list(_FIRST)
     known: dict[tuple[float, float], float] = {}
@@ -91,19 +95,27 @@ def tabulated(
         grow = [worst[0] > 0.4 * tolerance, worst[1] > 0.4 * tolerance]
         if not any(grow):
             grow = [True, True]
-        if any(own and n[i] >= _MOST[i] for i, own in enumerate(grow)):
+        finer = _finer(n, grow)
+        if finer == n:
+            finer = _finer(n, [True, True])
+        # An axis that can grow no more fails where it errs by more than the tolerance by itself.
+        if finer == n or any(own >= most and error > tolerance for own, most, error in zip(n, _MOST, worst)):
             places = (along_p, along_t, inner)[int(np.argmax(worst))]
             q, s = places[int(np.argmax(errors[int(np.argmax(worst))]))]
             raise CaseError(
                 f"the {name} is not smooth enough: near {q * 1e-6:.5g} MPa and {s:.5g} K a table of {n[0]} pressures and {n[1]} temperatures "
                 f"errs by {max(worst):.1e}, more than the tolerance {tolerance:.1e}; smooth its kinks and steps, or raise `tolerance`"
             )
-        n = [min(2 * own - 1, most) if wanted else own for own, most, wanted in zip(n, _MOST, grow)]
+        n = finer
     isotherms = [
         {"temperature": f"{own_t!r} K", "pressure": p.tolist(), name: row} for own_t, row in zip(t.tolist(), rows)
     ]
     table = {"law": "table", "units": {"pressure": "Pa", name: UNITS[name]}, "isotherms": isotherms}
     return table, TabulatedLaw(pressures, temperatures, n[0], n[1], max(worst))
+
+
+def _finer(n: list[int], grow: list[bool]) -> list[int]:
+    return [min(2 * own - 1, most) if wanted else own for own, most, wanted in zip(n, _MOST, grow)]
 
 
 def _between(knots: Floats) -> Floats:

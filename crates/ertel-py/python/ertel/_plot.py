@@ -75,16 +75,18 @@ def field_map(result: Result, values: NDArray[np.float64], unit: str, words: str
     return figure
 
 
-def study_figure(rows: pd.DataFrame, axes: list[str], name: str, x: str | None, title: str) -> Figure:
-    """A figure over one of the axes, a curve for each combination of the others."""
+def study_figure(rows: pd.DataFrame, axes: list[str], name: str, x: str | None, title: str, is_scattered: bool = False) -> Figure:
+    """A figure over one of the axes, a curve for each combination of the others; points alone where all axes vary at once."""
     import pandas as pd
     from matplotlib.figure import Figure
 
     column, error, unit = _columns(rows, name)
+    if not axes:
+        raise KeyError("nothing varies: there is no axis to plot over")
     x = x or next((axis for axis in axes if pd.api.types.is_numeric_dtype(rows[axis]) and rows[axis].nunique() > 1), axes[0])
     if x not in axes:
         raise KeyError(f"no axis `{x}`: there are {', '.join(axes)}")
-    others = [axis for axis in axes if axis != x and rows[axis].nunique() > 1]
+    others = [] if is_scattered else [axis for axis in axes if axis != x and rows[axis].nunique() > 1]
     groups = list(rows.groupby(others, sort=True)) if others else [((), rows)]
     factor, shown = _SHOWN.get(unit, (1.0, unit))
     figure = Figure(figsize=(6.4, 4.0), layout="constrained")
@@ -96,6 +98,7 @@ def study_figure(rows: pd.DataFrame, axes: list[str], name: str, x: str | None, 
         bars = None if error is None else group[error].to_numpy(float) * factor
         drawn.errorbar(
             group[x].to_numpy(), group[column].to_numpy(float) * factor, bars, marker="o", markersize=4, capsize=2,
+            linestyle="none" if is_scattered else "-",
             color=_PALETTE[i % len(_PALETTE)], label=label or None,
         )
     words = {own: text for own, text, _ in _ertel.figure_names()}.get(name, name.replace("_", " "))

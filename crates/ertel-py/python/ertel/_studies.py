@@ -32,6 +32,8 @@ class Study:
         Columns of the table that the study varies, with their units.
     n_points, n_finished : int
         Points of the study, and how many of them have been solved or have failed.
+    n_damaged : int
+        Lines of the journal that could not be read; their points count as not solved.
     failures : list of (int, str)
         Numbers, from 1, and reasons of the points that failed.
     """
@@ -42,6 +44,7 @@ class Study:
         self.axes: list[str] = about["columns"]
         self.n_points: int = about["n_points"]
         self.n_finished: int = about["n_finished"]
+        self.n_damaged: int = about["n_damaged"]
         self.failures: list[tuple[int, str]] = [(number, reason) for number, reason in about["failures"]]
         self._table = table
 
@@ -147,6 +150,25 @@ class MonteCarlo(Study):
     n_samples: int
     n_solved: int
     figures: dict[str, Distribution]
+
+    def plot(self, figure: str = "film_central", x: str | None = None) -> Figure:
+        """Draw a figure over an uncertain input, a point for each sample.
+
+        Parameters
+        ----------
+        figure : str
+            Name of the figure, as ``"film_central"``.
+        x : str, optional
+            Column of the input, as in :attr:`axes`; by default the first one.
+
+        Raises
+        ------
+        KeyError
+            With the names that there are.
+        """
+        from ._plot import study_figure
+
+        return study_figure(self.to_pandas(), self.axes, figure, x, self.title, is_scattered=True)
 
     @classmethod
     def _read(cls, folder: Path) -> MonteCarlo:

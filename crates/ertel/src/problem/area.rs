@@ -99,18 +99,14 @@ pub(super) fn extents(reach: Reach, mesh: &MeshParams, film: f64, shape: &Shape)
 }
 
 /// Where bodies end along the longer axis, for the edge of the contact area: of ellipses that are wide there and whose films do not feel it, since the oil
-/// that enters by that edge passes the dry contact, which is the unit circle:
+/// that enters by that edge passes the dry contact.
 ///
-/// ```text
-///   (end − 1) u_x ≥ u_y · inlet        u: entrainment in the plane of the unit circle
-/// ```
 /// Measured on the inner ring of a 6206 (1.05 kN, 3000 rpm), whose ball ends at 3.4 half-widths: with edges at 2.25, 3, 5 and 26 half-widths both films
 /// are the same to a tenth of their error bars.
 fn end_across(shape: &Shape, inlet: f64) -> f64 {
     let ratio = shape.zone.axis_ratio;
     let end = (shape.ends[1] / ratio).floor_half().max(NEAREST_SIDE);
-    let [along, across] = shape.zone.circle([1.0, 0.0]).map(f64::abs);
-    match ratio > WIDE && across * inlet <= (end - 1.0) * along {
+    match ratio > WIDE && shape.zone.is_passed_from(end, inlet) {
         true => end,
         false => f64::INFINITY,
     }
