@@ -42,6 +42,9 @@ cpSync(CASES, cases, { recursive: true });
 const files = ["", "machine"].flatMap((under) => readdirSync(join(cases, under)).filter((f) => f.endsWith(".toml")).map((f) => join(under, f)));
 for (const file of files) writeFileSync(join(cases, file), thin(readFileSync(join(cases, file), "utf8")));
 
+// Sheets of paper that the pages of a circle, an ellipse at an angle, and a line take at most.
+const SHEETS = { "ball-on-disc": 2, "ball-in-groove": 2, roller: 2 };
+
 let browser;
 before(async () => { browser = await launch(); });
 after(() => browser?.close());
@@ -55,7 +58,7 @@ function run(...args) {
   }
 }
 
-async function look(name, file, expected, how) {
+async function look(name, file, expected, how, sheets) {
   const page = await openPage(browser, file);
   const found = await checkPlots(page, name, how);
   assert.deepEqual(page.troubles, [], name);
@@ -65,6 +68,16 @@ async function look(name, file, expected, how) {
   for (const text of said) assert.doesNotMatch(text, /\b(rad|J)\b|^Point\b.*:/, `${name}: ${text}`);
   const second = await page.$$eval("#table-y2", (all) => all.map((e) => e.selectedOptions[0]?.textContent));
   for (const text of second) assert.notEqual(text, "Point", name);
+  // Colours of a film belong to the contact, not to the gap around it: the largest film in it is not far above the central one.
+  for (const ends of await page.$$eval(".map", (all) => all.map((map) => JSON.parse(map.dataset.axes).at(-1)))) {
+    const [low, high] = [ends.low, ends.high];
+    assert.ok(high < 6 * low, `${name}: a map from ${low} to ${high}`);
+  }
+  if (sheets) {
+    const printed = Buffer.from(await page.pdf({ format: "A4", printBackground: true })).toString("latin1");
+    const n = printed.match(/\/Type\s*\/Page\b/g).length;
+    assert.ok(n <= sheets, `${name} prints on ${n} sheets`);
+  }
   await page.screenshot({ path: join(SCREENSHOTS, `shipped-${name.replaceAll("/", "-")}.png`), fullPage: true });
   await page.close();
 }
@@ -81,7 +94,7 @@ describe("shipped cases", () => {
       const isLine = kind === "contact" && JSON.parse(readFileSync(join(output, "result.json"), "utf8")).kind === "line";
       const expected = kind === "contact" ? { charts: isLine ? 2 : 4, maps: isLine ? 0 : 1 } : { charts: 2, maps: 0 };
       // Half of the elements of a bearing carry nothing: their lines have gaps.
-      await look(name, join(output, "report.html"), expected, { scattered: kind === "machine" });
+      await look(name, join(output, "report.html"), expected, { scattered: kind === "machine" }, SHEETS[name]);
     });
   }
   test("samples of uncertain inputs", async () => {

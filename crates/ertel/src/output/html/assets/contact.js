@@ -119,7 +119,7 @@ class ContactView {
       return r.raster(look.name, xs, ys, width, height).map(look.unit.show);
     };
     // Far from the contact the gap is wide: the colours belong to the film within the dry contact.
-    const top = look.name === "film_thickness" ? FILM_MARGIN * look.unit.show(look.within) : Infinity;
+    const top = look.name === "film_thickness" && look.within > 0 ? FILM_MARGIN * look.unit.show(look.within) : Infinity;
     const ends = (raster) => {
       let [low, high] = [Infinity, -Infinity];
       for (const v of raster) if (Number.isFinite(v)) { if (v < low) low = v; if (v > high) high = v; }
