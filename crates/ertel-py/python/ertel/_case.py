@@ -127,7 +127,7 @@ class Case:
         """The same case with a low-shear viscosity or a density that is a function of Python.
 
         The function is tabulated, as ``law = "table"`` of a case file, so that the case needs it no more: it can be saved, pickled, solved
-        by the program. The table is refined until its interpolation error is below `tolerance`; the bound that was reached is told in
+        by the program. The table is refined until its interpolation error is below `tolerance`; an estimate of what is left is told in
         :attr:`tabulated`, and at the top of :attr:`text`.
 
         Parameters
@@ -172,7 +172,7 @@ class Case:
 
     @property
     def tabulated(self) -> dict[str, TabulatedLaw]:
-        """Laws that :meth:`with_law` made, by name, with range and bound of the interpolation error."""
+        """Laws that :meth:`with_law` made, by name, with range and an estimate of the interpolation error."""
         return dict(self._tabulated)
 
     @property

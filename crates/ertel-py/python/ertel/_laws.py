@@ -39,7 +39,7 @@ class TabulatedLaw:
     n_pressures, n_temperatures : int
         Its knots.
     error : float
-        Bound of the interpolation error, relative: twice the largest difference found within the intervals.
+        Estimate of the interpolation error, relative: twice the largest difference found within the intervals.
     """
 
     pressures: tuple[float, float]

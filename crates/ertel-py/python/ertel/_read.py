@@ -30,8 +30,8 @@ def read(
     Returns
     -------
     Result, Curve, MachineSolution, Study, MonteCarlo or Comparison
-        With what a fresh solve gives, as far as the folder holds it. What needs the solver's own data, `save` and `start` of another solve,
-        does not.
+        With what a fresh solve gives, as far as the folder holds it. What needs the solver's own data does not: `save` is refused, and a solve with it as `start`
+        begins at the dry contact.
 
     Raises
     ------
