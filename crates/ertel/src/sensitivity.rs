@@ -282,13 +282,19 @@ fn sides(case: &Case, own: &Problem, input: &Input) -> Option<Result<Perturbed<P
         };
         let here = || problem_beside(case, &own.fluid);
         // At a bound, the derivative towards the side that there is.
-        let (problems, distance) = match [side(input.value - step), side(input.value + step)] {
-            [Some(below), Some(above)] => ([below, above], 2.0 * step),
-            [None, Some(above)] => ([here(), above], step),
-            [Some(below), None] => ([below, here()], step),
+        let (problems, distance, above) = match [side(input.value - step), side(input.value + step)]
+        {
+            [Some(below), Some(above)] => ([below, above], 2.0 * step, step),
+            [None, Some(above)] => ([here(), above], step, step),
+            // In descending order.
+            [Some(below), None] => ([here(), below], -step, -step),
             [None, None] => return Err(why_not(&input.key, AT_ITS_BOUND)),
         };
-        Ok(Perturbed { problems, distance })
+        Ok(Perturbed {
+            problems,
+            distance,
+            above,
+        })
     };
     let size = match input.value {
         0.0 => STEP_FROM_ZERO / STEP * input.uncertainty?.standard(),

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use ertel::case::Case;
-use ertel::params::SensitivityDemand;
+use ertel::params::{Method, SensitivityDemand};
 use ertel::run::{Start, solve_from};
-use ertel::solution::{Figure, Sensitivities, Solution};
+use ertel::solution::{Figure, Sensitivities, SensitivityMethod, Solution};
 use ertel::solve::NoObserver;
 use ertel_input::Document;
 
@@ -182,6 +182,51 @@ fn shear_thinning_line() {
 fn shear_thinning_circle() {
     let contact = "[contact]\nkind = \"circular\"\nradius = \"12.7 mm\"\nload = \"23 N\"\n";
     along_directions(&format!("{SHEAR_THINNING}{contact}"), 21, 1e-5);
+}
+
+/// A circle with heat by finite volumes against differences of whole solves on grids four times as fine, all inputs at once with weights of their own.
+#[test]
+fn heated_circle() {
+    let path = Path::new("../../cases/glycerol-thermal.toml");
+    let text = std::fs::read_to_string(path).unwrap();
+    let tight = text.replacen("[thermal]", "[thermal]\ntolerance = 1e-5", 1);
+    let base = case(&format!("{tight}\n[output]\nsensitivities = true\n"));
+    let solve = |case: &Case| solve_from(case, None, &[], &mut NoObserver).unwrap().0;
+    let solution = solve(&base);
+    assert_eq!(solution.stats.method, Method::FiniteVolumes);
+    let found = solution.sensitivities.as_ref().unwrap();
+    assert_eq!(found.by, SensitivityMethod::LinearSolves);
+    assert!(found.inputs.len() > 20, "{}", found.inputs.len());
+    // So narrow that the minimum stays at its node.
+    let step = 1e-3;
+    for ratio in [0.618_034, 0.414_214] {
+        let weight = |i: usize| 2.0 * ((i + 1) as f64 * ratio).fract() - 1.0;
+        let at = |step: f64| {
+            let inputs = found.inputs.iter().enumerate();
+            let values: BTreeMap<String, f64> = inputs
+                .map(|(i, input)| (input.key.clone(), input.value * (1.0 + step * weight(i))))
+                .collect();
+            let mut there = base.with_values(values).unwrap();
+            there.output.sensitivities = SensitivityDemand::Off;
+            there.solver.method = Some(Method::FiniteVolumes);
+            solve(&there)
+        };
+        let sides = [at(-step), at(step)];
+        for figure in &found.figures {
+            let [below, above] =
+                (sides.each_ref()).map(|s| s.measured.figures.value(figure.figure).unwrap());
+            let difference = (above - below) / (2.0 * step);
+            let terms = (found.inputs.iter().zip(&figure.derivatives)).enumerate();
+            let terms: Vec<f64> = terms
+                .map(|(i, (input, by))| weight(i) * by * input.value)
+                .collect();
+            let sum: f64 = terms.iter().sum();
+            let size = terms.iter().fold(0.0_f64, |m, term| m.max(term.abs()));
+            let error = (sum - difference).abs() / size;
+            println!("{} {sum} {difference} {error:.1e}", figure.figure.name());
+            assert!(error < 0.05, "{}: {error}", figure.figure.name());
+        }
+    }
 }
 
 /// A layer of 150 nm, as an input of its own.

@@ -26,6 +26,8 @@ pub struct Perturbed<Plan> {
     pub problems: [Problem<Plan>; 2],
     /// By how much the input differs between them.
     pub distance: f64,
+    /// By how much that of the second differs from the solution's.
+    pub above: f64,
 }
 
 /// A solution that tells its derivatives.

@@ -83,7 +83,17 @@ impl Properties {
             && self.temperature == temperature;
         same.then(|| {
             let ln_viscosity_scale = viscosity_scale.ln();
+            let scales = [
+                self.pressure_scale,
+                self.density_scale,
+                self.ln_viscosity_scale,
+            ];
             Properties {
+                // They are made in the scales.
+                patches: match scales == [pressure_scale, density_scale, ln_viscosity_scale] {
+                    true => self.patches.clone(),
+                    false => Patches::new(temperature, !self.table.is_empty()),
+                },
                 pressure_scale,
                 density_scale,
                 ln_viscosity_scale,
@@ -187,6 +197,8 @@ mod tests {
         let density = DensityLaw::dowson_higginson(870.0).unwrap();
         let viscosity = ViscosityLaw::roelands(0.04, 2.2e-8).unwrap();
         let own = Properties::new(&density, &viscosity, 313.0, [1e9, 870.0, 0.04]);
+        // Its patches are made before those of the other.
+        (0..40).for_each(|i| drop(own.over_temperature(0.03 * f64::from(i)).at(320.0)));
         let scales = [1.3e9, 900.0, 0.05];
         let other = own.rescaled(&density, &viscosity, 313.0, scales).unwrap();
         for i in 0..997 {
@@ -195,6 +207,15 @@ mod tests {
                 assert_relative_eq!(ours[0], exact[0], max_relative = 1e-13, epsilon = 1e-13);
                 assert_relative_eq!(ours[1], exact[1], max_relative = 1e-10);
                 assert_relative_eq!(ours[2], exact[2], max_relative = 1e-6, epsilon = 1e-7);
+            }
+            let warm = other.over_temperature(p).at(321.0);
+            for (ours, exact) in warm.into_iter().zip(other.jets(p, 321.0)) {
+                assert_relative_eq!(
+                    ours.value,
+                    exact.value,
+                    max_relative = 1e-11,
+                    epsilon = 1e-11
+                );
             }
         }
         assert!(own.rescaled(&density, &viscosity, 314.0, scales).is_none());

@@ -255,7 +255,8 @@ impl Engine for FiniteVolumes {
                 Some(before) => refined(problem, before, grid, deflection),
             };
             let rounds = Rounds::new(problem, problem.plan.heat);
-            let start = (rounds.as_ref()).map(|rounds| rounds.start(&system, found.levels.last()));
+            let start =
+                (rounds.as_ref()).map(|rounds| rounds.start(&system, found.levels.last(), None));
             if let (Some(rounds), Some((_, temperatures)), true) = (&rounds, &start, n > 0) {
                 rounds.warm_up(&mut system, &state, temperatures);
             }

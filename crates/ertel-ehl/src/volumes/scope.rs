@@ -24,8 +24,6 @@ pub struct HeatAbout {
     pub bodies_vary: bool,
     /// Temperatures within the bodies are asked for.
     pub asks_for_bodies: bool,
-    /// Sensitivities are asked for.
-    pub asks_for_sensitivities: bool,
 }
 
 /// Why finite volumes do not solve a contact, in words that follow "finite volumes"; `None` where they do.
@@ -53,10 +51,6 @@ pub fn why_not(about: &About) -> Option<&'static str> {
         (
             heat.asks_for_bodies,
             "find no temperatures within the bodies ([thermal] field)",
-        ),
-        (
-            heat.asks_for_sensitivities,
-            "find no sensitivities where heat counts ([output] sensitivities)",
         ),
     ];
     reasons

@@ -24,6 +24,7 @@ use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 
 /// A film on a grid: what does not change during a solve.
+#[derive(Clone)]
 pub struct System {
     /// The nodes.
     pub grid: Grid,
@@ -58,6 +59,19 @@ pub struct State {
     pub wetted: Vec<bool>,
     /// What the flow carries away from each node where the film has broken, infinite where the gap is full; none where all gaps are.
     pub contents: Vec<f64>,
+}
+
+impl State {
+    /// Moves on by some of the changes of pressures, where the film is wetted, and of the separation. Where the film has broken there is no pressure, not even what a
+    /// linear solver leaves: the next grid would take that for a full gap.
+    pub fn moved(&mut self, changes: &[f64], share: f64, wetted: &[bool]) {
+        for (p, (change, wetted)) in self.pressure.iter_mut().zip(changes.iter().zip(wetted)) {
+            if *wetted {
+                *p += share * change;
+            }
+        }
+        self.separation += share * changes[wetted.len()];
+    }
 }
 
 /// The equation at a state.
@@ -124,12 +138,31 @@ impl System {
 
     /// The equation and its derivatives at a state.
     pub fn linearise(&self, state: &State) -> Linearised {
+        self.linearise_by(state, |nodes| {
+            self.thinned(nodes, &state.pressure, |_| true)
+        })
+    }
+
+    /// The same where it differs little from another state and system: how stress thins the film is asked anew at the nodes that are `near`.
+    pub fn linearise_beside(&self, state: &State, other: &Linearised, near: &[bool]) -> Linearised {
+        self.linearise_by(state, |nodes| {
+            let mut thinned = self.thinned(nodes, &state.pressure, |k| near[k]);
+            for (k, (own, other)) in thinned.iter_mut().zip(&other.thinned).enumerate() {
+                if !near[k] {
+                    *own = *other;
+                }
+            }
+            thinned
+        })
+    }
+
+    fn linearise_by(&self, state: &State, thinned: impl Fn(&[Node]) -> Vec<Thinned>) -> Linearised {
         let films = self.films(state);
         let nodes: Vec<Node> = (state.pressure.par_iter().zip(&films).enumerate())
             .with_min_len(BATCH)
             .map(|(k, (p, film))| self.node(k, *p, *film))
             .collect();
-        let thinned = self.thinned(&nodes, &state.pressure);
+        let thinned = thinned(&nodes);
         let mut faces = [0, 1].map(|direction| self.faces(&nodes, &thinned, direction));
         let grid = &self.grid;
         let contents = match state.contents.is_empty() {
@@ -160,14 +193,22 @@ impl System {
         }
     }
 
-    /// How stress thins the film at the nodes.
-    fn thinned(&self, nodes: &[Node], pressure: &[f64]) -> Vec<Thinned> {
+    /// How stress thins the film at the nodes that are asked for.
+    fn thinned(
+        &self,
+        nodes: &[Node],
+        pressure: &[f64],
+        wanted: impl Fn(usize) -> bool + Sync,
+    ) -> Vec<Thinned> {
         if self.fluid.is_newtonian() {
             return Vec::new();
         }
         let grid = &self.grid;
         let nx = grid.n[0];
         let of_node = |rule: &mut CrossFilm, k: usize| {
+            if !wanted(k) {
+                return Thinned::default();
+            }
             let [i, j] = [k % nx, k / nx];
             let gradient = slopes(grid, pressure, i, j);
             let slide = self.fluid.slide().at(grid.place(i, j));
@@ -294,19 +335,59 @@ impl System {
 
     /// Change of G by changes of the pressures and of the separation; contents follow.
     pub fn change(&self, at: &Linearised, pressure: &[f64], separation: f64) -> Vec<f64> {
+        self.change_by(at, pressure, &self.change_of_film(pressure, separation))
+    }
+
+    fn change_of_film(&self, pressure: &[f64], separation: f64) -> Vec<f64> {
         let mut film = self.deflection(pressure);
         film.iter_mut().for_each(|h| *h += separation);
-        self.change_by(at, pressure, &film)
+        film
+    }
+
+    /// Moves films and flows of `at`, which differs little from `own`, on by a share of changes of the pressures and of the separation at `own`.
+    pub fn move_on(&self, at: &mut Linearised, own: &Linearised, changes: &[f64], share: f64) {
+        let n = self.grid.n_nodes();
+        let (pressure, separation) = (&changes[..n], changes[n]);
+        let film = self.change_of_film(pressure, separation);
+        for (node, change) in at.nodes.iter_mut().zip(&film) {
+            node.film += share * change;
+        }
+        let through = self.change_through(own, pressure, &film);
+        for (direction, faces) in at.faces.iter_mut().enumerate() {
+            // Those of unknown nodes.
+            let of_own = own.faces[direction].iter().map(|face| face.by_pressure);
+            let known = |by: &[f64; 2]| *by != [0.0; 2];
+            for (k, (face, _)) in faces
+                .iter_mut()
+                .zip(of_own)
+                .enumerate()
+                .filter(|(_, (_, by))| known(by))
+            {
+                face.flux += share * through(direction, k);
+            }
+        }
     }
 
     /// The same by changes of pressures and films.
     pub(super) fn change_by(&self, at: &Linearised, pressure: &[f64], film: &[f64]) -> Vec<f64> {
+        let mut change = self.balance(self.change_through(at, pressure, film));
+        at.passing.follow(&mut change);
+        change
+    }
+
+    /// Change of what goes through the faces.
+    fn change_through<'a>(
+        &'a self,
+        at: &'a Linearised,
+        pressure: &'a [f64],
+        film: &'a [f64],
+    ) -> impl Fn(usize, usize) -> f64 + Sync + 'a {
         let nx = self.grid.n[0];
         let mass: Vec<f64> = (at.nodes.iter().zip(pressure.iter().zip(film)))
             .map(|(node, (p, h))| node.mass_by[0] * p + node.mass_by[1] * h)
             .collect();
         let resistance = self.resistance_by_gradient(at, pressure);
-        let mut change = self.balance(|direction, k| {
+        move |direction, k| {
             let face = &at.faces[direction][k];
             let step = [1, nx][direction];
             let next = k + step;
@@ -331,9 +412,7 @@ impl System {
                     }
                     _ => 0.0,
                 }
-        });
-        at.passing.follow(&mut change);
-        change
+        }
     }
 
     /// Changes of l and c along both directions at the nodes as the gradient of the pressure changes, none where nothing thins.

@@ -18,6 +18,9 @@ use super::beyond::Beyond;
 use super::engine::Volumes;
 use super::figures::figures;
 use super::grid::Grid;
+use super::heat::rounds::Rounds;
+use super::heat::tangents::{self, WarmSide};
+use super::heat::{Params, Warm};
 use super::level::{Level, convolution, first_system, refined};
 use super::preconditioner::{Pattern, Preconditioner};
 use super::step::{Equation, Inverse};
@@ -29,7 +32,7 @@ use crate::solution::{Figure, Figures};
 
 /// Figures that have derivatives; of the pressure its smooth maximum: at a ridge, derivatives are those of the cells. That of the minimum on the
 /// centreline, which moves from node to node on the grids that are taken, is half of what solves of a ball in its groove have.
-const FIGURES: [Figure; 7] = [
+const FIGURES: [Figure; 13] = [
     Figure::FilmCentral,
     Figure::FilmMinimum,
     Figure::PressureCentral,
@@ -37,12 +40,21 @@ const FIGURES: [Figure; 7] = [
     Figure::TractionCoefficientBody1,
     Figure::TractionCoefficientBody2,
     Figure::FrictionPower,
+    Figure::FilmTemperatureMaximum,
+    Figure::FilmTemperatureMean,
+    Figure::Body1TemperatureMaximum,
+    Figure::Body1TemperatureMean,
+    Figure::Body2TemperatureMaximum,
+    Figure::Body2TemperatureMean,
 ];
 
 /// Grids that are left out, the finest first, and how many are taken at least: derivatives were compared with those of the adjoint on cells of 0.023
 /// half-widths, which is the fifth grid. Coarse grids of lines need not be solutions: the last one that is taken is.
 const LEFT_OUT: usize = 3;
 const LEAST: usize = 5;
+
+/// The least where heat counts, whose equations take many times as long.
+const LEAST_WARM: usize = 4;
 
 /// How exactly the linear systems are solved. Radii that nearly cancel, as those of a ball and its groove do, move the equation by a hundred times what is
 /// left of that in the film: with 1e-3 the exponents of lengths by which a film scales add up to 0.79 in place of 1, with 1e-5 to 1.00.
@@ -73,7 +85,11 @@ impl<'a, Plan: Sync> Tangents<'a, Plan> {
         wanted: impl Fn(Figure) -> bool,
     ) -> Tangents<'a, Plan> {
         let n = solved.levels.len();
-        let least = n.saturating_sub(LEFT_OUT).max(LEAST).min(n);
+        let taken_at_least = match problem.heat {
+            Some(_) => LEAST_WARM,
+            None => LEAST,
+        };
+        let least = n.saturating_sub(LEFT_OUT).max(taken_at_least).min(n);
         let is_solved = |taken: &usize| (solved.stats.get(taken - 1)).is_some_and(|s| s.converged);
         let taken = (least.max(1)..=n).find(is_solved).unwrap_or(n);
         let levels = &solved.levels[..taken];
@@ -111,6 +127,44 @@ impl<'a, Plan: Sync> Tangents<'a, Plan> {
                 false => Some(NoDerivative::Mesh),
             }
         })
+    }
+}
+
+impl<Plan: Sync> Tangents<'_, Plan> {
+    /// Moves the sides above all inputs on to the next grid, with their heat.
+    fn heated(
+        &self,
+        (level, warm): (&Level, &Warm),
+        (at, equation, inverse): (&Linearised, &Equation, Inverse),
+        (sides, moving): (&mut [Result<[Side<Plan>; 2], NoDerivative>], &mut [bool]),
+    ) {
+        let params = Params {
+            depth: warm.bodies.depth,
+            ..Params::default()
+        };
+        let Some(rounds) = Rounds::new(self.problem, params) else {
+            return;
+        };
+        let own = WarmSide {
+            rounds,
+            system: level.system.clone(),
+            state: level.state.clone(),
+            bodies: warm.bodies.clone(),
+            temperatures: warm.temperatures.clone(),
+        };
+        let inputs = sides.iter_mut().zip(&*moving).map(|(sides, moves)| {
+            let [_, above] = sides.as_mut().ok().filter(|_| *moves)?;
+            above.next_warm((level, warm), params)
+        });
+        let solved = tangents::solve((&own, warm), (at, equation, inverse), LINEAR, inputs);
+        for ((end, moves), solved) in sides.iter_mut().zip(moving).zip(solved) {
+            *moves = solved.is_some();
+            match (solved, end.as_mut()) {
+                (Some(Ok(level)), Ok([_, above])) => above.levels.push(level),
+                (Some(Err(reason)), _) => *end = Err(reason),
+                _ => {}
+            }
+        }
     }
 }
 
@@ -172,6 +226,15 @@ impl<Plan> Side<'_, Plan> {
     }
 }
 
+impl<'a, Plan> Side<'a, Plan> {
+    /// The same with heat.
+    fn next_warm(&mut self, own: (&Level, &Warm), params: Params) -> Option<WarmSide<'a>> {
+        let rounds = Rounds::new(self.problem, params)?;
+        let film = self.next(own.0);
+        Some(WarmSide::new(rounds, film, self.levels.last(), own))
+    }
+}
+
 /// A grid of the solution for both sides of an input, and how the equation there differs between them.
 struct Moved {
     grids: [(System, State); 2],
@@ -209,17 +272,10 @@ impl<Plan: Sync> Side<'_, Plan> {
 
     /// Moves both sides on to the next grid by the derivatives of its pressures and of its separation.
     fn advance(sides: &mut [Self; 2], moved: Moved, at: &Linearised, by: &[f64]) {
-        let n = at.wetted.len();
         for ((side, (system, mut state)), sign) in
             sides.iter_mut().zip(moved.grids).zip([-1.0, 1.0])
         {
-            // Where the film has broken there is no pressure, not even what a linear solver leaves: the next grid would take that for a full gap.
-            for (p, (change, wetted)) in state.pressure.iter_mut().zip(by.iter().zip(&at.wetted)) {
-                if *wetted {
-                    *p += sign * change;
-                }
-            }
-            state.separation += sign * by[n];
+            state.moved(by, sign, &at.wetted);
             side.levels.push(Level {
                 films: system.films(&state),
                 system,
@@ -269,6 +325,14 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
                 })
                 .collect();
             let mut inverse = Inverse::new(&equation, &mut preconditioner);
+            if let Some(warm) = &level.warm {
+                self.heated(
+                    (level, warm),
+                    (&at, &equation, inverse),
+                    (&mut sides, &mut moving),
+                );
+                continue;
+            }
             // Inputs move the equation in few ways, as speed and viscosity do: what serves one of them serves the others.
             let mut recycled = Recycled::default();
             let mut solve = |right: &[f64]| {
@@ -301,12 +365,19 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
                     let levels: &[Level] = if moved { &side.levels } else { self.levels };
                     figures(side.problem, levels)
                 };
-                let [below, above] = sides?.each_ref().map(of_side);
+                let sides = sides?;
+                // Where heat counts, a difference from the solution.
+                let (ends, distance) = match self.problem.heat {
+                    Some(_) if sides[1].levels.is_empty() => ([self.coarser; 2], input.above),
+                    Some(_) => ([self.coarser, of_side(&sides[1])], input.above),
+                    None => (sides.each_ref().map(of_side), input.distance),
+                };
+                let [below, above] = ends;
                 let derivative = |figure: &Figure| {
                     let of = |figures: &Figures| figures.value(*figure).unwrap_or(f64::NAN);
                     // Relative to the value on the same grids.
                     let ratio = self.value(*figure) / of(&self.coarser);
-                    ratio * (of(&above) - of(&below)) / input.distance
+                    ratio * (of(&above) - of(&below)) / distance
                 };
                 Ok(self.figures.iter().map(derivative).collect())
             })

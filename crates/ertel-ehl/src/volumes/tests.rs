@@ -344,6 +344,7 @@ fn tangents_against_differences_of_solves() {
     let sides = |of: &dyn Fn(f64) -> Problem<Plan>, size: f64| Perturbed {
         problems: [of(-step * size), of(step * size)],
         distance: 2.0 * step * size,
+        above: step * size,
     };
     let by_speed = |d: f64| at(0.8 + d, 0.04);
     let by_sliding = |d: f64| at(0.8, 0.04 + d);

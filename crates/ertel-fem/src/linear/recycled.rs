@@ -17,6 +17,8 @@ pub struct Recycled {
     products: Vec<Vec<f64>>,
     /// Columns of R, as far as the diagonal.
     columns: Vec<Vec<f64>>,
+    /// R⁻¹ c of the last solve.
+    shares: Vec<f64>,
 }
 
 impl Recycled {
@@ -79,16 +81,23 @@ impl Recycled {
         }
     }
 
+    /// Shares of the directions in the last solution, in the order in which they were multiplied by A.
+    pub fn shares(&self) -> &[f64] {
+        &self.shares
+    }
+
     /// x = Z R⁻¹ c.
-    fn combine(&self, mut c: Vec<f64>, x: &mut [f64]) {
+    fn combine(&mut self, mut c: Vec<f64>, x: &mut [f64]) {
         x.fill(0.0);
         for k in (0..c.len()).rev() {
-            let y = c[k] / self.columns[k][k];
+            c[k] /= self.columns[k][k];
+            let y = c[k];
             for (c, r) in c[..k].iter_mut().zip(&self.columns[k]) {
                 *c -= y * r;
             }
             add(x, y, &self.directions[k]);
         }
+        self.shares = c;
     }
 }
 

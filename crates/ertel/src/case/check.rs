@@ -404,7 +404,6 @@ fn heat_about(case: &Case) -> Option<volumes::HeatAbout> {
         is_starved: case.supply.is_limited(),
         bodies_vary: heat.is_some_and(|heat| varies(&heat.body_1) || varies(&heat.body_2)),
         asks_for_bodies: params.field,
-        asks_for_sensitivities: case.wants_sensitivities(),
     })
 }
 

@@ -24,7 +24,7 @@ pub(super) fn write(out: &mut Lines, solution: &Solution) {
     write_uncertainty(out, solution);
     let Some(sensitivities) = &solution.sensitivities else {
         if solution.thermal.is_some() {
-            out.heading("Sensitivities: not computed where heat counts; [output] sensitivities = true takes two solves for each input");
+            out.heading("Sensitivities: not computed where heat counts unless [output] sensitivities = true");
         }
         return;
     };

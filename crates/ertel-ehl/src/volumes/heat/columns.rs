@@ -50,6 +50,7 @@ pub struct Films<'a> {
 }
 
 /// All nodes of a grid.
+#[derive(Clone)]
 pub struct Columns {
     /// Nodes across the film, and heights.
     pub n: [usize; 2],
@@ -105,26 +106,19 @@ const BATCH: usize = 64;
 impl Columns {
     /// At some films and temperatures.
     pub fn new(of: &FilmHeat, films: &Films) -> Columns {
+        let columns = Columns::at(of, films, |_| true);
         let [f, h] = [of.nodes(), of.heights.n()];
-        let columns: Vec<Column> = (0..of.grid.n_nodes())
-            .into_par_iter()
-            .with_min_len(BATCH)
-            .map_init(CrossFilm::default, |rule, k| {
-                let place = place(of.grid, films, f, k);
-                let film = film_column(of.fluid, of.heat, of.heights, &place, rule);
-                column(of, &film, &place, f)
-            })
-            .collect();
+        let n = columns.len();
         let mut all = Columns {
             n: [f, h],
-            slopes: Vec::with_capacity(columns.len() * f * f),
-            rows: Vec::with_capacity(columns.len() * f),
-            capacity: Vec::with_capacity(columns.len() * h),
-            mass: Vec::with_capacity(columns.len() * h),
-            made: Vec::with_capacity(columns.len()),
-            conductance: Vec::with_capacity(columns.len()),
+            slopes: Vec::with_capacity(n * f * f),
+            rows: Vec::with_capacity(n * f),
+            capacity: Vec::with_capacity(n * h),
+            mass: Vec::with_capacity(n * h),
+            made: Vec::with_capacity(n),
+            conductance: Vec::with_capacity(n),
         };
-        for column in columns {
+        for column in columns.into_iter().flatten() {
             all.slopes.extend(column.slopes);
             all.rows.extend(column.rows);
             all.capacity.extend(column.capacity);
@@ -133,6 +127,53 @@ impl Columns {
             all.conductance.push(column.conductance);
         }
         all
+    }
+
+    /// Those nodes of a grid that are asked for.
+    fn at(
+        of: &FilmHeat,
+        films: &Films,
+        wanted: impl Fn(usize) -> bool + Sync,
+    ) -> Vec<Option<Column>> {
+        let f = of.nodes();
+        (0..of.grid.n_nodes())
+            .into_par_iter()
+            .with_min_len(BATCH)
+            .map_init(CrossFilm::default, |rule, k| {
+                wanted(k).then(|| {
+                    let place = place(of.grid, films, f, k);
+                    let film = film_column(of.fluid, of.heat, of.heights, &place, rule);
+                    column(of, &film, &place, f)
+                })
+            })
+            .collect()
+    }
+
+    /// R, flow and capacity for films and temperatures that differ little from those of these columns, whose temperatures are `before`: anew at the nodes that are `near`, by the
+    /// temperatures alone elsewhere. Slopes and heat stay.
+    pub fn beside(&self, of: &FilmHeat, films: &Films, before: &[f64], near: &[bool]) -> Columns {
+        let [f, h] = self.n;
+        let mut moved = self.clone();
+        for (k, column) in Columns::at(of, films, |k| near[k]).into_iter().enumerate() {
+            let rows = &mut moved.rows[k * f..][..f];
+            match column {
+                Some(column) => {
+                    rows.copy_from_slice(&column.rows);
+                    moved.capacity[k * h..][..h].copy_from_slice(&column.capacity);
+                    moved.mass[k * h..][..h].copy_from_slice(&column.mass);
+                }
+                None => {
+                    for b in 0..f {
+                        let change = films.temperature[k * f + b] - before[k * f + b];
+                        let slopes = &self.slopes[(k * f + b) * f..][..f];
+                        for (row, slope) in rows.iter_mut().zip(slopes) {
+                            *row += slope * change;
+                        }
+                    }
+                }
+            }
+        }
+        moved
     }
 
     /// Whether all of it is finite.

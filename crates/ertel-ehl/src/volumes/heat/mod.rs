@@ -16,6 +16,7 @@
 //! | [`temperatures`] | Newton's method for film and surfaces |
 //! | [`warmth`] | what temperatures make of the film equation |
 //! | [`rounds`] | film and heat in turn, from grid to grid |
+//! | [`tangents`] | how both move with an input |
 //! | [`figures`], [`output`] | temperatures and heat in numbers; for results |
 //!
 //! Theory: Heat by finite volumes.
@@ -26,6 +27,7 @@ pub mod output;
 pub mod rounds;
 pub mod source;
 pub mod spreading;
+pub mod tangents;
 pub mod temperatures;
 pub mod transport;
 pub mod warmth;

@@ -9,6 +9,7 @@ use super::columns::{Columns, FilmHeat, Films};
 use super::temperatures::{self, Account, Bodies, Temperatures, step, unheated};
 use super::warmth::warmth;
 use crate::engine::{Observer, Problem};
+use crate::film::FilmFluid;
 use crate::forms::energy::{Heat, Heights};
 use crate::solve::SolveError;
 use crate::solve::heat::newton::HeatError;
@@ -112,10 +113,16 @@ impl<'a> Rounds<'a> {
     }
 
     /// Heat to begin with on a grid, from that of the grid before.
-    pub fn start(&self, system: &System, before: Option<&Level>) -> (Bodies, Temperatures) {
+    /// Bodies that are `alike` serve again.
+    pub fn start(
+        &self,
+        system: &System,
+        before: Option<&Level>,
+        alike: Option<&Bodies>,
+    ) -> (Bodies, Temperatures) {
         let (grid, heat) = (&system.grid, self.heat);
         let f = system.fluid.nodes().map_or(2, |nodes| nodes.n());
-        let mut bodies = Bodies::new(grid, heat, self.params.depth);
+        let mut bodies = Bodies::new(grid, heat, self.params.depth, alike);
         let mut own = unheated(grid, heat, f);
         let Some((level, warm, patch)) =
             before.and_then(|level| Some((level, level.warm.as_ref()?, level.patch?)))
@@ -268,7 +275,7 @@ impl<'a> Rounds<'a> {
         let of = self.film_heat(system);
         let at = system.linearise(state);
         let films: Vec<f64> = at.nodes.iter().map(|node| node.film).collect();
-        let lacking = lacking(system, &films, &at.contents);
+        let lacking = lacking(&system.fluid, &films, &at.contents);
         let as_it_stands = Films {
             pressure: &state.pressure,
             film: &films,
@@ -299,7 +306,8 @@ impl<'a> Rounds<'a> {
         Ok(())
     }
 
-    fn film_heat<'b>(&'b self, system: &'b System) -> FilmHeat<'b> {
+    /// The film as heat sees it.
+    pub fn film_heat<'b>(&'b self, system: &'b System) -> FilmHeat<'b> {
         FilmHeat {
             grid: &system.grid,
             fluid: &system.fluid,
@@ -309,10 +317,10 @@ impl<'a> Rounds<'a> {
     }
 
     /// Heat made and carried off.
-    fn account(&self, system: &System, state: &State, own: &mut Temperatures) -> Account {
+    pub fn account(&self, system: &System, state: &State, own: &mut Temperatures) -> Account {
         let at = system.linearise(state);
         let films: Vec<f64> = at.nodes.iter().map(|node| node.film).collect();
-        let lacking = lacking(system, &films, &at.contents);
+        let lacking = lacking(&system.fluid, &films, &at.contents);
         let now = Films {
             pressure: &state.pressure,
             film: &films,
@@ -334,8 +342,8 @@ fn has_settled(change: f64, share: f64, ratio: f64, tolerance: f64) -> bool {
 }
 
 /// What the gaps lack at the nodes.
-fn lacking(system: &System, films: &[f64], contents: &[f64]) -> Vec<f64> {
-    let density = system.fluid.at(0.0).density[0];
+pub(super) fn lacking(fluid: &FilmFluid, films: &[f64], contents: &[f64]) -> Vec<f64> {
+    let density = fluid.at(0.0).density[0];
     (films.iter().zip(contents))
         .map(|(film, content)| missing(*film, *content, density))
         .collect()
@@ -370,7 +378,7 @@ fn mean_rise(a: &[f64], b: &[f64], pressure: &[f64]) -> f64 {
 }
 
 /// Largest rise over the inlet, K.
-fn largest_rise(own: &Temperatures, heat: &Heat) -> f64 {
+pub(super) fn largest_rise(own: &Temperatures, heat: &Heat) -> f64 {
     (own.film.iter())
         .map(|t| (t - heat.inlet_temperature).abs())
         .fold(NEGLIGIBLE_RISE, f64::max)

@@ -5,6 +5,8 @@
 //! ```
 //! Newton's method; the linear equations are those of the walls alone, as the film follows from them by a march along the flow.
 
+use std::sync::Arc;
+
 use ertel_fem::linear::gmres::{GmresParams, gmres};
 
 use super::columns::{Columns, FilmHeat, Films};
@@ -26,9 +28,14 @@ pub struct Temperatures {
 }
 
 impl Temperatures {
+    /// Nodes across the film.
+    pub fn n_nodes(&self) -> usize {
+        self.film.len() / self.flux[0].len()
+    }
+
     /// Those across the film at a node.
     pub fn profile(&self, k: usize) -> TemperatureProfile {
-        let f = self.film.len() / self.flux[0].len();
+        let f = self.n_nodes();
         let mut profile = TemperatureProfile::default();
         profile.temperature[..f].copy_from_slice(&self.film[k * f..][..f]);
         profile
@@ -36,8 +43,14 @@ impl Temperatures {
 }
 
 /// Both bodies under a grid.
+#[derive(Clone)]
 pub struct Bodies {
-    spreading: [Spreading; 2],
+    own: [MovingBody; 2],
+    /// Their depth, half-widths.
+    pub depth: f64,
+    /// Size of a cell, m.
+    cell: [f64; 2],
+    spreading: [Arc<Spreading>; 2],
     /// Temperatures of both surfaces without the heat of this grid, K.
     pub outer: [Vec<f64>; 2],
 }
@@ -55,12 +68,21 @@ pub fn moving_body(heat: &Heat, b: usize, grid: &Grid, depth: f64) -> MovingBody
 }
 
 impl Bodies {
-    /// Below a grid, with no heat beyond it, down to a depth in half-widths.
-    pub fn new(grid: &Grid, heat: &Heat, depth: f64) -> Bodies {
-        let bodies = [0, 1].map(|b: usize| moving_body(heat, b, grid, depth));
+    /// Below a grid, with no heat beyond it, down to a depth in half-widths. Where a body of `others` below the same grid is the same, its spreading serves again.
+    pub fn new(grid: &Grid, heat: &Heat, depth: f64, others: Option<&Bodies>) -> Bodies {
+        let own = [0, 1].map(|b: usize| moving_body(heat, b, grid, depth));
+        let cell = grid.spacing.map(|h| h * heat.length);
         Bodies {
-            spreading: bodies.map(|body| Spreading::new(grid, &body, heat.length)),
+            spreading: [0, 1].map(|b: usize| match others {
+                Some(others) if others.own[b] == own[b] && others.cell == cell => {
+                    Arc::clone(&others.spreading[b])
+                }
+                _ => Arc::new(Spreading::new(grid, &own[b], heat.length)),
+            }),
             outer: [0, 1].map(|b: usize| vec![heat.bodies[b].bulk_temperature; grid.n_nodes()]),
+            cell,
+            own,
+            depth,
         }
     }
 
@@ -85,9 +107,12 @@ impl Bodies {
 const LARGEST_CHANGE: f64 = 60.0;
 const BELOW: f64 = 2.0;
 
-/// Relative residual of the linear solves, and Krylov iterations at most.
-const KRYLOV_TOLERANCE: f64 = 1e-2;
-const MOST_KRYLOV: usize = 80;
+/// How exactly the equations of the walls are solved.
+pub(super) const OF_WALLS: GmresParams = GmresParams {
+    tolerance: 1e-2,
+    max_iterations: 80,
+    twice: true,
+};
 
 /// Sweeps at most.
 const MOST_SWEEPS: usize = 16;
@@ -114,7 +139,6 @@ pub fn step(
     temperatures: &mut Temperatures,
 ) -> (Columns, StepInfo) {
     let grid = of.grid;
-    let n = grid.n_nodes();
     let f = of.nodes();
     let columns = Columns::new(of, films);
     let mut info = StepInfo {
@@ -125,14 +149,72 @@ pub fn step(
         return (columns, info);
     }
     let transport = Transport::new(grid, of.heights, &columns, faces, &temperatures.film);
-    note_flux(&transport, f, temperatures);
+    note_flux(transport.residual(), transport.unknown(), f, temperatures);
     let missing = missing(grid, bodies, f, temperatures);
     let rows: Vec<f64> = transport.residual().iter().map(|r| -r).collect();
+    let by_krylov =
+        |apply: &dyn Fn(&[f64], &mut [f64]), right: &[f64], walls: &mut [f64]| match gmres(
+            apply,
+            |_| (),
+            right,
+            walls,
+            OF_WALLS,
+        ) {
+            Ok(info) => info.iterations,
+            Err(error) => error.iterations,
+        };
+    let found = change(
+        &transport,
+        grid,
+        bodies,
+        (&rows, &missing),
+        Sweeps::UpTo(MOST_SWEEPS),
+        by_krylov,
+    );
+    (info.krylov_iterations, info.sweeps) = (found.krylov_iterations, found.sweeps);
+    let temperature = found.temperature;
+    let heat = of.heat;
+    let coldest = (heat.bodies.iter())
+        .map(|body| body.bulk_temperature)
+        .fold(heat.inlet_temperature, f64::min);
+    for (t, change) in temperatures.film.iter_mut().zip(&temperature) {
+        let next = (*t + change.clamp(-LARGEST_CHANGE, LARGEST_CHANGE)).max(coldest - BELOW);
+        info.change = info.change.max((next - *t).abs());
+        *t = next;
+    }
+    (columns, info)
+}
+
+/// Changes of temperatures for which the equations of the film change by `rows` and those of the walls by `missing`.
+pub struct Change {
+    /// Node by node, K.
+    pub temperature: Vec<f64>,
+    /// Heat into both bodies by them, W/m².
+    pub flux: [Vec<f64>; 2],
+    /// Krylov iterations.
+    pub krylov_iterations: usize,
+    /// Sweeps of each.
+    pub sweeps: usize,
+}
+
+/// Solves for them with sweeps over the film, the last of `solve`'s arguments by its equations of the walls; returns its iterations.
+pub fn change(
+    transport: &Transport,
+    grid: &Grid,
+    bodies: &Bodies,
+    (rows, missing): (&[f64], &[Vec<f64>; 2]),
+    sweeps: Sweeps,
+    solve: impl FnOnce(&dyn Fn(&[f64], &mut [f64]), &[f64], &mut [f64]) -> usize,
+) -> Change {
+    let n = grid.n_nodes();
     let zeros = vec![0.0; n];
     let still = [zeros.as_slice(), zeros.as_slice()];
     // Heat by the film's own residual spreads, too.
-    let own = transport.moved(still, Some(&rows), Sweeps::UpTo(MOST_SWEEPS));
-    let sweeps = Sweeps::Count(own.sweeps);
+    let own = transport.moved(still, Some(rows), sweeps);
+    let sweeps = match sweeps {
+        Sweeps::UpTo(_) => Sweeps::Count(own.sweeps),
+        Sweeps::Count(_) => sweeps,
+    };
     let by_own = [0, 1].map(|b: usize| bodies.rise(grid, b, &own.flux[b]));
     let mut right = vec![0.0; 2 * n];
     for k in transport.unknown().iter().map(|k| *k as usize) {
@@ -151,41 +233,39 @@ pub fn step(
         }
     };
     let mut walls = vec![0.0; 2 * n];
-    let params = GmresParams {
-        tolerance: KRYLOV_TOLERANCE,
-        max_iterations: MOST_KRYLOV,
-        ..GmresParams::default()
-    };
-    info.krylov_iterations = match gmres(apply, |_| (), &right, &mut walls, params) {
-        Ok(info) => info.iterations,
-        Err(error) => error.iterations,
-    };
-    info.sweeps = own.sweeps;
-    let Moved { temperature, .. } =
-        transport.moved([&walls[..n], &walls[n..]], Some(&rows), sweeps);
-    let heat = of.heat;
-    let coldest = (heat.bodies.iter())
-        .map(|body| body.bulk_temperature)
-        .fold(heat.inlet_temperature, f64::min);
-    for (t, change) in temperatures.film.iter_mut().zip(&temperature) {
-        let next = (*t + change.clamp(-LARGEST_CHANGE, LARGEST_CHANGE)).max(coldest - BELOW);
-        info.change = info.change.max((next - *t).abs());
-        *t = next;
+    let krylov_iterations = solve(&apply, &right, &mut walls);
+    let Moved {
+        temperature, flux, ..
+    } = transport.moved([&walls[..n], &walls[n..]], Some(rows), sweeps);
+    Change {
+        temperature,
+        flux,
+        krylov_iterations,
+        sweeps: own.sweeps,
     }
-    (columns, info)
 }
 
 /// Heat into the bodies by the equations of the walls.
-fn note_flux(transport: &Transport, f: usize, temperatures: &mut Temperatures) {
-    for k in transport.unknown().iter().map(|k| *k as usize) {
-        let rows = &transport.residual()[k * f..][..f];
+pub(super) fn note_flux(
+    residual: &[f64],
+    unknown: &[u32],
+    f: usize,
+    temperatures: &mut Temperatures,
+) {
+    for k in unknown.iter().map(|k| *k as usize) {
+        let rows = &residual[k * f..][..f];
         temperatures.flux[0][k] = -rows[0];
         temperatures.flux[1][k] = -rows[f - 1];
     }
 }
 
 /// What the surfaces are colder than the heat into the bodies makes them, K.
-fn missing(grid: &Grid, bodies: &Bodies, f: usize, temperatures: &Temperatures) -> [Vec<f64>; 2] {
+pub(super) fn missing(
+    grid: &Grid,
+    bodies: &Bodies,
+    f: usize,
+    temperatures: &Temperatures,
+) -> [Vec<f64>; 2] {
     [0, 1].map(|b: usize| {
         let mut missing = bodies.rise(grid, b, &temperatures.flux[b]);
         for (k, value) in missing.iter_mut().enumerate() {
@@ -209,6 +289,7 @@ pub fn unheated(grid: &Grid, heat: &Heat, f: usize) -> Temperatures {
 }
 
 /// Heat of the film and of both bodies per area of each unknown node: of shear, compression and its size, carried by the lubricant, into the bodies, W/m².
+#[derive(Clone)]
 pub struct Account {
     /// At each node.
     pub made: Vec<[f64; 3]>,
@@ -225,7 +306,12 @@ pub fn account(
 ) -> Account {
     let columns = Columns::new(of, films);
     let transport = Transport::new(of.grid, of.heights, &columns, faces, &temperatures.film);
-    note_flux(&transport, of.nodes(), temperatures);
+    note_flux(
+        transport.residual(),
+        transport.unknown(),
+        of.nodes(),
+        temperatures,
+    );
     let mut carried = transport.carried().to_vec();
     // Where temperatures are given, what is made goes on with the lubricant, but for what is known to go into the bodies.
     for (k, carried) in carried.iter_mut().enumerate() {

@@ -120,7 +120,7 @@ impl Channel {
 
     /// Temperatures after some steps from the given ones, which stand along the edges.
     fn solve(&self, own: &mut Temperatures) -> Linearised {
-        let bodies = Bodies::new(&self.system.grid, &self.heat, 3.15);
+        let bodies = Bodies::new(&self.system.grid, &self.heat, 3.15, None);
         let at = self.system.linearise(&self.state);
         for _ in 0..12 {
             let temperature = own.film.clone();

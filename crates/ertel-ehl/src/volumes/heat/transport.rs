@@ -7,6 +7,8 @@
 //! m_f is the mean of both nodes, scaled to the mass flow F that the film equation has for the face: what flows in at a height, flows out or to other heights, and
 //! heat is kept as mass is.
 
+use rayon::prelude::*;
+
 use super::columns::Columns;
 use crate::film::MOST_NODES;
 use crate::forms::energy::Heights;
@@ -14,13 +16,18 @@ use crate::volumes::contents::sides;
 use crate::volumes::faces::Face;
 use crate::volumes::grid::Grid;
 
-/// The equations of a grid at some temperatures.
-pub struct Transport<'a> {
+/// Mass that flows through the film of a grid, and the heat that it carries.
+pub struct Flow<'a> {
     grid: &'a Grid,
     heights: &'a Heights,
     columns: &'a Columns,
     /// m through the faces behind each node along both directions, height by height.
     through: [Vec<f64>; 2],
+}
+
+/// The equations of a grid at some temperatures.
+pub struct Transport<'a> {
+    flow: Flow<'a>,
     /// Nodes, each behind those upstream of it where the flow goes in no circles.
     order: Vec<u32>,
     /// ∂R/∂T of each unknown node: `[row + f·column]`.
@@ -95,60 +102,72 @@ pub enum Sweeps {
 /// Change in a sweep that is none, beside the largest one.
 const SETTLED: f64 = 1e-3;
 
-impl<'a> Transport<'a> {
-    /// With the mass flow of the film equation through the faces, at temperatures.
+/// Convection of a node at each height.
+struct Convection {
+    /// What it takes off by its own temperature.
+    diagonal: [f64; MOST_NODES],
+    /// ω.
+    up: [f64; MOST_NODES],
+    /// C over the capacity.
+    value: [f64; MOST_NODES],
+}
+
+/// Nodes that a thread takes at a time.
+const BATCH: usize = 256;
+
+impl<'a> Flow<'a> {
+    /// With the mass flow of the film equation through the faces.
     pub fn new(
         grid: &'a Grid,
         heights: &'a Heights,
         columns: &'a Columns,
         faces: &[Vec<Face>; 2],
-        temperature: &[f64],
-    ) -> Transport<'a> {
-        let [f, _] = columns.n;
-        let n = grid.n_nodes();
-        let through = [0, 1].map(|d| through(grid, heights, columns, &faces[d], d));
-        let inner = f - 2;
-        let mut transport = Transport {
+    ) -> Flow<'a> {
+        Flow {
             grid,
             heights,
             columns,
-            through,
-            order: downstream(grid, faces),
-            slopes: columns.slopes.clone(),
-            factors: vec![0.0; n * inner * inner],
-            pivots: vec![0; n * inner],
-            residual: columns.rows.clone(),
-            carried: vec![0.0; n],
-        };
-        let at_heights = transport.at_heights(temperature);
-        for k in transport.order.clone() {
-            transport.equation(k as usize, temperature, &at_heights);
+            through: [0, 1].map(|d| through(grid, heights, columns, &faces[d], d)),
         }
-        transport
     }
 
-    /// R of each node.
-    pub fn residual(&self) -> &[f64] {
-        &self.residual
+    /// R at temperatures; without convection where they are given.
+    pub fn residual(&self, temperature: &[f64]) -> Vec<f64> {
+        let [f, h] = self.columns.n;
+        let at_heights = self.at_heights(temperature);
+        let mut residual = self.columns.rows.clone();
+        let nodes = residual
+            .par_chunks_exact_mut(f)
+            .enumerate()
+            .with_min_len(BATCH);
+        nodes
+            .filter(|(k, _)| self.is_unknown(*k))
+            .for_each(|(k, rows)| {
+                let convection = self.convection(k, &temperature[k * f..][..f], &at_heights);
+                let capacity = &self.columns.capacity[k * h..][..h];
+                for l in 0..h {
+                    let weight = self.heights.weights()[l] * capacity[l];
+                    for (row, shape) in rows.iter_mut().zip(&self.heights.shapes[l]) {
+                        *row += weight * shape * convection.value[l];
+                    }
+                }
+            });
+        residual
     }
 
-    /// Convection of each node, W/m².
-    pub fn carried(&self) -> &[f64] {
-        &self.carried
-    }
-
-    /// Unknown nodes.
-    pub fn unknown(&self) -> &[u32] {
-        &self.order
+    fn is_unknown(&self, k: usize) -> bool {
+        let nx = self.grid.n[0];
+        self.grid.is_unknown(k % nx, k / nx)
     }
 
     /// Temperatures at all heights.
     fn at_heights(&self, temperature: &[f64]) -> Vec<f64> {
         let [f, h] = self.columns.n;
         let mut all = vec![0.0; self.grid.n_nodes() * h];
-        for (values, nodes) in all.chunks_exact_mut(h).zip(temperature.chunks_exact(f)) {
-            self.raise(nodes, values);
-        }
+        (all.par_chunks_exact_mut(h)
+            .zip(temperature.par_chunks_exact(f)))
+        .with_min_len(BATCH)
+        .for_each(|(values, nodes)| self.raise(nodes, values));
         all
     }
 
@@ -160,10 +179,35 @@ impl<'a> Transport<'a> {
         }
     }
 
-    /// Adds the convection of a node to its equation, and factorises it.
-    fn equation(&mut self, k: usize, temperature: &[f64], at_heights: &[f64]) {
+    /// Adds the convection of a node to its equation; returns it, W/m².
+    fn add(&self, k: usize, convection: &Convection, rows: &mut [f64], slopes: &mut [f64]) -> f64 {
         let [f, h] = self.columns.n;
-        let own = &temperature[k * f..][..f];
+        let Convection {
+            diagonal,
+            up,
+            value,
+        } = convection;
+        let capacity = &self.columns.capacity[k * h..][..h];
+        let mut carried = 0.0;
+        for l in 0..h {
+            let (shapes, [first, _]) = (&self.heights.shapes[l], &self.heights.slopes[l]);
+            let weight = self.heights.weights()[l] * capacity[l];
+            carried += weight * value[l];
+            for a in 0..f {
+                rows[a] += weight * shapes[a] * value[l];
+            }
+            for b in 0..f {
+                let by = weight * (diagonal[l] * shapes[b] + up[l] * first[b]);
+                for a in 0..f {
+                    slopes[b * f + a] += shapes[a] * by;
+                }
+            }
+        }
+        carried
+    }
+
+    fn convection(&self, k: usize, own: &[f64], at_heights: &[f64]) -> Convection {
+        let h = self.columns.n[1];
         let mut from = [0.0; MOST_NODES];
         let mut diagonal = [0.0; MOST_NODES];
         self.arriving(k, at_heights, &mut from);
@@ -183,38 +227,18 @@ impl<'a> Transport<'a> {
                 }
             }
         }
+        let mut value = [0.0; MOST_NODES];
         for l in 0..h {
             up[l] += (self.heights.points()[l] + 0.5) * outflow;
-        }
-        let capacity = &self.columns.capacity[k * h..][..h];
-        let slopes = &mut self.slopes[k * f * f..][..f * f];
-        let rows = &mut self.residual[k * f..][..f];
-        let mut carried = 0.0;
-        for l in 0..h {
-            let (shapes, [first, _]) = (&self.heights.shapes[l], &self.heights.slopes[l]);
-            let weight = self.heights.weights()[l] * capacity[l];
+            let [first, _] = &self.heights.slopes[l];
             let slope: f64 = own.iter().zip(first).map(|(t, s)| t * s).sum();
-            let value = from[l] + diagonal[l] * at_heights[k * h + l] + up[l] * slope;
-            carried += weight * value;
-            for a in 0..f {
-                rows[a] += weight * shapes[a] * value;
-            }
-            for b in 0..f {
-                let by = weight * (diagonal[l] * shapes[b] + up[l] * first[b]);
-                for a in 0..f {
-                    slopes[b * f + a] += shapes[a] * by;
-                }
-            }
+            value[l] = from[l] + diagonal[l] * at_heights[k * h + l] + up[l] * slope;
         }
-        self.carried[k] = carried;
-        let inner = f - 2;
-        let factors = &mut self.factors[k * inner * inner..][..inner * inner];
-        for b in 0..inner {
-            for a in 0..inner {
-                factors[a * inner + b] = slopes[(b + 1) * f + a + 1];
-            }
+        Convection {
+            diagonal,
+            up,
+            value,
         }
-        factorise(factors, &mut self.pivots[k * inner..][..inner]);
     }
 
     /// Σ_f m_f T_f of the temperatures around a node, its own left out, at each height.
@@ -238,12 +262,77 @@ impl<'a> Transport<'a> {
             }
         }
     }
+}
+
+impl<'a> Transport<'a> {
+    /// With the mass flow of the film equation through the faces, at temperatures.
+    pub fn new(
+        grid: &'a Grid,
+        heights: &'a Heights,
+        columns: &'a Columns,
+        faces: &[Vec<Face>; 2],
+        temperature: &[f64],
+    ) -> Transport<'a> {
+        let [f, _] = columns.n;
+        let n = grid.n_nodes();
+        let inner = f - 2;
+        let flow = Flow::new(grid, heights, columns, faces);
+        let mut slopes = columns.slopes.clone();
+        let mut factors = vec![0.0; n * inner * inner];
+        let mut pivots = vec![0; n * inner];
+        let mut residual = columns.rows.clone();
+        let mut carried = vec![0.0; n];
+        let at_heights = flow.at_heights(temperature);
+        let equations = (slopes.par_chunks_exact_mut(f * f))
+            .zip(factors.par_chunks_exact_mut(inner * inner))
+            .zip(pivots.par_chunks_exact_mut(inner))
+            .zip(residual.par_chunks_exact_mut(f))
+            .zip(&mut carried)
+            .enumerate()
+            .with_min_len(BATCH);
+        equations.filter(|(k, _)| flow.is_unknown(*k)).for_each(
+            |(k, ((((slopes, factors), pivots), rows), carried))| {
+                let convection = flow.convection(k, &temperature[k * f..][..f], &at_heights);
+                *carried = flow.add(k, &convection, rows, slopes);
+                for b in 0..inner {
+                    for a in 0..inner {
+                        factors[a * inner + b] = slopes[(b + 1) * f + a + 1];
+                    }
+                }
+                factorise(factors, pivots);
+            },
+        );
+        Transport {
+            flow,
+            order: downstream(grid, faces),
+            slopes,
+            factors,
+            pivots,
+            residual,
+            carried,
+        }
+    }
+
+    /// R of each node.
+    pub fn residual(&self) -> &[f64] {
+        &self.residual
+    }
+
+    /// Convection of each node, W/m².
+    pub fn carried(&self) -> &[f64] {
+        &self.carried
+    }
+
+    /// Unknown nodes.
+    pub fn unknown(&self) -> &[u32] {
+        &self.order
+    }
 
     /// Changes of the temperatures within the film for which R changes by `rows` there, and the heat into both bodies, by changes of the walls. Nodes are taken in the
     /// order of the flow and against it in turn, as often as `sweeps` says.
     pub fn moved(&self, walls: [&[f64]; 2], rows: Option<&[f64]>, sweeps: Sweeps) -> Moved {
-        let [f, h] = self.columns.n;
-        let n = self.grid.n_nodes();
+        let [f, h] = self.flow.columns.n;
+        let n = self.flow.grid.n_nodes();
         let mut temperature = vec![0.0; n * f];
         let mut at_heights = vec![0.0; n * h];
         let mut done = 0;
@@ -251,7 +340,7 @@ impl<'a> Transport<'a> {
             let mut largest = [0.0_f64; 2];
             let mut visit = |k: usize| {
                 let mut from = [0.0; MOST_NODES];
-                self.arriving(k, &at_heights, &mut from);
+                self.flow.arriving(k, &at_heights, &mut from);
                 let mut nodes = [0.0; MOST_NODES];
                 self.inner(k, &from, [walls[0][k], walls[1][k]], rows, &mut nodes[..f]);
                 let own = &mut temperature[k * f..][..f];
@@ -262,7 +351,7 @@ impl<'a> Transport<'a> {
                     ];
                     *old = new;
                 }
-                self.raise(own, &mut at_heights[k * h..][..h]);
+                self.flow.raise(own, &mut at_heights[k * h..][..h]);
             };
             match done % 2 {
                 0 => self.order.iter().for_each(|k| visit(*k as usize)),
@@ -283,7 +372,7 @@ impl<'a> Transport<'a> {
         let mut flux = [vec![0.0; n], vec![0.0; n]];
         for k in self.order.iter().map(|k| *k as usize) {
             let mut from = [0.0; MOST_NODES];
-            self.arriving(k, &at_heights, &mut from);
+            self.flow.arriving(k, &at_heights, &mut from);
             let nodes = &temperature[k * f..][..f];
             let slopes = &self.slopes[k * f * f..][..f * f];
             for (b, row) in [0, f - 1].into_iter().enumerate() {
@@ -301,10 +390,15 @@ impl<'a> Transport<'a> {
     /// ∫ φ_a c C ds of convection at each height.
     #[inline(always)]
     fn projected(&self, k: usize, from: &[f64; MOST_NODES], a: usize) -> f64 {
-        let h = self.columns.n[1];
-        let capacity = &self.columns.capacity[k * h..][..h];
+        let h = self.flow.columns.n[1];
+        let capacity = &self.flow.columns.capacity[k * h..][..h];
         (0..h)
-            .map(|l| self.heights.weights()[l] * capacity[l] * self.heights.shapes[l][a] * from[l])
+            .map(|l| {
+                self.flow.heights.weights()[l]
+                    * capacity[l]
+                    * self.flow.heights.shapes[l][a]
+                    * from[l]
+            })
             .sum()
     }
 

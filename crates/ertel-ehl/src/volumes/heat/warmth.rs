@@ -32,6 +32,32 @@ pub struct Warmth {
     pub drift: [f64; 2],
 }
 
+impl Warmth {
+    /// Numbers that it consists of.
+    pub const PARTS: usize = 6;
+
+    /// Moved by its parts times a size; temperatures count in units of `rise`, K.
+    #[must_use]
+    pub fn plus(&self, parts: &[f64], size: f64, rise: f64) -> Warmth {
+        let two = |of: [f64; 2], from: usize| [0, 1].map(|d: usize| of[d] + size * parts[from + d]);
+        Warmth {
+            temperature: self.temperature + size * rise * parts[0],
+            density: self.density + size * parts[1],
+            flow: two(self.flow, 2),
+            drift: two(self.drift, 4),
+        }
+    }
+
+    /// Parts of the difference to another over a distance.
+    pub fn minus(&self, other: &Warmth, distance: f64, rise: f64) -> [f64; Warmth::PARTS] {
+        let parts = [self, other].map(|of| {
+            let ([a, b], [u, v]) = (of.flow, of.drift);
+            [of.temperature / rise, of.density, a, b, u, v]
+        });
+        std::array::from_fn(|i| (parts[0][i] - parts[1][i]) / distance)
+    }
+}
+
 /// Pressure stress, in the stress of sliding, at which flows are told apart from those without it.
 const SMALL: f64 = 1e-2;
 
@@ -48,6 +74,17 @@ pub fn warmth(
     films: &[f64],
     film_temperatures: &[f64],
 ) -> Vec<Warmth> {
+    let all = at(system, (pressure, films), film_temperatures, |_| true);
+    all.into_iter().flatten().collect()
+}
+
+/// Of the nodes that are asked for.
+pub(super) fn at(
+    system: &System,
+    (pressure, films): (&[f64], &[f64]),
+    film_temperatures: &[f64],
+    wanted: impl Fn(usize) -> bool + Sync,
+) -> Vec<Option<Warmth>> {
     let grid = &system.grid;
     let f = film_temperatures.len() / grid.n_nodes();
     let of_node = |rule: &mut CrossFilm, k: usize| {
@@ -70,7 +107,9 @@ pub fn warmth(
     (0..grid.n_nodes())
         .into_par_iter()
         .with_min_len(BATCH)
-        .map_init(CrossFilm::default, of_node)
+        .map_init(CrossFilm::default, |rule, k| {
+            wanted(k).then(|| of_node(rule, k))
+        })
         .collect()
 }
 

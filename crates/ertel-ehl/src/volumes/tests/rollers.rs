@@ -249,6 +249,7 @@ fn tangents_of_rollers_against_differences_of_solves() {
     let sides = Perturbed {
         problems: [at(-step), at(step)],
         distance: 2.0 * step,
+        above: step,
     };
     let derivatives = tangents.derivatives(&[sides]).remove(0).unwrap();
     let n = tangents.grids();

@@ -1,0 +1,390 @@
+//! How film and heat of a grid move together with an input.
+//!
+//! ```text
+//!   ẋ = (Ẇ, Ṫ) of one input:     ẋ = g + G ẋ        one round of film and heat as in [`super::rounds`], by the input and by ẋ itself
+//!
+//!   ∂F/∂q q̇ = −(∂F/∂W Ẇ + ∂F/∂θ)                   film: pressures and separation at temperatures that are held (W of [`super::warmth`])
+//!   Ṫ ← Ṫ − (∂R/∂T)⁻¹ (∂R/∂T Ṫ + ∂R/∂q q̇ + ∂R/∂θ)    heat of film and bodies
+//!   Ẇ ← ∂W/∂q q̇ + ∂W/∂T Ṫ + ∂W/∂θ
+//! ```
+//! Products with derivatives are differences from the solution, so that all that an input moves is in them. Krylov's method solves for ẋ in place of
+//! further rounds: what serves one input serves the others ([`Recycled`]). Farther from the contact than [`NEAR`] the film hardly heats up: of what stress and
+//! heat make of it there, only the temperatures move.
+
+use ertel_fem::linear::gmres::{GmresParams, dot};
+use ertel_fem::linear::recycled::Recycled;
+
+use super::columns::{Columns, Films};
+use super::rounds::{Effort, Rounds, Warm, lacking, largest_rise};
+use super::temperatures::{Bodies, OF_WALLS, Temperatures, change, missing, note_flux};
+use super::transport::{Flow, Sweeps, Transport};
+use super::warmth::{self, Warmth};
+use crate::engine::sensitivity::NoDerivative;
+use crate::volumes::level::Level;
+use crate::volumes::step::{Equation, Inverse};
+use crate::volumes::system::{Linearised, State, System};
+
+/// How exactly ẋ is solved for.
+const COUPLED: GmresParams = GmresParams {
+    tolerance: 1e-3,
+    max_iterations: 40,
+    twice: false,
+};
+
+/// Sweeps of the temperatures: what they leave where the film flows in circles is left to Krylov's method.
+const SWEEPS: usize = 2;
+
+/// Step of differences along ẋ, over its largest part, in shares of warmth and of the largest rise of the temperature.
+const STEP: f64 = 1e-5;
+
+/// Parts of ẋ and q̇ that are rounding.
+const ROUNDING: f64 = 1e-11;
+
+/// Half-widths from the centre, in the plane in which the zone is the unit circle.
+const NEAR: f64 = 2.0;
+
+/// Film and heat of a grid with an input a little above its value, or at the solution.
+pub struct WarmSide<'a> {
+    /// Its heat.
+    pub rounds: Rounds<'a>,
+    /// The film equation.
+    pub system: System,
+    /// Pressures.
+    pub state: State,
+    /// Bodies.
+    pub bodies: Bodies,
+    /// Temperatures.
+    pub temperatures: Temperatures,
+}
+
+impl<'a> WarmSide<'a> {
+    /// With the temperatures of the solution where they are unknown, and those of this side beyond; `before` is this side on the grid before.
+    pub fn new(
+        rounds: Rounds<'a>,
+        (mut system, state): (System, State),
+        before: Option<&Level>,
+        (level, warm): (&Level, &Warm),
+    ) -> WarmSide<'a> {
+        system.warmth.clone_from(&level.system.warmth);
+        let (bodies, mut temperatures) = rounds.start(&system, before, Some(&warm.bodies));
+        let (own, f) = (&warm.temperatures, warm.temperatures.n_nodes());
+        for [i, j] in system.grid.nodes() {
+            if system.grid.is_unknown(i, j) {
+                let k = system.grid.index(i, j);
+                temperatures.film[k * f..][..f].copy_from_slice(&own.film[k * f..][..f]);
+                for (flux, own) in temperatures.flux.iter_mut().zip(&own.flux) {
+                    flux[k] = own[k];
+                }
+            }
+        }
+        WarmSide {
+            rounds,
+            system,
+            state,
+            bodies,
+            temperatures,
+        }
+    }
+
+    /// Goes on to its solution. Heat made and carried off stays that of the solution `warm` that it is beside.
+    fn into_level(mut self, by: &Moved, wetted: &[bool], rise: f64, warm: &Warm) -> Level {
+        self.state.moved(&by.film, 1.0, wetted);
+        let (of_warmth, of_temperatures) = by.parts(&self.system);
+        move_warmth(&mut self.system, of_warmth, 1.0, rise);
+        let mut temperatures = self.temperatures;
+        add(&mut temperatures.film, of_temperatures, rise);
+        for (flux, by) in temperatures.flux.iter_mut().zip(&by.flux) {
+            add(flux, by, 1.0);
+        }
+        Level {
+            films: self.system.films(&self.state),
+            warm: Some(Warm {
+                bodies: self.bodies,
+                temperatures,
+                account: warm.account.clone(),
+                effort: Effort::default(),
+            }),
+            system: self.system,
+            state: self.state,
+            patch: None,
+        }
+    }
+}
+
+fn move_warmth(system: &mut System, parts: &[f64], share: f64, rise: f64) {
+    for (warmth, by) in (system.warmth.iter_mut()).zip(parts.chunks_exact(Warmth::PARTS)) {
+        *warmth = warmth.plus(by, share, rise);
+    }
+}
+
+fn add(values: &mut [f64], by: &[f64], share: f64) {
+    for (value, by) in values.iter_mut().zip(by) {
+        *value += share * by;
+    }
+}
+
+/// What moves in a round.
+struct Moved {
+    /// q̇: pressures and separation.
+    film: Vec<f64>,
+    /// ẋ: parts of the warmth of all nodes, then temperatures over the largest rise.
+    x: Vec<f64>,
+    /// Heat into both bodies.
+    flux: [Vec<f64>; 2],
+}
+
+impl Moved {
+    fn parts(&self, system: &System) -> (&[f64], &[f64]) {
+        self.x.split_at(Warmth::PARTS * system.grid.n_nodes())
+    }
+
+    fn add(&mut self, other: &Moved, share: f64) {
+        add(&mut self.film, &other.film, share);
+        add(&mut self.x, &other.x, share);
+        for (flux, by) in self.flux.iter_mut().zip(&other.flux) {
+            add(flux, by, share);
+        }
+    }
+}
+
+/// A grid at the solution, and how inputs are solved for there.
+struct Coupled<'a, 'p> {
+    own: &'a WarmSide<'a>,
+    at: &'a Linearised,
+    equation: &'a Equation<'a>,
+    inverse: Inverse<'a, 'p>,
+    /// Nodes near the contact.
+    near: Vec<bool>,
+    /// The energy equation, its residual and that of the walls.
+    columns: &'a Columns,
+    transport: &'a Transport<'a>,
+    residual: Vec<f64>,
+    walls: [Vec<f64>; 2],
+    /// Heat into both bodies, and warmth, at the solution.
+    flux: [Vec<f64>; 2],
+    warmth: Vec<Warmth>,
+    /// Largest rise of the temperature, K: that by which ẋ counts temperatures.
+    rise: f64,
+    /// Directions of the film equation, and how exactly it is solved.
+    films: Recycled,
+    of_films: GmresParams,
+    /// Directions of the equations of the walls.
+    heats: Recycled,
+}
+
+/// Solutions a little above each input on a grid whose solution is `own` with the heat `warm`; `None` where one moves nothing there.
+///
+/// # Errors
+/// Of each input: when its linear equations are not solved.
+pub fn solve<'a>(
+    (own, warm): (&WarmSide, &Warm),
+    (at, equation, inverse): (&Linearised, &Equation, Inverse),
+    of_films: GmresParams,
+    inputs: impl Iterator<Item = Option<WarmSide<'a>>>,
+) -> Vec<Option<Result<Level, NoDerivative>>> {
+    let of = own.rounds.film_heat(&own.system);
+    let grid = &own.system.grid;
+    let films: Vec<f64> = at.nodes.iter().map(|node| node.film).collect();
+    let temperature = &own.temperatures.film;
+    let columns = Columns::new(
+        &of,
+        &Films {
+            pressure: &own.state.pressure,
+            film: &films,
+            missing: &lacking(of.fluid, &films, &at.contents),
+            temperature,
+            held: &[],
+        },
+    );
+    let transport = Transport::new(grid, of.heights, &columns, &at.faces, temperature);
+    let residual = Flow::new(grid, of.heights, &columns, &at.faces).residual(temperature);
+    let mut heated = own.temperatures.clone();
+    note_flux(&residual, transport.unknown(), of.nodes(), &mut heated);
+    let ratio = grid.spacing[1] / grid.spacing[0];
+    let near = grid.nodes().map(|[i, j]| {
+        let [x, y] = grid.on_axes(i, j);
+        x.hypot(y / ratio) < NEAR
+    });
+    let mut coupled = Coupled {
+        near: near.collect(),
+        columns: &columns,
+        transport: &transport,
+        walls: missing(grid, &own.bodies, of.nodes(), &heated),
+        residual,
+        flux: heated.flux,
+        warmth: warmth::warmth(&own.system, &own.state.pressure, &films, temperature),
+        rise: largest_rise(&own.temperatures, own.rounds.heat),
+        own,
+        at,
+        equation,
+        inverse,
+        films: Recycled::default(),
+        of_films,
+        heats: Recycled::default(),
+    };
+    let mut directions = (Recycled::default(), Vec::new());
+    inputs
+        .map(|side| coupled.level(side?, &mut directions, warm).transpose())
+        .collect()
+}
+
+impl Coupled<'_, '_> {
+    /// The solution above an input; `None` where it moves nothing. Of all directions of ẋ there are so far, the rounds that they make are kept.
+    fn level(
+        &mut self,
+        side: WarmSide,
+        (directions, rounds): &mut (Recycled, Vec<Moved>),
+        warm: &Warm,
+    ) -> Result<Option<Level>, NoDerivative> {
+        let n = Warmth::PARTS * self.near.len() + self.own.temperatures.film.len();
+        let mut moved = self.round(&side, &vec![0.0; n], 1.0)?;
+        let size = dot(&moved.x, &moved.x).max(dot(&moved.film, &moved.film));
+        if size < ROUNDING * ROUNDING {
+            return Ok(None);
+        }
+        let mut failed = None;
+        let own = self.own;
+        let apply = |x: &[f64], y: &mut [f64]| {
+            let largest = x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            match self.round(own, x, STEP / largest) {
+                Ok(round) => {
+                    for ((y, x), by) in y.iter_mut().zip(x).zip(&round.x) {
+                        *y = x - by;
+                    }
+                    rounds.push(round);
+                }
+                Err(error) => failed = Some(error),
+            }
+        };
+        let solved = directions.solve(apply, |_| (), &moved.x, &mut vec![0.0; n], COUPLED);
+        if let Some(error) = failed {
+            return Err(error);
+        }
+        solved.map_err(|_| NoDerivative::LinearSolver)?;
+        rounds.truncate(directions.shares().len());
+        for (round, share) in rounds.iter().zip(directions.shares()) {
+            moved.add(round, *share);
+        }
+        Ok(Some(side.into_level(
+            &moved,
+            &self.at.wetted,
+            self.rise,
+            warm,
+        )))
+    }
+
+    /// A round by the difference of a side from the solution, and by `x` over a step.
+    fn round(&mut self, side: &WarmSide, x: &[f64], step: f64) -> Result<Moved, NoDerivative> {
+        let n = self.near.len();
+        let (of_warmth, of_temperatures) = x.split_at(Warmth::PARTS * n);
+        let own = self.own;
+        let slopes = |from: &[f64], to: &[f64]| -> Vec<f64> {
+            from.iter()
+                .zip(to)
+                .map(|(from, to)| (to - from) / step)
+                .collect()
+        };
+        // Film.
+        let mut system = side.system.clone();
+        move_warmth(&mut system, of_warmth, step, self.rise);
+        let mut state = side.state.clone();
+        let mut at = system.linearise_beside(&state, self.at, &self.near);
+        let mut rows = slopes(&at.outflow, &self.at.outflow);
+        for (row, wetted) in rows.iter_mut().zip(&self.at.wetted) {
+            *row = if *wetted { *row } else { 0.0 };
+        }
+        let load = (at.missing_load - self.at.missing_load) / step;
+        let right = self.equation.right(&rows, load);
+        let mut film = vec![0.0; n + 1];
+        let (equation, inverse) = (self.equation, &mut self.inverse);
+        let apply = |x: &[f64], y: &mut [f64]| equation.apply(x, y);
+        (self.films)
+            .solve(
+                apply,
+                |r| inverse.solve(r),
+                &right,
+                &mut film,
+                self.of_films,
+            )
+            .map_err(|_| NoDerivative::LinearSolver)?;
+        state.moved(&film, step, &self.at.wetted);
+        own.system.move_on(&mut at, self.at, &film, step);
+        // Heat.
+        let mut temperatures = side.temperatures.clone();
+        add(&mut temperatures.film, of_temperatures, step * self.rise);
+        let of = side.rounds.film_heat(&system);
+        let films: Vec<f64> = at.nodes.iter().map(|node| node.film).collect();
+        let moved = Films {
+            pressure: &state.pressure,
+            film: &films,
+            missing: &lacking(of.fluid, &films, &at.contents),
+            temperature: &temperatures.film.clone(),
+            held: &[],
+        };
+        let columns = (self.columns).beside(&of, &moved, &own.temperatures.film, &self.near);
+        let flow = Flow::new(&system.grid, of.heights, &columns, &at.faces);
+        let residual = flow.residual(&temperatures.film);
+        note_flux(
+            &residual,
+            self.transport.unknown(),
+            of.nodes(),
+            &mut temperatures,
+        );
+        let walls = missing(&system.grid, &side.bodies, of.nodes(), &temperatures);
+        let heats = &mut self.heats;
+        let by_krylov =
+            |apply: &dyn Fn(&[f64], &mut [f64]), right: &[f64], walls: &mut [f64]| match heats
+                .solve(apply, |_| (), right, walls, OF_WALLS)
+            {
+                Ok(info) => info.iterations,
+                Err(error) => error.iterations,
+            };
+        let change = change(
+            self.transport,
+            &own.system.grid,
+            &own.bodies,
+            (
+                &slopes(&residual, &self.residual),
+                &[0, 1].map(|b: usize| slopes(&self.walls[b], &walls[b])),
+            ),
+            Sweeps::Count(SWEEPS),
+            by_krylov,
+        );
+        add(&mut temperatures.film, &change.temperature, step);
+        let mut flux = [0, 1].map(|b: usize| slopes(&self.flux[b], &temperatures.flux[b]));
+        for (flux, by) in flux.iter_mut().zip(&change.flux) {
+            add(flux, by, 1.0);
+        }
+        // What that makes of the film.
+        let anew = warmth::at(
+            &system,
+            (&state.pressure, &films),
+            &temperatures.film,
+            |k| self.near[k],
+        );
+        let mean = |temperatures: &Temperatures, k: usize| {
+            let nodes = of.fluid.nodes();
+            nodes.map_or(0.0, |nodes| {
+                nodes.mean(&temperatures.profile(k).temperature)
+            })
+        };
+        let mut next = Vec::with_capacity(x.len());
+        for (k, anew) in anew.iter().enumerate() {
+            let before = &self.warmth[k];
+            let by_heat = || Warmth {
+                temperature: before.temperature + mean(&temperatures, k)
+                    - mean(&own.temperatures, k),
+                ..*before
+            };
+            let anew = anew.unwrap_or_else(by_heat);
+            next.extend(anew.minus(before, step, self.rise));
+        }
+        let further = of_temperatures.iter().zip(&change.temperature);
+        next.extend(further.map(|(x, by)| x + by / self.rise));
+        Ok(Moved {
+            film,
+            x: next,
+            flux,
+        })
+    }
+}
