@@ -4,9 +4,9 @@ use ertel_fem::platform::Instant;
 use std::sync::Arc;
 
 use super::driver::{Driver, StageEnd, StageSolver, Task, Trial};
+use super::paths::Outline;
 use super::stage_run::{DIVERGENCE_LIMIT, Finish, StageRun};
 use super::start::{cold_start, interpolate};
-use super::paths::Outline;
 use super::{Problem, Stage, StageSolution};
 use crate::solution::LevelStats;
 use crate::solution::Role;
@@ -261,9 +261,7 @@ impl StageSolver for MeshSolver<'_> {
         if wanted && observer.cancelled() {
             return Err(SolveError::Interrupted);
         }
-        let indicator = wanted
-            .then(|| run.measure(&state, &mut effort))
-            .flatten();
+        let indicator = wanted.then(|| run.measure(&state, &mut effort)).flatten();
         let stats = run.stats(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
         self.stats.push(stats);
         let next = match (&problem.plan.adapt, &indicator) {

@@ -171,7 +171,7 @@ impl Start {
             central_film(d, &start.state),
             minimum_film(d, &start.state).0,
         );
-        if ratio != 1.0 && std::env::var("ERTEL_PLAIN").is_err() {
+        if ratio != 1.0 {
             start.state.pressure = stretched(d, &start.state, ratio.powf(2.0 / 3.0));
             start.state.deflection = d.deflect(&start.state.pressure, Accuracy::Full);
         }

@@ -175,7 +175,9 @@ fn speeds_fall_to_that_of_the_case() {
         let mut outline = outline(3);
         outline.usual[0].constants.film_scale = film_scale;
         outline.roller = true;
-        let speed = paths(&outline).into_iter().find(|path| path.name == "speed");
+        let speed = paths(&outline)
+            .into_iter()
+            .find(|path| path.name == "speed");
         let stages = speed.map_or_else(Vec::new, |path| path.stages);
         let lambdas: Vec<f64> = stages.iter().map(|s| s.constants.lambda).collect();
         lambdas

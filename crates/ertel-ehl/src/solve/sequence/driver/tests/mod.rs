@@ -2,9 +2,9 @@
 
 mod scripted;
 
-use scripted::{COARSE, Ending, Point, Scripted, Trace, level_of, run};
 use super::*;
 use crate::solve::sequence::paths::tests::outline;
+use scripted::{COARSE, Ending, Point, Scripted, Trace, level_of, run};
 
 use Ending::{Diverged, Interrupted, Solved, Stalled};
 
