@@ -63,7 +63,7 @@ impl Outline {
     }
 
     /// What leads from a start to the stages that a path ends with: the shear law where that is the difficulty, then diffusion.
-    fn from_start(&self, start: &Stage) -> Vec<Stage> {
+    fn steps_after(&self, start: &Stage) -> Vec<Stage> {
         let mut path = Vec::new();
         if self.exponential {
             path = march(&thinned(start), Knob::Softness, |_| true);
@@ -108,7 +108,7 @@ pub(super) fn paths(outline: &Outline) -> Vec<Path> {
     let measured = |stage: &Stage| !stage.role.compares() || !outline.exponential;
     let from_start = |start: &Stage| {
         let ends = outline.ends(measured);
-        outline.from_start(start).into_iter().chain(ends)
+        outline.steps_after(start).into_iter().chain(ends)
     };
     let mut paths = Vec::new();
     let mut push = |name, needs_start, stages: Vec<Stage>| {
@@ -194,7 +194,7 @@ pub(super) fn paths(outline: &Outline) -> Vec<Path> {
         true => last.sizes.with_finer_rim(),
         false => last.sizes,
     };
-    let path = [*start].into_iter().chain(outline.from_start(start));
+    let path = [*start].into_iter().chain(outline.steps_after(start));
     let path = path.chain(outline.ends(|stage| stage.role == Role::Final));
     push(
         "finer rim",
