@@ -183,7 +183,11 @@ fn result_of_a_rough_ball() {
     let share = value(&smooth["mixed"]["asperities"]["asperity_load_share"]);
     assert!(share < 1e-12, "{share}");
     let total = value(&smooth["mixed"]["asperities"]["friction"]["friction_total"]);
-    close(total, value(&smooth["traction"]["coefficient"]), 1e-9);
+    close(
+        total,
+        value(&smooth["figures"]["traction_coefficient"]),
+        1e-9,
+    );
     assert_eq!(smooth["mixed"]["separation"], "full");
 }
 
@@ -232,9 +236,9 @@ fn machines_at_lambda_0_7_are_mixed() {
         );
         std::fs::write(&rough, given + &section).unwrap();
         let lambda = &estimate(&rough)["lambda"];
-        let ratio = lambda["of_minimum"]
+        let ratio = lambda["lambda_minimum"]
             .as_f64()
-            .or(lambda["of_central"].as_f64());
+            .or(lambda["lambda_central"].as_f64());
         close(ratio.unwrap(), 0.7, 1e-9);
         assert_eq!(lambda["separation"], "mixed", "{}", path.display());
         n_machines += 1;
