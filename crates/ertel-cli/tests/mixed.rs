@@ -228,7 +228,9 @@ fn machines_at_lambda_0_7_are_mixed() {
             serde_json::from_str(text(&output.stdout)).unwrap()
         };
         let film = &estimate(&path)["film"];
-        let film = film["film_minimum"].as_f64().or(film["film_central"].as_f64());
+        let film = film["film_minimum"]
+            .as_f64()
+            .or(film["film_central"].as_f64());
         let each = film.unwrap() / 0.7 / 2f64.sqrt() * 1e6;
         let rough = folder.path().join(path.file_name().unwrap());
         let section = format!(
