@@ -26,7 +26,7 @@ for shell in bash zsh fish; do "$program" completions "$shell" > "$parts/ertel.$
 # An archive with the program, its manual pages, completions, licences and cases.
 name=ertel-$version-$triple
 mkdir "$parts/$name"
-cp "$program" README.md CHANGELOG.md LICENSE-APACHE LICENSE-MIT CITATION.cff "$parts/$name/"
+cp "$program" THIRD_PARTY_NOTICES.txt README.md CHANGELOG.md LICENSE-APACHE LICENSE-MIT CITATION.cff "$parts/$name/"
 cp -r cases studies "$parts/man" "$parts/$name/"
 mkdir "$parts/$name/completions"
 cp "$parts"/ertel.{bash,zsh,fish} "$parts/$name/completions/"
@@ -53,6 +53,7 @@ python3 -m venv "$parts/fresh"
 # The documentation as a site.
 test -x "$target/tools/bin/mdbook" || cargo install --quiet --locked --root "$target/tools" --target-dir "$target/tools/target" mdbook@0.5.4
 "$target/tools/bin/mdbook" build --dest-dir "$parts/ertel-$version-documentation" > /dev/null
+cp THIRD_PARTY_NOTICES.txt LICENSE-APACHE LICENSE-MIT "$parts/ertel-$version-documentation/"
 tar -C "$parts" --sort=name --owner=0 --group=0 --numeric-owner -czf "$out/ertel-$version-documentation.tar.gz" "ertel-$version-documentation"
 
 crates/ertel-web/build.sh

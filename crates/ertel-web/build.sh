@@ -8,6 +8,6 @@ cargo build --profile browser --target wasm32-unknown-unknown -p ertel-web --lib
 target=${CARGO_TARGET_DIR:-target}
 rm -rf "$target/web"
 mkdir -p "$target/web"
-cp crates/ertel-web/page/* "$target/web/"
+cp crates/ertel-web/page/* THIRD_PARTY_NOTICES.txt LICENSE-APACHE LICENSE-MIT "$target/web/"
 cp "$target/wasm32-unknown-unknown/browser/ertel_web.wasm" "$target/web/ertel.wasm"
 echo "$target/web: $(wc -c < "$target/web/ertel.wasm") bytes of WebAssembly, $(gzip -9c "$target/web/ertel.wasm" | wc -c) compressed"

@@ -69,6 +69,10 @@ pub enum Command {
 
 /// `ertel solve`.
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Files of a result: report.html (a page with maps), report.txt, result.json (all figures), case.toml, centreline.csv, surface.vtu, pictures; on request
+result.nc (`netcdf = true` in [output]), body.vtu (`body_field = true`), temperature.vtu (`field = true` in [thermal]). A curve has curve.csv and
+curve.json, a machine machine.csv and machine.json.")]
 pub struct SolveArgs {
     /// The case files (TOML), each solved into a folder of its own; `-` reads one from standard input
     #[arg(value_name = "CASE.toml", required = true)]

@@ -196,7 +196,7 @@ fn a_thermal_curve_shows_the_isothermal_one() {
     let json = std::fs::read_to_string(folder.path().join("results/case/curve.json")).unwrap();
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     assert_eq!(json["points"][2]["isothermal"]["converged"], true);
-    let mean = &json["points"][2]["thermal"]["film_mean"]["value"];
+    let mean = &json["points"][2]["figures"]["film_temperature_mean"]["value"];
     assert!(mean.as_f64().unwrap() > 313.15);
     let picture = std::fs::read_to_string(folder.path().join("results/case/traction-curve.svg"));
     assert!(picture.unwrap().contains("isothermal"));

@@ -157,7 +157,7 @@ fn a_second_coefficient_moves_the_film_of_its_temperature() {
         std::fs::write(&path, text).unwrap();
         let json = report(&["estimate", path.to_str().unwrap(), "--json"]);
         let json: serde_json::Value = serde_json::from_str(&json).unwrap();
-        json["film"]["central"].as_f64().unwrap()
+        json["film"]["film_central"].as_f64().unwrap()
     };
     let one = "pressure_viscosity_coefficient_40 = \"22 1/GPa\"\n";
     let two = format!("{one}pressure_viscosity_coefficient_100 = \"13 1/GPa\"\n");

@@ -6,8 +6,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use ertel::solution::Figure;
-
 /// Pages whose commands are run, each in one folder from the first to the last.
 const RUN: [&str; 10] = [
     "guide/tutorial.md",
@@ -125,35 +123,6 @@ fn every_link_leads_somewhere() {
         }
     }
     assert!(broken.is_empty(), "{}", broken.join("\n"));
-}
-
-/// The table of the figures in the reference is that of the registry; `cargo test` prints a row that is missing.
-#[test]
-fn the_reference_lists_every_figure() {
-    let page = fs::read_to_string(root().join("docs/reference/results.md")).unwrap();
-    let table = page.split("## Figures").nth(1).unwrap();
-    let table = table.split("\n## ").next().unwrap();
-    let found: Vec<&str> = table.lines().filter(|l| l.starts_with("| `")).collect();
-    let row = |figure: Figure| {
-        let unit = match (figure.unit(false), figure.unit(true)) {
-            ("", _) => "–".to_owned(),
-            (of_points, of_lines) if of_points == of_lines => of_points.to_owned(),
-            (of_points, of_lines) => format!("{of_points}, {of_lines}"),
-        };
-        let place = if figure.has_place() { "yes" } else { "" };
-        format!(
-            "| `{}` | {} | {unit} | {place} |",
-            figure.name(),
-            figure.title()
-        )
-    };
-    let expected: Vec<String> = Figure::ALL.map(row).to_vec();
-    assert_eq!(
-        found,
-        expected,
-        "docs/reference/results.md, Figures:\n{}",
-        expected.join("\n")
-    );
 }
 
 /// The words of a command, quoted ones whole.

@@ -63,12 +63,12 @@ fn json_has_the_figures_with_units() {
     };
     near("/hertz/half_width", 218.279e-6);
     near("/groups/moes_load", 199.26);
-    near("/formulas/0/central", 264.066e-9);
-    near("/formulas/0/minimum", 148.596e-9);
+    near("/formulas/0/film_central", 264.066e-9);
+    near("/formulas/0/film_minimum", 148.596e-9);
     // 298.135 nm of an incompressible oil over 1 + 0.6 p/(1 + 1.7 p) at p = 1.00212 GPa.
-    near("/film/central", 243.894e-9);
+    near("/film/film_central", 243.894e-9);
     assert_eq!(json["regime"]["regime"], "piezoviscous-rigid");
-    assert_eq!(json["units"]["central"], "m");
+    assert_eq!(json["units"]["film_central"], "m");
     assert_eq!(json["reynolds"]["inertia_matters"], false);
 }
 

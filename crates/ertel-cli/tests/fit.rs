@@ -412,7 +412,7 @@ fn a_table_of_a_data_sheet_becomes_a_lubricant() {
         let output = ertel_here(&["estimate", &place(case), "--json"]);
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
         let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-        json["film"]["central"].as_f64().unwrap()
+        json["film"]["film_central"].as_f64().unwrap()
     };
     let (fitted, given) = (film("case.toml"), film("sheet.toml"));
     assert!((fitted / given - 1.0).abs() < 1e-4, "{fitted} {given}");

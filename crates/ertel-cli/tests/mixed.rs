@@ -183,7 +183,11 @@ fn result_of_a_rough_ball() {
     let share = value(&smooth["mixed"]["asperities"]["asperity_load_share"]);
     assert!(share < 1e-12, "{share}");
     let total = value(&smooth["mixed"]["asperities"]["friction"]["friction_total"]);
-    close(total, value(&smooth["traction"]["coefficient"]), 1e-9);
+    close(
+        total,
+        value(&smooth["figures"]["traction_coefficient"]),
+        1e-9,
+    );
     assert_eq!(smooth["mixed"]["separation"], "full");
 }
 
@@ -224,7 +228,9 @@ fn machines_at_lambda_0_7_are_mixed() {
             serde_json::from_str(text(&output.stdout)).unwrap()
         };
         let film = &estimate(&path)["film"];
-        let film = film["minimum"].as_f64().or(film["central"].as_f64());
+        let film = film["film_minimum"]
+            .as_f64()
+            .or(film["film_central"].as_f64());
         let each = film.unwrap() / 0.7 / 2f64.sqrt() * 1e6;
         let rough = folder.path().join(path.file_name().unwrap());
         let section = format!(
@@ -232,9 +238,9 @@ fn machines_at_lambda_0_7_are_mixed() {
         );
         std::fs::write(&rough, given + &section).unwrap();
         let lambda = &estimate(&rough)["lambda"];
-        let ratio = lambda["of_minimum"]
+        let ratio = lambda["lambda_minimum"]
             .as_f64()
-            .or(lambda["of_central"].as_f64());
+            .or(lambda["lambda_central"].as_f64());
         close(ratio.unwrap(), 0.7, 1e-9);
         assert_eq!(lambda["separation"], "mixed", "{}", path.display());
         n_machines += 1;

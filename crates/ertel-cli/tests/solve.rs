@@ -304,16 +304,20 @@ fn a_thermal_contact_writes_its_temperatures() {
     let thermal = &json["thermal"];
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
     let balance = &thermal["balance"];
-    let [plane, ball] = ["to_body_1", "to_body_2"].map(|key| number(&balance[key]["value"]));
+    let [plane, ball] =
+        ["heat_to_body_1", "heat_to_body_2"].map(|key| number(&balance[key]["value"]));
     // The film is symmetric about its middle: what is left is the tolerance of the coupling.
     assert!(
         plane > 0.0 && (plane / ball - 1.0).abs() < 1e-3,
         "{plane} {ball}"
     );
     // Nearly all heat goes into the bodies, and no more than is made.
-    assert!(number(&balance["error"]).abs() < 0.01, "{balance}");
-    assert!(number(&thermal["film_maximum"]["value"]) > 313.15 + 0.1);
-    assert!(thermal["reduction"]["traction"].is_null());
+    assert!(
+        number(&balance["heat_balance_error"]).abs() < 0.01,
+        "{balance}"
+    );
+    assert!(number(&thermal["film_temperature_maximum"]["value"]) > 313.15 + 0.1);
+    assert!(thermal["reduction"]["thermal_reduction_traction"].is_null());
 
     // Two profiles of 41 heights: of both walls the velocity is known.
     let profiles = read("cross-film.csv");

@@ -20,6 +20,7 @@ mod manners;
 mod mixed;
 mod own_data;
 mod places;
+mod releases;
 mod schema;
 mod solve;
 mod studies;

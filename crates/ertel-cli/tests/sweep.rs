@@ -159,8 +159,8 @@ values = [false, true]
     for name in [
         "film_temperature_maximum_K",
         "film_temperature_mean_K",
-        "body_1_temperature_maximum_K",
-        "body_2_temperature_maximum_K",
+        "temperature_body_1_maximum_K",
+        "temperature_body_2_maximum_K",
         "heat_shear_W_per_m",
         "heat_balance_error",
         "thermal_reduction_central",
@@ -171,8 +171,12 @@ values = [false, true]
     }
     let ambient = 313.15;
     assert!(value("film_temperature_maximum_K", 4) > value("film_temperature_maximum_K", 2));
-    for name in ["film", "body_1", "body_2"].map(|of| format!("{of}_temperature_maximum_K")) {
-        assert!(value(&name, 4) > ambient);
+    for name in [
+        "film_temperature_maximum_K",
+        "temperature_body_1_maximum_K",
+        "temperature_body_2_maximum_K",
+    ] {
+        assert!(value(name, 4) > ambient);
     }
     assert!(value("heat_balance_error", 4).abs() < 0.01);
     for (name, of) in [

@@ -322,7 +322,7 @@ fn heat_takes_differences_of_solves() {
         workspace.succeed(&["solve", "side.toml", "--output", "side"]);
         let result = workspace.json("side/result.json");
         assert!(result["sensitivities"].is_null());
-        number(&result["traction"]["coefficient"]["value"])
+        number(&result["figures"]["traction_coefficient"]["value"])
     };
     let slope = (at("52 kN/m").ln() - at("48 kN/m").ln()) / (52.0_f64.ln() - 48.0_f64.ln());
     let found = number(&result["sensitivities"]["traction_coefficient"]["contact.load"]);

@@ -299,7 +299,7 @@ impl Default for SolverParams {
 }
 
 /// What is written, and where.
-#[derive(Clone, Debug, PartialEq, Serialize, Default)]
+#[derive(Clone, PartialEq, Serialize, Default)]
 pub struct OutputParams {
     /// Folder; `None`: `results/<case name>`.
     pub folder: Option<PathBuf>,
@@ -307,10 +307,28 @@ pub struct OutputParams {
     pub pictures: PictureFormats,
     /// Write the displacement of the whole body (`body.vtu`).
     pub body_field: bool,
+    /// Write the fields on a regular grid and all figures as netCDF (`result.nc`).
+    pub netcdf: bool,
     /// Picture of a point contact by the interference of light.
     pub interferogram: Option<Interferometer>,
     /// Which derivatives of the figures by inputs are computed.
     pub sensitivities: SensitivityDemand,
+}
+
+/// As derived, without what is not asked for and came later: keys of journals are made of this text, and those that there are stay valid.
+impl std::fmt::Debug for OutputParams {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mut text = f.debug_struct("OutputParams");
+        text.field("folder", &self.folder)
+            .field("pictures", &self.pictures)
+            .field("body_field", &self.body_field)
+            .field("interferogram", &self.interferogram)
+            .field("sensitivities", &self.sensitivities);
+        if self.netcdf {
+            text.field("netcdf", &self.netcdf);
+        }
+        text.finish()
+    }
 }
 
 /// Formats in which pictures are written.

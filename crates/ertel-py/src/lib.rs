@@ -47,6 +47,8 @@ fn _ertel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(data::field_names, module)?)?;
     module.add_function(wrap_pyfunction!(data::figure_names, module)?)?;
     module.add_function(wrap_pyfunction!(read::fields_on_grid, module)?)?;
+    module.add_function(wrap_pyfunction!(read::contact_grid, module)?)?;
+    module.add_function(wrap_pyfunction!(read::netcdf_bytes, module)?)?;
     module.add_function(wrap_pyfunction!(read::study_table, module)?)?;
     module.add_function(wrap_pyfunction!(read::palette, module)?)?;
     Ok(())

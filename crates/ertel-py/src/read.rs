@@ -2,11 +2,13 @@
 
 use std::path::PathBuf;
 
-use ertel::solution::{ContactFields, Field};
+use ertel::output::netcdf;
+use ertel::solution::{ContactFields, Field, Figure};
 use ertel::study::journal::Entries;
 use ertel::study::{STUDY_FORMAT, StudyEcho};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 use crate::case::json;
 use crate::errors;
@@ -29,12 +31,24 @@ pub fn fields_on_grid<'py>(
     x: Vec<f64>,
     y: Vec<f64>,
 ) -> PyResult<Grids<'py>> {
-    if x.len().saturating_mul(y.len()) > MOST_GRID_POINTS {
-        let [n, m] = [x.len(), y.len()];
-        return Err(errors::CaseError::new_err(format!(
-            "a grid of {n} x {m} points is too large: at most {MOST_GRID_POINTS} in all"
-        )));
-    }
+    within(x.len(), y.len())?;
+    let whole = contact_fields(&points, &cells, fields)?;
+    let grids = detached(py, || whole.on_grid(&x, &y))?;
+    let n_rows = if whole.is_line { 1 } else { y.len() };
+    (grids.into_iter())
+        .map(|grid| {
+            let values = grid.values.into_pyarray(py).reshape([n_rows, x.len()])?;
+            Ok((grid.field.name(), values))
+        })
+        .collect()
+}
+
+/// Fields over a contact from arrays, checked.
+fn contact_fields(
+    points: &PyReadonlyArray2<'_, f64>,
+    cells: &PyReadonlyArray2<'_, u32>,
+    fields: Vec<(String, PyReadonlyArray1<'_, f64>)>,
+) -> PyResult<ContactFields> {
     let bad = |text: String| errors::OutputError::new_err(text);
     let (points, cells) = (points.as_array(), cells.as_array());
     let n_corners = cells.ncols();
@@ -73,14 +87,95 @@ pub fn fields_on_grid<'py>(
         }
         whole.fields.push((field, values));
     }
-    let grids = detached(py, || whole.on_grid(&x, &y))?;
-    let n_rows = if whole.is_line { 1 } else { y.len() };
-    (grids.into_iter())
-        .map(|grid| {
-            let values = grid.values.into_pyarray(py).reshape([n_rows, x.len()])?;
-            Ok((grid.field.name(), values))
+    Ok(whole)
+}
+
+/// Points (m) along both axes of a regular grid over the contact, `n_points` along x; `extent` is (x_low, x_high, y_low, y_high), m, by default
+/// the contact and a margin, for which `sizes` are half-width (m) and largest pressure (Pa) of the dry contact.
+#[pyfunction]
+pub fn contact_grid(
+    points: PyReadonlyArray2<'_, f64>,
+    pressure: PyReadonlyArray1<'_, f64>,
+    sizes: (f64, f64),
+    is_line: bool,
+    n_points: usize,
+    extent: Option<[f64; 4]>,
+) -> PyResult<(Vec<f64>, Vec<f64>)> {
+    let points = points.as_array();
+    let points: Vec<[f64; 2]> = points.rows().into_iter().map(|p| [p[0], p[1]]).collect();
+    let extent = match extent {
+        Some([x_low, x_high, y_low, y_high]) => netcdf::GridExtent {
+            x: [x_low, x_high],
+            y: [y_low, y_high],
+        },
+        None => {
+            let pressure = pressure.as_array().to_vec();
+            let (half_width, hertz_pressure) = sizes;
+            netcdf::extent(&points, &pressure, half_width, hertz_pressure)
+        }
+    };
+    within(n_points, netcdf::n_rows(is_line, n_points, extent))?;
+    let [x, y] = netcdf::axes(is_line, n_points, extent);
+    Ok((x, y))
+}
+
+/// Refuses grids that are too large.
+fn within(n: usize, m: usize) -> PyResult<()> {
+    match n.saturating_mul(m) > MOST_GRID_POINTS {
+        true => Err(errors::CaseError::new_err(format!(
+            "a grid of {n} x {m} points is too large: at most {MOST_GRID_POINTS} in all; give fewer n_points"
+        ))),
+        false => Ok(()),
+    }
+}
+
+/// Name, value, error, uncertainty, whether resolved, and place of a figure.
+type FigureEntry = (
+    String,
+    f64,
+    Option<f64>,
+    Option<f64>,
+    bool,
+    Option<[f64; 2]>,
+);
+
+/// `result.nc` of fields given as for [`fields_on_grid`], and of figures; `about` is title, kind and version.
+#[pyfunction]
+pub fn netcdf_bytes<'py>(
+    py: Python<'py>,
+    about: (String, String, String),
+    points: PyReadonlyArray2<'py, f64>,
+    cells: PyReadonlyArray2<'py, u32>,
+    fields: Vec<(String, PyReadonlyArray1<'py, f64>)>,
+    axes: [Vec<f64>; 2],
+    figures: Vec<FigureEntry>,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let whole = contact_fields(&points, &cells, fields)?;
+    let figures: Option<Vec<netcdf::GridFigure>> = (figures.into_iter())
+        .map(|(name, value, error, uncertainty, resolved, place)| {
+            let figure = Figure::ALL.into_iter().find(|own| own.name() == name)?;
+            Some(netcdf::GridFigure {
+                figure,
+                value,
+                error,
+                uncertainty,
+                resolved,
+                place,
+            })
         })
-        .collect()
+        .collect();
+    let figures = figures
+        .ok_or_else(|| errors::OutputError::new_err("a figure that this version does not know"))?;
+    let bytes = detached(py, || {
+        let (title, kind, version) = about;
+        let about = netcdf::About {
+            title: &title,
+            kind: &kind,
+            version: &version,
+        };
+        netcdf::netcdf(about, &whole, &axes, &figures)
+    })?;
+    Ok(PyBytes::new(py, &bytes))
 }
 
 /// The study in a folder, be it finished or not: what it is as JSON, and the table of its finished points; touches nothing.

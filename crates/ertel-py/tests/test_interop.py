@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -62,18 +64,54 @@ def test_netcdf(result: ertel.Result, tmp_path: Path) -> None:
     path = result.to_netcdf(tmp_path / "line.nc", 51)
     assert path.read_bytes()[:4] == b"CDF\x02", "the classic format with 64-bit offsets"
     grid = result.to_xarray(51)
+    assert sum(1 for name in grid.data_vars) > 5
     with xr.open_dataset(path, engine="scipy") as data:
         for name, values in grid.data_vars.items():
             np.testing.assert_array_equal(data[name].values, values.values)
             assert data[name].attrs["units"] == values.attrs["units"]
         assert data["film_central"].item() == float(result.film_central)
         assert data["friction_power"].attrs["units"] == "W/m" and data["film_central"].attrs["error"] == result.film_central.error
-        assert data.attrs["title"] == "line" and data.attrs["source"] == f"ertel {ertel.__version__}"
+        np.testing.assert_array_equal(data["x"].values, grid["x"].values)
+        place = result.film_minimum.place
+        assert place is not None and (data["film_minimum"].attrs["x"], data["film_minimum"].attrs["y"]) == place
+        assert set(result.to_dict()["figures"]) | set(grid.data_vars) == set(data.data_vars)
+        assert data.attrs["kind"] == "line" and data.attrs["title"] == "line" and data.attrs["source"] == f"ertel {ertel.__version__}"
     with io.netcdf_file(path, mmap=False) as file:
         assert file.variables["pressure"].units == b"Pa" and file.variables["pressure"].shape == (51,)
         assert file.variables["pressure_maximum"].resolved == int(result.pressure_maximum.resolved)
     with pytest.raises(ertel.OutputError, match="missing"):
         result.to_netcdf(tmp_path / "missing" / "line.nc")
+
+
+def test_netcdf_of_the_program(program: str, cases: Path, tmp_path: Path) -> None:
+    """`[output] netcdf = true`: an independent reader finds figures of result.json and fields of surface.vtu; Python writes the same bytes."""
+    io = pytest.importorskip("scipy.io")
+    interpolate = pytest.importorskip("scipy.interpolate")
+    out = tmp_path / "out"
+    settings = ["output.netcdf=true", "mesh.target_error=5 %", "output.pictures=[]"]
+    command = [program, "solve", str(cases / "ball-on-disc.toml"), "--quiet", "--output", str(out)]
+    subprocess.run([*command, *(word for setting in settings for word in ("--set", setting))], check=True)
+    content = (out / "result.nc").read_bytes()
+    result = ertel.read(out)
+    assert isinstance(result, ertel.Result)
+    assert result.to_netcdf(tmp_path / "again.nc").read_bytes() == content
+    figures = json.loads((out / "result.json").read_text(encoding="utf-8"))["figures"]
+    with io.netcdf_file(out / "result.nc", mmap=False) as file:
+        for name, figure in figures.items():
+            assert file.variables[name].getValue() == figure["value"]
+            assert file.variables[name].units.decode() == (figure["unit"] or "1")
+        x, y = (file.variables[axis][:].copy() for axis in "xy")
+        pressure = file.variables["pressure"][:].copy()
+    assert pressure.shape == (len(y), len(x)) and len(x) == 201
+    assert np.diff(y)[0] == pytest.approx(np.diff(x)[0], rel=0.02)
+    # By scipy's own triangulation, between the same points: the same surface up to the diagonals of the cells.
+    linear = interpolate.LinearNDInterpolator(result.points, result.pressure)
+    across, along = np.meshgrid(y, x, indexing="ij")
+    assert np.nanmean(np.abs(pressure - linear(along, across))) < 1e-3 * result.hertz_pressure
+    # The load of the case, by the sum over the grid.
+    load = np.nansum(pressure) * np.diff(x)[0] * np.diff(y)[0]
+    assert load == pytest.approx(result.case.si["contact"]["load"], rel=0.01)
+    assert np.nanmax(pressure) == pytest.approx(float(result.pressure_maximum), rel=0.02)
 
 
 def test_other_readers_of_the_surface(result: ertel.Result, tmp_path: Path) -> None:
@@ -104,6 +142,35 @@ def test_one_name_for_one_figure(result: ertel.Result, root: Path) -> None:
     assert set(result.to_dict()["figures"]) <= set(names)
     for name in [name for name, _, _ in _ertel.field_names()]:
         assert not set(name.split("_")) & {"ball", "plane"}, name
+
+
+def test_no_figure_has_a_second_name(program: str, cases: Path, tmp_path: Path) -> None:
+    """Of a thermal contact that slides, every entry anywhere in result.json that has value and bar of a figure has its name."""
+    out = tmp_path / "out"
+    settings = ["--set", "mesh.target_error=5 %", "--set", "output.pictures=[]"]
+    subprocess.run([program, "solve", cases / "squalane-thermal.toml", "-q", "--accept-unresolved", "--output", out, *settings], check=True)
+    content = json.loads((out / "result.json").read_text(encoding="utf-8"))
+    figures = content.pop("figures")
+    assert {"temperature_body_2_mean", "heat_to_body_1", "traction_coefficient_body_1", "film_temperature_lowest"} <= set(figures)
+    of = {(entry["value"], entry["error"]): name for name, entry in figures.items() if entry["value"] != 0.0}
+    found = set()
+
+    def look(key: str, value: Any) -> None:
+        if isinstance(value, dict):
+            name = of.get((value.get("value"), value.get("error")))
+            if name is not None:
+                # Two figures may be equal: a film on the centreline is the smallest one.
+                entry = figures.get(key.removesuffix("_at"))
+                assert entry is not None and entry["value"] == value["value"], f"{key} is {name}"
+                found.add(key)
+            for inner, own in value.items():
+                look(inner, own)
+        elif isinstance(value, list):
+            for own in value:
+                look(key, own)
+
+    look("", content)
+    assert len(found) > 15
 
 
 def test_optimisation_with_the_adjoint_gradient(line: dict[str, Any]) -> None:
@@ -139,6 +206,6 @@ def test_indices_of_sobol(line: dict[str, Any]) -> None:
     films = []
     for row in sample.sample(problem, 64, calc_second_order=False):
         settings = {key: f"{value!r} {unit}" for key, value, unit in zip(problem["names"], row.tolist(), units)}
-        films.append(case.with_(settings).estimate()["formulas"][0]["central"])
+        films.append(case.with_(settings).estimate()["formulas"][0]["film_central"])
     indices = analyze.analyze(problem, np.array(films), calc_second_order=False, seed=1)
     assert indices["S1"][0] > 0.9 and indices["S1"][1] < 0.1

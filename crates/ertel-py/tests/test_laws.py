@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import pickle
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -89,6 +90,22 @@ def test_a_law_in_its_place_leaves_nothing_behind(line: dict[str, Any]) -> None:
     kept = case.with_({"motion.entrainment_speed": "1 m/s"})
     assert kept.tabulated.keys() == {"viscosity"} and "Python function" in kept.text
     assert case.with_law("viscosity", barus, tolerance=1e-3).text.count("Python function") == 1
+
+
+def test_a_case_beyond_the_table_warns(line: dict[str, Any]) -> None:
+    """A line contact under 16 times the load has four times the Hertz pressure, and the table ends at twice the first one."""
+    case = ertel.Case(**line).with_law("viscosity", barus)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        case.with_({"contact.load": "300 kN/m"})
+    with pytest.warns(ertel.ErtelWarning, match="viscosity was tabulated for another case: the Hertz pressure is .* GPa, the table ends"):
+        heavy = case.with_({"contact.load": "1600 kN/m"})
+    with pytest.warns(ertel.ErtelWarning, match="the lubricant has 433.15 K"):
+        case.with_({"lubricant.temperature": "160 degC"})
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        again = heavy.with_law("viscosity", barus)
+    assert again.tabulated["viscosity"].pressures[1] == 2.0 * heavy.estimate()["hertz"]["pressure"]
 
 
 def test_ranges_and_names(line: dict[str, Any]) -> None:

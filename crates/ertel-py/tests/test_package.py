@@ -140,7 +140,7 @@ def test_fields(line: dict[str, Any]) -> None:
     order = np.argsort(result.points[:, 0])
     load = np.trapezoid(result.pressure[order], result.points[order, 0])
     assert load == pytest.approx(1e5, rel=1e-3)
-    assert float(result.film_central) == result.to_dict()["summary"]["film_central"]["value"]
+    assert float(result.film_central) == result.to_dict()["figures"]["film_central"]["value"]
     with pytest.raises(AttributeError, match="temperature_mid"):
         _ = result.temperature_mid
     with pytest.raises(AttributeError, match="no attribute"):

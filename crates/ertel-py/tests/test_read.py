@@ -68,7 +68,7 @@ def test_results_of_the_program(program: str, cases: Path, tmp_path: Path) -> No
         }
         assert result.is_line == (name == "roller") and result.triangles.shape[1] == (2 if result.is_line else 3)
         assert result.pressure.max() == pytest.approx(float(result.pressure_maximum), rel=0.02)
-    assert result.body_1_temperature_maximum.value > 300.0 and "temperature_mid" in result.field_names
+    assert result.temperature_body_1_maximum.value > 300.0 and "temperature_mid" in result.field_names
 
 
 def test_curves(line: dict[str, Any], tmp_path: Path) -> None:
@@ -165,6 +165,12 @@ def test_samples_of_the_program(program: str, cases: Path, tmp_path: Path) -> No
     subprocess.run([program, "solve", case, "-q", "--monte-carlo", "8", "--output", tmp_path / "r"], check=True)
     samples = ertel.read(tmp_path / "r-monte-carlo")
     assert isinstance(samples, ertel.MonteCarlo) and samples.n_samples == samples.n_solved == len(samples) == 8
+    statistics = tmp_path / "r-monte-carlo" / "monte-carlo.json"
+    whole = statistics.read_text()
+    for old, new, words in [('"format_version": 2', '"format_version": 9', "version 9"), ('"ertel-monte-carlo"', '"other"', "no file of ertel")]:
+        statistics.write_text(whole.replace(old, new))
+        with pytest.raises(ertel.OutputError, match=words):
+            ertel.read(tmp_path / "r-monte-carlo")
     film = samples.figures["film_central"]
     pytest.importorskip("pandas")
     films = samples.to_pandas()["film_central_m"]
@@ -207,7 +213,8 @@ def test_folders_that_are_none(solved: tuple[ertel.Result, Path], tmp_path: Path
         (lambda text: "[" * 100_000, "damaged"),
         (lambda text: "[]", "no file of ertel"),
         (lambda text: text.replace('"ertel-result"', '"other"'), "no file of ertel"),
-        (lambda text: text.replace('"format_version": 1', '"format_version": 2'), "layout is version 2, written by ertel"),
+        (lambda text: text.replace('"format_version": 2', '"format_version": 3'), "layout is version 3, written by ertel"),
+        (lambda text: text.replace('"format_version": 2,', ""), "does not tell its `format_version`"),
         (lambda text: text.replace('"figures"', '"numbers"', 1), "`figures`.*solve the case again"),
         (lambda text: text.replace('"value"', '"v"'), "content is not that of a result"),
         (lambda text: text.replace('"error": ', '"error": NaN, "e": ', 1), "NaN"),
@@ -259,3 +266,27 @@ def test_cases_that_name_files(line: dict[str, Any], tmp_path: Path) -> None:
     with pytest.raises(ertel.CaseError, match=r"(?s)oil\.csv.*inputs="):
         _ = result.case
     assert ertel.read(folder, inputs=tmp_path / "inputs").case.si["contact"]["kind"] == "line"
+    # The same of the points of a study.
+    (tmp_path / "inputs" / "line.toml").write_text(ertel.Case(folder=tmp_path / "inputs", **line).text)
+    axis = [{"key": "motion.entrainment_speed", "values": ["1 m/s", "2 m/s"]}]
+    ertel.sweep({"case": tmp_path / "inputs" / "line.toml", "axis": axis}, tmp_path / "study", folders=True)
+    study = ertel.read(tmp_path / "study")
+    assert isinstance(study, ertel.Study)
+    with pytest.raises(ertel.CaseError, match=r"(?s)oil\.csv.*inputs="):
+        _ = study.point(1).case
+    study = ertel.read(tmp_path / "study", inputs=tmp_path / "inputs")
+    assert isinstance(study, ertel.Study) and study.point(1).case.si["motion"]["entrainment_speed"] == 1.0
+
+
+def test_documents_of_version_1(solved: tuple[ertel.Result, Path], tmp_path: Path) -> None:
+    """Figures of the bodies had other names, which are read under those of now."""
+    folder = copied(solved[1], tmp_path)
+    path = folder / "result.json"
+    content = json.loads(path.read_text())
+    assert content["format_version"] == 2
+    content["format_version"] = 1
+    content["figures"]["body_1_temperature_maximum"] = {**content["figures"]["film_minimum"], "value": 350.0, "unit": "K"}
+    path.write_text(json.dumps(content))
+    again = ertel.read(folder)
+    assert isinstance(again, ertel.Result) and again.temperature_body_1_maximum.value == 350.0
+    assert again.film_central == solved[0].film_central

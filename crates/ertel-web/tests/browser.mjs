@@ -8,7 +8,8 @@ import { tmpdir } from "node:os";
 import { extname, join } from "node:path";
 import { ROOT, TARGET, agreed, nativeMessage, nativeResult } from "./native.mjs";
 
-const PAGE = join(TARGET, "web");
+// Another folder with the page: of a release.
+const PAGE = process.env.ERTEL_WEB ?? join(TARGET, "web");
 const PICTURES = join(TARGET, "web-pictures");
 const CHROMIUM = process.env.CHROMIUM ?? "chromium";
 // As a static host that knows nothing of WebAssembly.

@@ -46,13 +46,13 @@ const CLASSES = [
   // Adjoints that weigh errors are solved to 1e-4, and what they weigh are small differences: 6.8e-3 was seen.
   { name: "error bars", of: (path) => /error$/.test(path) && !/balance_error$|^\.checks\b/.test(path), tolerance: 2e-2 },
   // Small differences of large numbers: compared beside 1.
-  { name: "balances", of: (path) => /balance_error$|^\.checks\.(load|mass|heat|(power|rolling)\.error)$/.test(path), scale: () => 1, tolerance: 1e-9 },
+  { name: "balances", of: (path) => /balance_error$|^\.checks\.(power|rolling)\.error$/.test(path), scale: () => 1, tolerance: 1e-9 },
   // Where a film or pressure is extreme it is flat: 1e-15 of the value is 3e-8 of the half-width.
-  { name: "places", of: (path) => /^\.summary\..*\.[xyz]$/.test(path), scale: (result) => result.hertz.half_width, tolerance: 1e-6 },
+  { name: "places", of: (path) => /^\.(summary|figures)\..*\.[xyz]$/.test(path), scale: (result) => result.hertz.half_width, tolerance: 1e-6 },
   // By adjoints of their own tolerance; beside 1, a power law.
   { name: "sensitivities", of: (path) => /^\.sensitivities(_per_kelvin)?\b/.test(path), scale: () => 1, tolerance: 1e-4 },
   // At the edge of the steepest rise of pressure, what Newton's method leaves (a residual of 1e-8) is largest: 1.6e-9 was seen.
-  { name: "extremes", of: (path) => /^\.summary\.spike\.value$|^\.traction\.shear_stress_maximum\.value$/.test(path), tolerance: 1e-8 },
+  { name: "extremes", of: (path) => /^\.(summary|figures)\.pressure_spike\.value$|^\.(traction|figures)\.shear_stress_maximum\.value$/.test(path), tolerance: 1e-8 },
   { name: "figures", of: () => true, tolerance: 1e-9 },
 ];
 

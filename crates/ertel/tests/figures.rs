@@ -88,11 +88,11 @@ fn every_figure_of_a_thermal_contact_has_its_bar() {
     for path in [
         "/summary/outlet_position",
         "/summary/pressure_maximum",
-        "/traction/coefficient",
+        "/traction/traction_coefficient",
         "/traction/friction_power",
-        "/thermal/film_maximum",
-        "/thermal/balance/to_body_2",
-        "/thermal/reduction/central",
+        "/thermal/film_temperature_maximum",
+        "/thermal/balance/heat_to_body_2",
+        "/thermal/reduction/thermal_reduction_central",
     ] {
         let figure = json.pointer(path).unwrap();
         assert!(

@@ -39,11 +39,14 @@ pub struct Checks {
     /// contact area.
     pub rolling: Balance,
     /// (∫p dA − load)/load.
+    #[serde(rename = "load_balance_error")]
     pub load: f64,
     /// (inflow − side leakage − flow through the section x = 0)/inflow.
+    #[serde(rename = "film_balance_error")]
     pub mass: f64,
     /// (heat made − heat carried off)/heat made; `None` in isothermal contacts.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "heat_balance_error")]
     pub heat: Option<f64>,
 }
 

@@ -135,13 +135,13 @@ figures! {
     /// Mean temperature of the film over the Hertz zone.
     FilmTemperatureMean, "film_temperature_mean", "", "mean film temperature", Temperature, Temperature, MeanTemperature, Whole;
     /// Largest temperature of the surface of body 1.
-    Body1TemperatureMaximum, "body_1_temperature_maximum", "", "largest temperature of body 1", Temperature, Temperature, Body1Hottest, Place;
+    Body1TemperatureMaximum, "temperature_body_1_maximum", "", "largest temperature of body 1", Temperature, Temperature, Body1Hottest, Place;
     /// Its mean over the Hertz zone.
-    Body1TemperatureMean, "body_1_temperature_mean", "", "mean temperature of body 1", Temperature, Temperature, MeanTemperature, Whole;
+    Body1TemperatureMean, "temperature_body_1_mean", "", "mean temperature of body 1", Temperature, Temperature, MeanTemperature, Whole;
     /// Largest temperature of the surface of body 2.
-    Body2TemperatureMaximum, "body_2_temperature_maximum", "", "largest temperature of body 2", Temperature, Temperature, Body2Hottest, Place;
+    Body2TemperatureMaximum, "temperature_body_2_maximum", "", "largest temperature of body 2", Temperature, Temperature, Body2Hottest, Place;
     /// Its mean over the Hertz zone.
-    Body2TemperatureMean, "body_2_temperature_mean", "", "mean temperature of body 2", Temperature, Temperature, MeanTemperature, Whole;
+    Body2TemperatureMean, "temperature_body_2_mean", "", "mean temperature of body 2", Temperature, Temperature, MeanTemperature, Whole;
     /// Heat made by shear: W, or W/m.
     HeatShear, "heat_shear", "", "heat made by shear", Power, Heat, HeatShear, Whole;
     /// Heat made by compression, less what expansion takes: W, or W/m.

@@ -10,8 +10,10 @@ pub struct FormulaFilm {
     /// Name, e.g. "Hamrock-Dowson 1977".
     pub name: &'static str,
     /// Central film thickness, m, where the formula gives one.
+    #[serde(rename = "film_central")]
     pub central: Option<f64>,
     /// Minimum film thickness, m, where the formula gives one.
+    #[serde(rename = "film_minimum")]
     pub minimum: Option<f64>,
     /// Source of the constants, and what the formula assumes.
     pub source: &'static str,
@@ -21,7 +23,9 @@ pub struct FormulaFilm {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct FilmReduction {
     /// 1 − h_c/(h_c of the Newtonian fluid).
+    #[serde(rename = "film_reduction_central")]
     pub central: Estimate,
     /// 1 − h_min/(h_min of the Newtonian fluid).
+    #[serde(rename = "film_reduction_minimum")]
     pub minimum: Estimate,
 }

@@ -15,8 +15,10 @@ pub struct Starvation {
     /// Minimum film of the flooded contact, m; likewise.
     pub film_minimum_flooded: Option<Estimate>,
     /// Central film over that of the flooded contact: 1 is flooded.
+    #[serde(rename = "starved_ratio_central")]
     pub ratio_central: Option<Estimate>,
     /// The same of the minimum films.
+    #[serde(rename = "starved_ratio_minimum")]
     pub ratio_minimum: Option<Estimate>,
     /// Where the gap is full from on, on the centreline, x < 0, m; `None` where a layer of oil fills it as far as the contact area goes.
     pub meniscus_position: Option<Estimate>,

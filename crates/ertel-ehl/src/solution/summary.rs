@@ -24,6 +24,7 @@ pub struct Summary {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pressure_ridge: Option<Located>,
     /// Pressure spike near the outlet on the centreline, Pa; `None` when the profile has none.
+    #[serde(rename = "pressure_spike")]
     pub spike: Option<Located>,
     /// Where the film breaks on the centreline, m.
     pub outlet_position: Estimate,

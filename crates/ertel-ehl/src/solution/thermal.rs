@@ -10,18 +10,25 @@ pub struct Thermal {
     /// Temperature with which the lubricant enters, K.
     pub inlet_temperature: f64,
     /// Largest temperature of the film, K.
+    #[serde(rename = "film_temperature_maximum")]
     pub film_maximum: Located,
     /// Smallest temperature of the film, K.
+    #[serde(rename = "film_temperature_lowest")]
     pub film_lowest: Located,
     /// Mean temperature of the film over the Hertz zone and across the film, K.
+    #[serde(rename = "film_temperature_mean")]
     pub film_mean: Estimate,
     /// Largest temperature of the surface of body 1, K.
+    #[serde(rename = "temperature_body_1_maximum")]
     pub body_1_maximum: Located,
     /// Mean temperature of the surface of body 1 over the Hertz zone, K.
+    #[serde(rename = "temperature_body_1_mean")]
     pub body_1_mean: Estimate,
     /// Largest temperature of the surface of body 2, K.
+    #[serde(rename = "temperature_body_2_maximum")]
     pub body_2_maximum: Located,
     /// Mean temperature of the surface of body 2 over the Hertz zone, K.
+    #[serde(rename = "temperature_body_2_mean")]
     pub body_2_mean: Estimate,
     /// Where the heat comes from and goes to.
     pub balance: HeatBalance,
@@ -47,16 +54,22 @@ pub struct Thermal {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct HeatBalance {
     /// Made by shear.
+    #[serde(rename = "heat_shear")]
     pub shear: Estimate,
     /// Made by compression, less what expansion takes.
+    #[serde(rename = "heat_compression")]
     pub compression: Estimate,
     /// Carried off by body 1.
+    #[serde(rename = "heat_to_body_1")]
     pub to_body_1: Estimate,
     /// Carried off by body 2.
+    #[serde(rename = "heat_to_body_2")]
     pub to_body_2: Estimate,
     /// Carried off by the lubricant.
+    #[serde(rename = "heat_by_film")]
     pub by_film: Estimate,
     /// (made − carried off)/(heat of shear + size of the heat of compression).
+    #[serde(rename = "heat_balance_error")]
     pub error: f64,
 }
 
@@ -64,14 +77,16 @@ pub struct HeatBalance {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ThermalReduction {
     /// 1 − h_c/(h_c without heat).
-    #[serde(rename = "central")]
+    #[serde(rename = "thermal_reduction_central")]
     pub film_central: Estimate,
     /// 1 − h_min/(h_min without heat).
-    #[serde(rename = "minimum")]
+    #[serde(rename = "thermal_reduction_minimum")]
     pub film_minimum: Estimate,
     /// 1 − traction/(traction without heat); `None` without traction.
+    #[serde(rename = "thermal_reduction_traction")]
     pub traction: Option<Estimate>,
     /// Traction coefficient without heat.
+    #[serde(rename = "isothermal_traction_coefficient")]
     pub isothermal_traction: Estimate,
 }
 

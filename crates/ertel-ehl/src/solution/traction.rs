@@ -8,12 +8,16 @@ use super::Estimate;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Traction {
     /// Traction coefficient from the stress at mid-film; positive where body 2 is the faster surface.
+    #[serde(rename = "traction_coefficient")]
     pub coefficient: Estimate,
     /// The same from the stress at body 1.
+    #[serde(rename = "traction_coefficient_body_1")]
     pub coefficient_body_1: Estimate,
     /// The same from the stress at body 2.
+    #[serde(rename = "traction_coefficient_body_2")]
     pub coefficient_body_2: Estimate,
     /// Traction force at mid-film: N (circular), N/m (line).
+    #[serde(rename = "traction_force")]
     pub force: Estimate,
     /// Traction across the motion, where the contact is not symmetric about y = 0.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -21,6 +25,7 @@ pub struct Traction {
     /// Moment of the traction at mid-film about the contact normal, from x towards y, N m, with which body 2 turns body 1; likewise,
     /// and not of line contacts.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "traction_moment")]
     pub moment: Option<Estimate>,
     /// Friction power, the work of the surfaces on the film: W (circular), W/m (line).
     pub friction_power: Estimate,
@@ -54,11 +59,15 @@ impl Traction {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct TractionAcross {
     /// Traction coefficient from the stress at mid-film; positive where body 2 drags body 1 towards +y.
+    #[serde(rename = "traction_coefficient_across")]
     pub coefficient: Estimate,
     /// The same from the stress at body 1.
+    #[serde(rename = "traction_coefficient_across_body_1")]
     pub coefficient_body_1: Estimate,
     /// The same from the stress at body 2.
+    #[serde(rename = "traction_coefficient_across_body_2")]
     pub coefficient_body_2: Estimate,
     /// Traction force at mid-film: N, N/m (line).
+    #[serde(rename = "traction_force_across")]
     pub force: Estimate,
 }

@@ -15,6 +15,7 @@ Numbers are in SI. Bad input raises :class:`CaseError` with the words of the pro
 """
 
 from ._case import Case, estimate, solve
+from ._curve import Curve
 from ._data import (
     FilmFit,
     Fit,
@@ -29,11 +30,12 @@ from ._data import (
     viscosity,
 )
 from ._ertel import CaseError, ConvergenceError, OutputError, __version__
-from ._laws import TabulatedLaw
+from ._laws import ErtelWarning, TabulatedLaw
 from ._machine import MachineContact, MachineFigure, MachineSolution
 from ._machines import Bearing, Cam, GearPair
+from ._quantity import Quantity
 from ._read import read
-from ._result import Curve, Quantity, Result
+from ._result import Result
 from ._studies import Comparison, Distribution, MonteCarlo, Study
 from ._study import StudySummary, compare, merge, sweep
 
@@ -49,6 +51,7 @@ __all__ = [
     "ConvergenceError",
     "Curve",
     "Distribution",
+    "ErtelWarning",
     "FilmFit",
     "Fit",
     "Fluid",

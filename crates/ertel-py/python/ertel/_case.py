@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import json
 import os
+import warnings
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Literal
 
 from . import _ertel, _toml
+from ._curve import Curve
 from ._ertel import CaseError
-from ._laws import UNITS, Law, TabulatedLaw, tabulated
+from ._laws import UNITS, ErtelWarning, Law, TabulatedLaw, tabulated
 from ._machine import MachineSolution
-from ._result import Curve, Result
+from ._result import Result
 
 Progress = bool | Callable[[dict[str, Any]], object] | None
 
@@ -91,6 +93,11 @@ class Case:
         CaseError
             For an unknown key, with the choices, and for a value that the key does not take.
 
+        Warns
+        -----
+        ErtelWarning
+            Where the case leaves the pressures or temperatures for which :meth:`with_law` tabulated a law.
+
         Examples
         --------
         >>> faster = case.with_({"motion.entrainment_speed": "4 m/s"})   # doctest: +SKIP
@@ -113,7 +120,24 @@ class Case:
             native = case._native
             case = Case.from_text(text, name=native.name, folder=native.folder)
         case._tabulated = {name: told for name, told in self._tabulated.items() if name not in gone}
+        case._look_at_tables()
         return case
+
+    def _look_at_tables(self) -> None:
+        """Warns where the case leaves the range of a law that was tabulated for another one."""
+        if not self._tabulated:
+            return
+        pressure, temperature = self.estimate()["hertz"]["pressure"], self.si["temperature"]
+        for name, law in self._tabulated.items():
+            low, high = law.temperatures
+            if pressure > law.pressures[1]:
+                left = f"the Hertz pressure is {pressure * 1e-9:.4g} GPa, the table ends at {law.pressures[1] * 1e-9:.4g} GPa"
+            elif not low <= temperature <= high:
+                left = f"the lubricant has {temperature:.5g} K, the table {low:.5g} to {high:.5g} K"
+            else:
+                continue
+            words = f"the {name} was tabulated for another case: {left}, and goes on in straight lines; call with_law again"
+            warnings.warn(words, ErtelWarning, stacklevel=3)
 
     def with_law(
         self,

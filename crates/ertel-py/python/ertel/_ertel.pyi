@@ -155,6 +155,22 @@ def fields_on_grid(
     x: list[float],
     y: list[float],
 ) -> list[tuple[str, NDArray[np.float64]]]: ...
+def contact_grid(
+    points: NDArray[np.float64],
+    pressure: NDArray[np.float64],
+    sizes: tuple[float, float],
+    is_line: bool,
+    n_points: int,
+    extent: tuple[float, float, float, float] | None,
+) -> tuple[list[float], list[float]]: ...
+def netcdf_bytes(
+    about: tuple[str, str, str],
+    points: NDArray[np.float64],
+    cells: NDArray[np.uint32],
+    fields: list[tuple[str, NDArray[np.float64]]],
+    axes: tuple[list[float], list[float]],
+    figures: list[tuple[str, float, float | None, float | None, bool, tuple[float, float] | None]],
+) -> bytes: ...
 def study_table(folder: PathLike[str]) -> tuple[str, str]: ...
 def palette() -> list[str]: ...
 def interpolated(

@@ -26,6 +26,10 @@ _WITHIN = (0.25, 0.5, 0.75)
 _SAFETY = 2.0
 
 
+class ErtelWarning(UserWarning):
+    """What is allowed, but leaves the range for which something was made."""
+
+
 @dataclass(frozen=True)
 class TabulatedLaw:
     """A law of a case that is the table of a function.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import html
-import io
 import json
 import os
 from dataclasses import dataclass, field
@@ -11,12 +10,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _ertel
-from ._result import _FIGURE_NAMES, Quantity, _read
-from ._stored import Stored, document, shaped, text_of
+from ._quantity import _FIGURE_NAMES, Quantity, _read
+from ._stored import Tabulated, document, shaped
 
 if TYPE_CHECKING:
-    import pandas as pd
-
     from ._case import Case
 
 
@@ -96,7 +93,7 @@ class MachineContact:
         raise AttributeError(f"a contact of a machine has no attribute `{name}`")
 
 
-class MachineSolution(Stored):
+class MachineSolution(Tabulated):
     """The solution of a whole machine. Numbers in SI.
 
     Figures of the machine are attributes (``machine.friction_torque``), and items of :attr:`figures`. Those that are sums over the contacts are
@@ -113,9 +110,7 @@ class MachineSolution(Stored):
     """
 
     _native: _ertel.NativeMachine | None
-    _document: dict[str, Any]
-    _table: str | None
-    _report: str | None
+    _table_file = "machine.csv"
     figures: dict[str, MachineFigure]
     contacts: list[MachineContact]
 
@@ -130,7 +125,7 @@ class MachineSolution(Stored):
     def _read(cls, folder: Path, inputs: Path | None) -> MachineSolution:
         machine = cls.__new__(cls)
         machine._set_origin(None, folder, inputs)
-        machine._native, machine._table, machine._report = None, None, None
+        machine._native = None
         path = folder / "machine.json"
         content = document(path, "ertel-machine", ("title", "figures", "contacts", "governing_contact", "n_solved", "warnings"))
         shaped(path, lambda: machine._take(content))
@@ -149,33 +144,6 @@ class MachineSolution(Stored):
     def to_dict(self) -> dict[str, Any]:
         """What ``machine.json`` has."""
         return self._document
-
-    @property
-    def report(self) -> str:
-        """What ``ertel solve`` shows."""
-        if self._report is None:
-            assert self._folder is not None
-            self._report = text_of(self._folder / "report.txt")
-        return self._report
-
-    @property
-    def title(self) -> str:
-        """Title of the case, empty if there is none."""
-        return self._document["title"]
-
-    @property
-    def table(self) -> str:
-        """What ``machine.csv`` has: a line for each contact, units in the titles of the columns."""
-        if self._table is None:
-            assert self._folder is not None
-            self._table = text_of(self._folder / "machine.csv")
-        return self._table
-
-    def to_pandas(self) -> pd.DataFrame:
-        """The table of the contacts, units in the titles of the columns."""
-        import pandas as pd
-
-        return pd.read_csv(io.StringIO(self.table))
 
     @property
     def warnings(self) -> list[str]:

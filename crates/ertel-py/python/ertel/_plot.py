@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import io
+from functools import partial
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,14 +24,28 @@ _PALETTE = _ertel.palette()
 _SHOWN = {"Pa": (1e-6, "MPa"), "m": (1e9, "nm"), "1/s": (1e-6, "1/µs")}
 
 
-def centreline(result: Result) -> Figure:
-    """Pressure and film along y = 0, around the contact."""
+def _shown(**options: Any) -> Figure:
+    """A figure that notebooks show, also where pyplot was never imported."""
     from matplotlib.figure import Figure
 
+    figure = Figure(**options)
+    # IPython asks objects for this.
+    setattr(figure, "_repr_png_", partial(_png, figure))
+    return figure
+
+
+def _png(figure: Figure) -> bytes:
+    content = io.BytesIO()
+    figure.savefig(content, format="png", dpi=80)
+    return content.getvalue()
+
+
+def centreline(result: Result) -> Figure:
+    """Pressure and film along y = 0, around the contact."""
     line = result.centreline
     x = line["x_over_a"]
     shown = (x > -2.0) & (x < 1.6)
-    figure = Figure(figsize=(6.4, 4.0), layout="constrained")
+    figure = _shown(figsize=(6.4, 4.0), layout="constrained")
     pressure_axes = figure.add_subplot()
     pressure_axes.plot(x[shown], line["pressure_Pa"][shown] * 1e-6, color=_PALETTE[0], label="pressure")
     pressure_axes.plot(
@@ -49,13 +65,12 @@ def centreline(result: Result) -> Figure:
 
 def field_map(result: Result, values: NDArray[np.float64], unit: str, words: str) -> Figure:
     """A field over the contact, or along a line contact."""
-    from matplotlib.figure import Figure
     from matplotlib.tri import Triangulation
 
     half_width = result.to_dict()["hertz"]["half_width"]
     factor, unit = _SHOWN.get(unit, (1.0, unit))
     x, y = (result.points / half_width).T
-    figure = Figure(figsize=(6.4, 4.6), layout="constrained")
+    figure = _shown(figsize=(6.4, 4.6), layout="constrained")
     axes = figure.add_subplot()
     axes.set_title(result.title)
     label = f"{words} ({unit})"
@@ -78,7 +93,6 @@ def field_map(result: Result, values: NDArray[np.float64], unit: str, words: str
 def study_figure(rows: pd.DataFrame, axes: list[str], name: str, x: str | None, title: str, is_scattered: bool = False) -> Figure:
     """A figure over one of the axes, a curve for each combination of the others; points alone where all axes vary at once."""
     import pandas as pd
-    from matplotlib.figure import Figure
 
     column, error, unit = _columns(rows, name)
     if not axes:
@@ -89,7 +103,7 @@ def study_figure(rows: pd.DataFrame, axes: list[str], name: str, x: str | None, 
     others = [] if is_scattered else [axis for axis in axes if axis != x and rows[axis].nunique() > 1]
     groups = list(rows.groupby(others, sort=True)) if others else [((), rows)]
     factor, shown = _SHOWN.get(unit, (1.0, unit))
-    figure = Figure(figsize=(6.4, 4.0), layout="constrained")
+    figure = _shown(figsize=(6.4, 4.0), layout="constrained")
     drawn = figure.add_subplot()
     for i, (values, group) in enumerate(groups):
         group = group.sort_values(x)

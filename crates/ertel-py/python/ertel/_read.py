@@ -5,9 +5,10 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from ._curve import Curve
 from ._ertel import OutputError
 from ._machine import MachineSolution
-from ._result import Curve, Result
+from ._result import Result
 from ._studies import Comparison, MonteCarlo, Study
 
 _FILES = "result.json, curve.json, machine.json, comparison.json or study.json"
@@ -52,7 +53,7 @@ def read(
     if (place / "comparison.json").exists():
         return Comparison._read(place, where)
     if (place / "study.json").exists():
-        return MonteCarlo._read(place) if (place / "monte-carlo.json").exists() else Study._read(place)
+        return MonteCarlo._read(place, where) if (place / "monte-carlo.json").exists() else Study._read(place, where)
     if (place / "study" / "study.json").exists():
         raise OutputError(f"{place}: a comparison that was not finished; run it again, or read the study of its points in {place / 'study'}")
     raise OutputError(f"{place}: it holds no results of ertel: none of {_FILES}")

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import html
-import io
 import json
 import math
 import operator
 import os
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,7 +15,8 @@ from numpy.typing import NDArray
 
 from . import _ertel
 from ._ertel import CaseError, OutputError
-from ._stored import Stored, columns, document, shaped, surface, text_of
+from ._quantity import _FIELD_NAMES, _FIGURE_NAMES, Quantity, _read
+from ._stored import Stored, columns, document, shaped, surface
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -30,91 +29,13 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class Quantity:
-    """A figure with its bars, in SI; ``float(quantity)`` is its value.
-
-    Attributes
-    ----------
-    value : float
-        On the finest mesh.
-    error : float or None
-        Half-width of the discretisation error bar.
-    uncertainty : float or None
-        Half-width that the uncertainty of the inputs makes, two standard deviations; None where they have none.
-    unit : str
-        SI unit, empty for a pure number.
-    resolved : bool
-        False where the error bar is too wide for a number, more than half of it or a tenth of a largest pressure; a largest pressure
-        is a lower bound then.
-    place : tuple of float or None
-        Where it is, (x, y) in m; None of figures that belong to the whole contact.
-    """
-
-    value: float
-    error: float | None = None
-    uncertainty: float | None = None
-    unit: str = ""
-    resolved: bool = True
-    place: tuple[float, float] | None = None
-
-    def __float__(self) -> float:
-        return self.value
-
-    def to_pint(self, registry: Any = None) -> Any:
-        """The value as a quantity of pint; needs pint.
-
-        Parameters
-        ----------
-        registry : pint.UnitRegistry, optional
-            The registry to which it shall belong, by default pint's application registry.
-        """
-        import pint
-
-        units = pint.get_application_registry() if registry is None else registry
-        # Units such as "N m" and "W/m" are products for pint, too.
-        return units.Quantity(self.value, self.unit.replace(" ", "*") or "dimensionless")
-
-    def __str__(self) -> str:
-        factor, unit = 1.0, self.unit
-        size = abs(self.value)
-        if unit in ("m", "Pa", "N", "W") and size > 0.0:
-            for scale, prefix in _PREFIXES:
-                if size >= scale * 0.9995:
-                    factor, unit = 1.0 / scale, prefix + unit
-                    break
-        text = f"{self.value * factor:.5g}"
-        if self.error is not None:
-            text += f" ± {self.error * factor:.2g}"
-        text += f" {unit}".rstrip()
-        if not self.resolved:
-            text = f"not resolved ({text})"
-        if self.uncertainty is not None:
-            text += f" (inputs ± {self.uncertainty * factor:.2g})"
-        return text
-
-    __repr__ = __str__
-
-
-_PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
-
-# Words and symbol of each figure; those with a symbol are shown first.
-_FIGURE_NAMES: dict[str, tuple[str, str]] = {name: (words, symbol) for name, words, symbol in _ertel.figure_names()}
-
-_FIELD_NAMES: dict[str, tuple[str, str]] = {name: (unit, words) for name, unit, words in _ertel.field_names()}
-
-
-def _read(entry: dict[str, Any], uncertainty: float | None = None) -> Quantity:
-    """A figure as JSON has it."""
-    place = (entry["x"], entry["y"]) if "x" in entry else None
-    return Quantity(entry["value"], entry["error"], uncertainty, entry["unit"], entry["resolved"] is not False, place)
-
+_Extent = tuple[float, float, float, float]
 
 # Points of a grid: with some twenty fields these take half a gigabyte.
 _MOST_GRID_POINTS = 5_000_000
 
 
-def _grid(n_points: int, extent: tuple[float, float, float, float]) -> tuple[int, tuple[float, float, float, float]]:
+def _grid(n_points: int, extent: _Extent | None) -> tuple[int, _Extent | None]:
     """Points along x and limits, checked."""
     try:
         n = operator.index(n_points)
@@ -124,6 +45,8 @@ def _grid(n_points: int, extent: tuple[float, float, float, float]) -> tuple[int
         raise CaseError("n_points: two at least")
     if n > _MOST_GRID_POINTS:
         raise CaseError(f"n_points: at most {_MOST_GRID_POINTS}")
+    if extent is None:
+        return n, None
     try:
         x_low, x_high, y_low, y_high = (float(limit) for limit in extent)
     except (TypeError, ValueError, OverflowError):
@@ -144,8 +67,6 @@ class Result(Stored):
     """
 
     _native: _ertel.NativeSolution | None
-    _document: dict[str, Any]
-    _report: str | None
     _contact: tuple[Floats, NDArray[np.uint32], dict[str, Floats]] | None = None
     _centreline: dict[str, Floats] | None = None
 
@@ -159,7 +80,7 @@ class Result(Stored):
     def _read(cls, folder: Path, inputs: Path | None) -> Result:
         result = cls.__new__(cls)
         result._set_origin(None, folder, inputs)
-        result._native, result._report = None, None
+        result._native = None
         path = folder / "result.json"
         result._document = document(path, "ertel-result", ("title", "kind", "figures", "hertz", "warnings", "summary"))
         shaped(path, lambda: (result._figures(), result.hertz_pressure, repr(result)))
@@ -170,18 +91,6 @@ class Result(Stored):
     def to_dict(self) -> dict[str, Any]:
         """All figures, inputs and statistics, as ``result.json`` has them."""
         return self._document
-
-    @property
-    def report(self) -> str:
-        """What ``ertel solve`` shows."""
-        if self._report is None:
-            self._report = text_of(self._stored("the report") / "report.txt")
-        return self._report
-
-    @property
-    def title(self) -> str:
-        """Title of the case, empty if there is none."""
-        return self._document["title"]
 
     @property
     def warnings(self) -> list[str]:
@@ -349,32 +258,27 @@ class Result(Stored):
         """
         import xarray as xr
 
-        n_points, (x_low, x_high, y_low, y_high) = _grid(n_points, extent or self._frame())
-        n_rows = 1 if self.is_line else max(2, round(min(n_points * ((y_high - y_low) / (x_high - x_low)), 10 * n_points)))
-        if n_points * n_rows > _MOST_GRID_POINTS:
-            raise CaseError(f"a grid of {n_points} x {n_rows} points is too large: at most {_MOST_GRID_POINTS} in all; give fewer n_points")
-        x = np.linspace(x_low, x_high, n_points)
-        y = np.linspace(y_low, y_high, n_rows)
+        x, y = self._axes(n_points, extent)
         points, cells, fields = self._fields()
-        grids = _ertel.fields_on_grid(points, cells, list(fields.items()), x.tolist(), y.tolist())
+        grids = _ertel.fields_on_grid(points, cells, list(fields.items()), x, y)
         data = {}
         for name, values in grids:
             unit, words = _FIELD_NAMES[name]
             attributes = {"units": unit, "long_name": words}
             data[name] = ("x", values[0], attributes) if self.is_line else (("y", "x"), values, attributes)
         position = {"units": "m", "long_name": "position along the motion"}
-        coordinates: dict[str, Any] = {"x": ("x", x, position)}
+        coordinates: dict[str, Any] = {"x": ("x", np.array(x), position)}
         if not self.is_line:
-            coordinates["y"] = ("y", y, {"units": "m", "long_name": "position across the motion"})
+            coordinates["y"] = ("y", np.array(y), {"units": "m", "long_name": "position across the motion"})
         return xr.Dataset(data, coordinates, {"title": self.title})
 
     def to_netcdf(
         self, path: str | os.PathLike[str], n_points: int = 201, extent: tuple[float, float, float, float] | None = None
     ) -> Path:
-        """Write the fields of :meth:`to_xarray` and every figure as a netCDF file of the classic format (64-bit offsets); needs scipy.
+        """Write the fields of :meth:`to_xarray` and every figure as a netCDF file of the classic format (64-bit offsets).
 
         Each figure is a variable without dimension, with ``units`` and ``long_name``, and, where they are known, ``error`` (half-width of
-        the error bar), ``resolved`` (1 or 0), ``x`` and ``y`` (m).
+        the error bar), ``resolved`` (1 or 0), ``uncertainty``, ``x`` and ``y`` (m). ``[output] netcdf = true`` writes the same, ``result.nc``.
 
         Parameters
         ----------
@@ -382,39 +286,33 @@ class Result(Stored):
             The file; a former one is replaced.
         n_points, extent
             As of :meth:`to_xarray`.
+
+        Raises
+        ------
+        OutputError
+            When the file cannot be written.
         """
-        data = self.to_xarray(n_points, extent)
-        for name, quantity in self._figures().items():
-            attributes: dict[str, Any] = {"units": quantity.unit or "1", "long_name": _FIGURE_NAMES[name][0]}
-            if quantity.error is not None:
-                attributes.update(error=quantity.error, resolved=int(quantity.resolved))
-            if quantity.uncertainty is not None:
-                attributes["uncertainty"] = quantity.uncertainty
-            if quantity.place is not None:
-                attributes["x"], attributes["y"] = quantity.place
-            data[name] = ((), quantity.value, attributes)
-        data.attrs.update(kind=self._document["kind"], source=f"ertel {self._document['ertel_version']}")
-        encoding = {str(name): {"_FillValue": np.nan} for name, variable in data.data_vars.items() if variable.dims}
+        axes = self._axes(n_points, extent)
+        points, cells, fields = self._fields()
+        about = (self.title, self._document["kind"], self._document["ertel_version"])
+        figures = [(name, q.value, q.error, q.uncertainty, q.resolved, q.place) for name, q in self._figures().items()]
+        content = _ertel.netcdf_bytes(about, points, cells, list(fields.items()), axes, figures)
         try:
-            data.to_netcdf(path, engine="scipy", format="NETCDF3_64BIT", encoding=encoding)
+            Path(path).write_bytes(content)
         except OSError as error:
-            raise OutputError(f"{os.fspath(path)}: cannot be written: {error}") from None
+            raise OutputError(f"{os.fspath(path)}: cannot be written: {error.strerror}") from None
         return Path(path)
 
-    def _frame(self) -> tuple[float, float, float, float]:
+    def _axes(self, n_points: int, extent: _Extent | None) -> tuple[list[float], list[float]]:
+        """Points of a grid along x and y, m; by default over the contact and a margin."""
+        n_points, extent = _grid(n_points, extent)
+        sizes = (self._document["hertz"]["half_width"], self.hertz_pressure)
+        return _ertel.contact_grid(self.points, self.field("pressure"), sizes, self.is_line, n_points, extent)
+
+    def _frame(self) -> _Extent:
         """The contact and a margin: what pictures show."""
-        points = self.points
-        half_width = self._document["hertz"]["half_width"]
-        # Where pressures are, across.
-        pressed = np.abs(points[self.field("pressure") > 0.01 * self.hertz_pressure, 1])
-        across = 1.2 * float(pressed.max()) if pressed.size else half_width
-        low, high = points.min(axis=0), points.max(axis=0)
-        return (
-            max(float(low[0]), -2.0 * half_width),
-            min(float(high[0]), 1.6 * half_width),
-            max(float(low[1]), -across),
-            min(float(high[1]), across),
-        )
+        x, y = self._axes(2, None)
+        return x[0], x[-1], y[0], y[-1]
 
     def to_pandas(self) -> pd.DataFrame:
         """Fields at the points: columns x, y (m) and one for each field, SI."""
@@ -484,11 +382,6 @@ class Result(Stored):
             raise self._refuse(what)
         return self._native
 
-    def _stored(self, what: str) -> Path:
-        if self._folder is None:
-            raise self._refuse(what)
-        return self._folder
-
     def _started(self) -> _ertel.NativeSolution | None:
         # A result that was pickled has no start; without one a solve begins at the dry contact.
         return self._native
@@ -516,102 +409,3 @@ class Result(Stored):
         warnings = "".join(f"<li>{html.escape(w)}</li>" for w in self.warnings)
         notes = f"<ul>{warnings}</ul>" if warnings else ""
         return f"<table><caption>{title}</caption><tbody>{''.join(rows)}</tbody></table>{notes}"
-
-
-class Curve(Stored):
-    """The points of a case with a ``[curve]``."""
-
-    _native: _ertel.NativeCurve | None
-    _document: dict[str, Any]
-    _table: str | None
-    _report: str | None
-    failures: list[tuple[int, str]]
-
-    def __init__(self, case: Case, native: _ertel.NativeCurve) -> None:
-        self._set_origin(case)
-        self._native = native
-        self._document = json.loads(native.document())
-        self._table = native.table()
-        self._report = native.report()
-        self.failures = native.failures()
-
-    @classmethod
-    def _read(cls, folder: Path, inputs: Path | None) -> Curve:
-        curve = cls.__new__(cls)
-        curve._set_origin(None, folder, inputs)
-        curve._native, curve._table, curve._report = None, None, None
-        path = folder / "curve.json"
-        curve._document = document(path, "ertel-curve", ("title", "quantity", "points"))
-        points = curve._document["points"]
-        curve.failures = shaped(path, lambda: [(i, point["reason"]) for i, point in enumerate(points) if not point["converged"]])
-        return curve
-
-    def to_dict(self) -> dict[str, Any]:
-        """What ``curve.json`` has."""
-        return self._document
-
-    @property
-    def report(self) -> str:
-        """What ``ertel solve`` shows."""
-        if self._report is None:
-            assert self._folder is not None
-            self._report = text_of(self._folder / "report.txt")
-        return self._report
-
-    @property
-    def title(self) -> str:
-        """Title of the case, empty if there is none."""
-        return self._document["title"]
-
-    @property
-    def table(self) -> str:
-        """What ``curve.csv`` has: a line for each point, units in the titles of the columns."""
-        if self._table is None:
-            assert self._folder is not None
-            self._table = text_of(self._folder / "curve.csv")
-        return self._table
-
-    def to_pandas(self) -> pd.DataFrame:
-        """The table of the points, units in the titles of the columns."""
-        import pandas as pd
-
-        return pd.read_csv(io.StringIO(self.table))
-
-    def plot(self, figure: str = "film_central") -> Figure:
-        """Draw a figure over the quantity of the curve, in the colours of the program.
-
-        Parameters
-        ----------
-        figure : str
-            Name of the figure, as ``"film_central"`` or ``"friction_torque"``.
-
-        Raises
-        ------
-        KeyError
-            With the names that there are.
-        """
-        from ._plot import study_figure
-
-        rows = self.to_pandas()
-        axis = str(rows.columns[1])
-        return study_figure(rows, [axis], figure, axis, self.title)
-
-    def save(self, folder: str | os.PathLike[str]) -> Path:
-        """Write what ``ertel solve`` writes."""
-        if self._native is None:
-            raise self._refuse("the files of a curve")
-        self._native.save(Path(folder))
-        return Path(folder)
-
-    def __len__(self) -> int:
-        return len(self._document["points"])
-
-    def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_native": None}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
-
-    def __repr__(self) -> str:
-        failed = f", {len(self.failures)} failed" if self.failures else ""
-        return f"<ertel.Curve: {len(self)} points{failed}>"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import binascii
 import csv
+import io
 import json
 import xml.etree.ElementTree as ET
 from pathlib import Path
@@ -17,17 +18,22 @@ from . import _ertel
 from ._ertel import CaseError, OutputError
 
 if TYPE_CHECKING:
+    import pandas as pd
+
     from ._case import Case
 
 Floats = NDArray[np.float64]
 
-# Version of the layout of JSON files that is read here.
-FORMAT_VERSION = 1
+# Versions of the layout of JSON files that are read here, the newest last.
+FORMAT_VERSIONS = (1, 2)
 
 
 class Stored:
     """What was solved in this process, or is read from a folder."""
 
+    _document: dict[str, Any]
+    # Texts of this process; None where they are in files of the folder.
+    _report: str | None = None
     _case: Case | None
     _folder: Path | None
     # Folder of the files that the case names, where it is another one.
@@ -60,6 +66,23 @@ class Stored:
         """The folder that it was read from; None of what was solved in this process."""
         return self._folder
 
+    @property
+    def report(self) -> str:
+        """What ``ertel solve`` shows."""
+        if self._report is None:
+            self._report = text_of(self._stored("the report") / "report.txt")
+        return self._report
+
+    @property
+    def title(self) -> str:
+        """Title of the case, empty if there is none."""
+        return self._document["title"]
+
+    def _stored(self, what: str) -> Path:
+        if self._folder is None:
+            raise self._refuse(what)
+        return self._folder
+
     def _set_origin(self, case: Case | None, folder: Path | None = None, inputs: Path | None = None) -> None:
         self._case, self._folder, self._inputs = case, folder, inputs
 
@@ -67,6 +90,27 @@ class Stored:
         if self._folder is not None:
             return OutputError(f"{what}: this was read from {self._folder}, which has the files already; solve its case again: .case.solve()")
         return RuntimeError(f"{what}: only in the process that solved the case; this result was pickled")
+
+
+class Tabulated(Stored):
+    """The same with a table: a line for each of its points or contacts."""
+
+    _table: str | None = None
+    # Name of its file.
+    _table_file: str
+
+    @property
+    def table(self) -> str:
+        """The table as CSV: a line for each point or contact, units in the titles of the columns."""
+        if self._table is None:
+            self._table = text_of(self._stored("the table") / self._table_file)
+        return self._table
+
+    def to_pandas(self) -> pd.DataFrame:
+        """The table, units in the titles of the columns."""
+        import pandas as pd
+
+        return pd.read_csv(io.StringIO(self.table))
 
 
 def text_of(path: Path) -> str:
@@ -103,17 +147,35 @@ def document(path: Path, format: str, needed: tuple[str, ...]) -> dict[str, Any]
         raise OutputError(f"{path}: damaged, it is nested too deeply") from None
     if not isinstance(content, dict) or content.get("format") != format:
         raise OutputError(f'{path}: it is no file of ertel with "format": "{format}"')
-    version = content.get("format_version", FORMAT_VERSION)
-    if version != FORMAT_VERSION:
+    if "format_version" not in content:
+        raise OutputError(f"{path}: it does not tell its `format_version`; it is damaged, or from an older ertel: solve the case again")
+    version = content["format_version"]
+    if version not in FORMAT_VERSIONS:
         by = content.get("ertel_version", "another version")
+        known = " and ".join(map(str, FORMAT_VERSIONS))
         raise OutputError(
-            f"{path}: its layout is version {version}, written by ertel {by}; ertel {_ertel.__version__} reads version {FORMAT_VERSION}"
+            f"{path}: its layout is version {version}, written by ertel {by}; ertel {_ertel.__version__} reads versions {known}"
         )
+    if version == 1:
+        content = _with_new_names(content)
     missing = [key for key in needed if key not in content]
     if missing:
         raise OutputError(
             f"{path}: it has no {', '.join(f'`{key}`' for key in missing)}; it is damaged, or from an older ertel: solve the case again"
         )
+    return content
+
+
+# Names of figures in version 1.
+_FORMER = {f"body_{n}_temperature_{what}": f"temperature_body_{n}_{what}" for n in (1, 2) for what in ("maximum", "mean")}
+
+
+def _with_new_names(content: Any) -> Any:
+    """A document of version 1 with the names of figures that hold now, wherever they are keys."""
+    if isinstance(content, dict):
+        return {_FORMER.get(key, key): _with_new_names(value) for key, value in content.items()}
+    if isinstance(content, list):
+        return [_with_new_names(value) for value in content]
     return content
 
 

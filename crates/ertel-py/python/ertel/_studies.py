@@ -38,8 +38,10 @@ class Study:
         Numbers, from 1, and reasons of the points that failed.
     """
 
-    def __init__(self, folder: Path, about: dict[str, Any], table: str) -> None:
+    def __init__(self, folder: Path, about: dict[str, Any], table: str, inputs: Path | None = None) -> None:
         self.folder = folder
+        # Folder of the files that the cases of the points name, where it is another one.
+        self._inputs = inputs
         self.title: str = about["title"]
         self.axes: list[str] = about["columns"]
         self.n_points: int = about["n_points"]
@@ -49,8 +51,8 @@ class Study:
         self._table = table
 
     @classmethod
-    def _read(cls, folder: Path) -> Study:
-        return cls(folder, *_study(folder))
+    def _read(cls, folder: Path, inputs: Path | None) -> Study:
+        return cls(folder, *_study(folder), inputs)
 
     @property
     def table(self) -> str:
@@ -75,9 +77,9 @@ class Study:
             raise OutputError(f"{self.folder}: there is no point {number}; its points are 1 to {self.n_points}")
         place = self.folder / "points" / f"{number:0{len(str(self.n_points))}d}"
         if (place / "machine.json").exists():
-            return MachineSolution._read(place, None)
+            return MachineSolution._read(place, self._inputs)
         if (place / "result.json").exists():
-            return Result._read(place, None)
+            return Result._read(place, self._inputs)
         raise OutputError(f"{place}: no results of point {number}; run the study with folders=True, or `ertel sweep --folders`")
 
     def plot(self, figure: str = "film_central", x: str | None = None) -> Figure:
@@ -171,13 +173,10 @@ class MonteCarlo(Study):
         return study_figure(self.to_pandas(), self.axes, figure, x, self.title, is_scattered=True)
 
     @classmethod
-    def _read(cls, folder: Path) -> MonteCarlo:
-        found = cls(folder, *_study(folder))
+    def _read(cls, folder: Path, inputs: Path | None) -> MonteCarlo:
+        found = cls(folder, *_study(folder), inputs)
         path = folder / "monte-carlo.json"
-        try:
-            content = json.loads(text_of(path))
-        except ValueError as error:
-            raise OutputError(f"{path}: damaged, it is no JSON: {error}") from None
+        content = document(path, "ertel-monte-carlo", ("samples", "solved", "figures"))
         found.n_samples, found.n_solved, found.figures = shaped(path, lambda: _distributions(content))
         return found
 
@@ -207,26 +206,15 @@ class Comparison(Stored):
         return self._document
 
     @property
-    def title(self) -> str:
-        """Title of the case."""
-        return self._document["title"]
-
-    @property
     def statistics(self) -> dict[str, Any]:
         """Bias, rms and so on of each figure, by its name."""
         return self._document["statistics"]
 
     @property
-    def report(self) -> str:
-        """Bias, rms, the worst row and how many agree within the uncertainty, in words."""
-        assert self._folder is not None
-        return text_of(self._folder / "report.txt")
-
-    @property
     def study(self) -> Study:
         """The study of its points."""
         assert self._folder is not None
-        return Study._read(self._folder / "study")
+        return Study._read(self._folder / "study", self._inputs)
 
     def to_pandas(self) -> pd.DataFrame:
         """A row for each measurement, as of :func:`compare`."""

@@ -331,6 +331,7 @@ pub(super) fn read_output(
         })?;
     }
     set(&mut output.body_field, table.optional_bool("body_field")?);
+    set(&mut output.netcdf, table.optional_bool("netcdf")?);
     if let Some(wanted) = table.optional_bool("sensitivities")? {
         output.sensitivities = match wanted {
             true => SensitivityDemand::All,

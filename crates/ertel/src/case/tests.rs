@@ -187,6 +187,7 @@ error_estimate = false
 folder = "here"
 pictures = ["pdf", "png"]
 body_field = true
+netcdf = true
 "#
     ))
     .unwrap();
@@ -222,7 +223,7 @@ body_field = true
         (pictures.svg, pictures.pdf, pictures.png),
         (false, true, true)
     );
-    assert!(case.output.body_field);
+    assert!(case.output.body_field && case.output.netcdf);
 }
 
 #[test]

@@ -76,10 +76,12 @@ pub struct ChartParameters {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct FilmEstimate {
     /// Central film, m, of the formula that holds in all regimes.
+    #[serde(rename = "film_central")]
     pub central: f64,
     /// Which.
     pub central_formula: &'static str,
     /// Minimum film, m, where a formula for it applies: those at hand are for piezoviscous contacts.
+    #[serde(rename = "film_minimum")]
     pub minimum: Option<f64>,
     /// Which.
     pub minimum_formula: Option<&'static str>,
@@ -108,8 +110,10 @@ pub struct HeatedFilm {
     /// Thermal film over isothermal film.
     pub factor: f64,
     /// Central film, m.
+    #[serde(rename = "film_central")]
     pub central: f64,
     /// Minimum film, m, where there is an isothermal one.
+    #[serde(rename = "film_minimum")]
     pub minimum: Option<f64>,
     /// Largest difference of another published factor, over this one.
     pub difference: f64,
@@ -132,8 +136,10 @@ pub struct ThermalFactor {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct LambdaRatio {
     /// h_c/σ.
+    #[serde(rename = "lambda_central")]
     pub of_central: f64,
     /// h_min/σ.
+    #[serde(rename = "lambda_minimum")]
     pub of_minimum: Option<f64>,
     /// By the minimum film, or the central one where there is no other.
     pub separation: Separation,

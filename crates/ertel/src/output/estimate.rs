@@ -228,8 +228,6 @@ fn write_thermal(out: &mut Lines, estimate: &CaseEstimate) {
 pub fn estimate_json(case: &CaseEcho, estimate: &CaseEstimate) -> serde_json::Result<Value> {
     let mut units = units(case.contact.kind.is_line());
     for (key, unit) in [
-        ("central", "m"),
-        ("minimum", "m"),
         ("temperature_rise", "K"),
         ("isoviscous_rigid", "m"),
         ("isoviscous_elastic", "m"),

@@ -123,7 +123,7 @@ mod tests {
         ("summary.film_minimum_at.place_error", |_, s| {
             s.summary.film_minimum_at.place_error = Some(f64::NAN);
         }),
-        ("formulas[0].central", |_, s| {
+        ("formulas[0].film_central", |_, s| {
             s.formulas[0].central = Some(f64::NEG_INFINITY);
         }),
         ("history[1].residual", |_, s| {

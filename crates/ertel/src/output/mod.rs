@@ -18,6 +18,7 @@ mod lines;
 mod machine;
 mod mixed;
 mod monte_carlo;
+pub mod netcdf;
 pub mod pictures;
 mod report;
 mod result_json;
@@ -117,7 +118,7 @@ impl OutputError {
 pub(crate) const BODIES: [&str; 2] = ["body 1", "body 2"];
 
 /// Writes a result folder: `result.json`, `report.txt`, `report.html`, `case.toml`, `centreline.csv`,
-/// `surface.vtu`, `body.vtu` and the pictures, as `params` asks (its `folder` is not looked at); of a thermal contact
+/// `surface.vtu`, `body.vtu`, `result.nc` and the pictures, as `params` asks (its `folder` is not looked at); of a thermal contact
 /// `cross-film.csv` and `temperature.vtu`, too.
 ///
 /// The files are written beside the target first, brought to the disk, and then put in place; a
@@ -200,6 +201,10 @@ fn write_files(
         folder.file("body.vtu", |out| {
             vtu::write_body(out, &solution.shape, body)
         })?;
+    }
+    if params.netcdf {
+        let bytes = netcdf::of_solution(&case.title, solution);
+        folder.file("result.nc", |out| out.write_all(&bytes))?;
     }
     folder.file(html::REPORT_PAGE, |out| {
         out.write_all(html::report_page(case, solution, case.solver.tolerance).as_bytes())

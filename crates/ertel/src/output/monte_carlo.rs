@@ -9,6 +9,7 @@ use super::figure::{axis_name, unit_of_size};
 use super::lines::Lines;
 use super::machine::TOLD;
 use super::pictures::film_unit;
+use super::result_json::FORMAT_VERSION;
 use super::{OutputError, replace_picture};
 use crate::files::write_whole;
 use crate::params::PictureFormats;
@@ -19,6 +20,8 @@ use ertel_plot::{Axis, Chart, Drawing, Look, PALETTE, Series, Side, side_by_side
 
 /// Name of the statistics beside the table of the samples.
 pub const MONTE_CARLO: &str = "monte-carlo.json";
+/// Value of its key `format`.
+const MONTE_CARLO_FORMAT: &str = "ertel-monte-carlo";
 /// The picture beside it, without suffix.
 const PICTURE: &str = "monte-carlo";
 
@@ -73,7 +76,14 @@ fn json(found: &MonteCarlo, first_order: Option<&Uncertainties>) -> Value {
             }),
         );
     }
-    json!({ "samples": found.n, "solved": found.n_solved, "figures": figures })
+    json!({
+        "format": MONTE_CARLO_FORMAT,
+        "format_version": FORMAT_VERSION,
+        "ertel_version": env!("CARGO_PKG_VERSION"),
+        "samples": found.n,
+        "solved": found.n_solved,
+        "figures": figures,
+    })
 }
 
 /// Standard deviation to first order.

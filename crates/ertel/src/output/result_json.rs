@@ -10,7 +10,7 @@ use crate::warning::{notes, texts};
 /// Value of the key `format` by which a result is recognised.
 pub const FORMAT: &str = "ertel-result";
 /// Version of the layout of `result.json`.
-pub const FORMAT_VERSION: u64 = 1;
+pub const FORMAT_VERSION: u64 = 2;
 
 /// The document; SI throughout.
 pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<Value> {
@@ -127,7 +127,7 @@ pub(super) fn figures_json(solution: &Solution) -> Value {
 
 /// Unit of each key that has one, wherever it occurs; all others are dimensionless.
 pub(super) fn units(is_line: bool) -> Value {
-    const UNITS: [(&str, &[&str]); 12] = [
+    const UNITS: [(&str, &[&str]); 11] = [
         (
             "m",
             &[
@@ -172,21 +172,9 @@ pub(super) fn units(is_line: bool) -> Value {
             &[
                 "temperature",
                 "temperature_rise",
+                "inlet_temperature",
                 "body_1_temperature",
                 "body_2_temperature",
-            ],
-        ),
-        (
-            "K",
-            &[
-                "inlet_temperature",
-                "film_maximum",
-                "film_lowest",
-                "film_mean",
-                "body_1_maximum",
-                "body_1_mean",
-                "body_2_maximum",
-                "body_2_mean",
             ],
         ),
         ("W/(m K)", &["thermal_conductivity"]),

@@ -13,7 +13,7 @@ use super::machine::MACHINE_FORMAT;
 use super::result_json::FORMAT;
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
-pub(super) const OWN_FILES: [&str; 84] = [
+pub(super) const OWN_FILES: [&str; 85] = [
     "result.json",
     super::html::REPORT_PAGE,
     "curve.json",
@@ -29,6 +29,7 @@ pub(super) const OWN_FILES: [&str; 84] = [
     "centreline.csv",
     "surface.vtu",
     "body.vtu",
+    "result.nc",
     "centreline.svg",
     "pressure.svg",
     "film.svg",

@@ -82,8 +82,20 @@ impl TryFrom<String> for PointKey {
 #[serde(from = "String", into = "String")]
 pub struct Title(Arc<str>);
 
+/// The name of a column that journals of format version 1 called otherwise.
+fn renamed(text: String) -> String {
+    for body in ["1", "2"] {
+        let rest = text.strip_prefix(&format!("body_{body}_temperature_"));
+        if let Some(rest) = rest.filter(|r| r.starts_with("maximum") || r.starts_with("mean")) {
+            return format!("temperature_body_{body}_{rest}");
+        }
+    }
+    text
+}
+
 impl From<String> for Title {
     fn from(text: String) -> Title {
+        let text = renamed(text);
         static TITLES: Mutex<BTreeSet<Arc<str>>> = Mutex::new(BTreeSet::new());
         let mut titles = TITLES.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(known) = titles.get(text.as_str()) {

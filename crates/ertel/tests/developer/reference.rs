@@ -1,5 +1,6 @@
 //! The tables of the reference pages are those of the keys.
 
+use ertel::solution::Figure;
 use ertel_input::keys::{self, Row, table, table_of_laws};
 
 use super::pages::generated;
@@ -8,6 +9,26 @@ use super::pages::generated;
 fn split(rows: &'static [Row], key: &str) -> (&'static [Row], &'static [Row]) {
     let at = rows.iter().position(|row| row.keys.contains(&key));
     rows.split_at(at.unwrap_or_else(|| panic!("no row of {key}")))
+}
+
+/// The figures of the registry, their units in point and in line contacts.
+#[test]
+fn the_table_of_figures_is_the_registry() {
+    let mut text = String::from("| name | figure | unit | place |\n|---|---|---|---|\n");
+    for figure in Figure::ALL {
+        let unit = match [false, true].map(|is_line| figure.unit(is_line)) {
+            ["", _] => "–".to_owned(),
+            [unit, of_line] if unit == of_line => unit.to_owned(),
+            units => units.join(", "),
+        };
+        let place = if figure.has_place() { "yes" } else { "" };
+        let title = figure.title();
+        text.push_str(&format!(
+            "| `{}` | {title} | {unit} | {place} |\n",
+            figure.name()
+        ));
+    }
+    generated("docs/reference/results.md", "figures", &text);
 }
 
 #[test]

@@ -88,8 +88,6 @@ fn note_figure(record: &mut Record, figure: Figure, told: &Told) {
 fn note_parts(record: &mut Record, solution: &Solution) -> Result<(), String> {
     let s = &solution.summary;
     record.float("checks", "pressure_minimum", s.pressure_minimum);
-    record.float("checks", "film_balance_error", s.film_balance_error);
-    record.float("checks", "load_balance_error", s.load_balance_error);
     record.float("checks", "rigid_separation", s.rigid_separation);
     record.document("checks", "", &document(&solution.checks)?);
     record.document("checks", "summed_to", &document(&solution.summed_to)?);
@@ -122,7 +120,11 @@ fn note_parts(record: &mut Record, solution: &Solution) -> Result<(), String> {
     let Some(thermal) = &solution.thermal else {
         return Ok(());
     };
-    record.float("thermal", "balance error", thermal.balance.error);
+    record.float(
+        "thermal",
+        "balance heat_balance_error",
+        thermal.balance.error,
+    );
     record.document("thermal", "reduction", &document(&thermal.reduction)?);
     record.document("thermal", "coupling", &document(&thermal.coupling)?);
     for (i, profile) in thermal.profiles.iter().enumerate() {

@@ -1,0 +1,151 @@
+//! What a release consists of: notices of the works of others, the hosted workflow, the list of changes.
+
+use std::process::Command;
+
+use crate::common::root;
+
+fn notices() -> String {
+    std::fs::read_to_string(root().join("THIRD_PARTY_NOTICES.txt")).unwrap()
+}
+
+/// Names and versions of what the crates of a package are made of, by cargo itself.
+fn linked(package: &str) -> Vec<String> {
+    let arguments = [
+        "tree",
+        "--offline",
+        "--locked",
+        "--package",
+        package,
+        "--edges",
+        "normal",
+        "--prefix",
+        "none",
+        "--format",
+        "{p}",
+    ];
+    let output = Command::new(env!("CARGO"))
+        .args(arguments)
+        .current_dir(root())
+        .output()
+        .unwrap();
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let lines = String::from_utf8(output.stdout).unwrap();
+    let crates = lines
+        .lines()
+        .filter(|line| !line.contains(" (/") && !line.is_empty());
+    let mut crates: Vec<String> = crates
+        .map(|line| {
+            line.split_whitespace()
+                .take(2)
+                .collect::<Vec<_>>()
+                .join(" ")
+                .replacen(" v", " ", 1)
+        })
+        .collect();
+    crates.sort();
+    crates.dedup();
+    crates
+}
+
+/// A crate that is linked and not named: run packaging/notices.py.
+#[test]
+fn every_crate_that_is_linked_is_named_with_its_licence() {
+    let text = notices();
+    let (names, texts) = text.split_once("====").unwrap();
+    for package in ["ertel-cli", "ertel-py", "ertel-web"] {
+        let crates = linked(package);
+        assert!(crates.len() > 50, "{crates:?}");
+        for name in crates {
+            let named = names
+                .lines()
+                .find(|line| line.starts_with(&format!("{name} ")));
+            let licence = named
+                .and_then(|line| line.strip_prefix(&name))
+                .unwrap_or_default();
+            assert!(!licence.trim().is_empty(), "{package}: {name} is not named");
+            let heads = texts.lines().filter(|line| line.starts_with("For: "));
+            let has_text = |line: &str| line["For: ".len()..].split(", ").any(|own| own == name);
+            assert!(heads.clone().any(has_text), "{name} has no text");
+        }
+    }
+}
+
+#[test]
+fn what_is_no_crate_is_named_too() {
+    let text = notices();
+    for words in [
+        "SIL OPEN FONT LICENSE",
+        "uPlot",
+        "Copyright 1995-2018, Regents of the University of Minnesota",
+        "GNU LESSER GENERAL PUBLIC LICENSE",
+    ] {
+        assert!(text.contains(words), "{words}");
+    }
+}
+
+/// Each script or manifest that makes a file of a release takes the notices with it.
+#[test]
+fn everything_that_is_shipped_has_them() {
+    for (maker, line) in [
+        (
+            "packaging/build.sh",
+            "cp \"$program\" THIRD_PARTY_NOTICES.txt",
+        ),
+        ("packaging/build.sh", "documentation/\""),
+        (
+            "crates/ertel-cli/Cargo.toml",
+            "[\"../../THIRD_PARTY_NOTICES.txt\", \"usr/share/doc/ertel/\"",
+        ),
+        (
+            "crates/ertel-web/build.sh",
+            "page/* THIRD_PARTY_NOTICES.txt",
+        ),
+        (
+            "crates/ertel-py/pyproject.toml",
+            "\"THIRD_PARTY_NOTICES.txt\"",
+        ),
+    ] {
+        let text = std::fs::read_to_string(root().join(maker)).unwrap();
+        assert!(text.contains(line), "{maker}: {line}");
+    }
+    let beside_the_wheel = root().join("crates/ertel-py/THIRD_PARTY_NOTICES.txt");
+    assert_eq!(
+        std::fs::read_to_string(beside_the_wheel).unwrap(),
+        notices()
+    );
+}
+
+/// The hosted checks are those of a developer's machine; a tag builds a release and tries it in empty places.
+#[test]
+fn the_hosted_workflow_runs_what_is_here() {
+    let text = std::fs::read_to_string(root().join(".github/workflows/ci.yml")).unwrap();
+    let (checks, release) = text.split_once("  release:\n").unwrap();
+    assert!(checks.contains("- run: .ci/run\n") && checks.contains("tags: [\"v*\"]"));
+    let steps: Vec<&str> = release
+        .lines()
+        .filter_map(|line| line.trim().strip_prefix("- run: "))
+        .collect();
+    assert_eq!(steps[..2], ["packaging/build.sh", "packaging/try.sh"]);
+    assert!(steps[2].starts_with("gh release create") && release.contains("needs: checks"));
+    for script in [".ci/run", "packaging/build.sh", "packaging/try.sh"] {
+        let checked = Command::new("bash")
+            .arg("-n")
+            .arg(root().join(script))
+            .status();
+        assert!(checked.unwrap().success(), "{script}");
+    }
+}
+
+#[test]
+fn changes_are_listed_by_version() {
+    let text = std::fs::read_to_string(root().join("CHANGELOG.md")).unwrap();
+    let first = text.lines().find(|line| line.starts_with("## ")).unwrap();
+    assert!(
+        first.starts_with(&format!("## {}, ", env!("CARGO_PKG_VERSION"))),
+        "{first}"
+    );
+}

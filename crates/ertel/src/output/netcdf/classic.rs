@@ -1,0 +1,169 @@
+//! The classic format of netCDF with 64-bit offsets (CDF-2), as far as results need it: fixed dimensions, variables of double precision,
+//! attributes that are texts, numbers or integers.
+//!
+//! Source: Unidata, The NetCDF Classic Format Specification (NetCDF Users Guide, file format specifications).
+
+/// A value of an attribute.
+#[derive(Clone, Debug)]
+pub enum Attribute {
+    /// UTF-8.
+    Text(String),
+    /// Double precision.
+    Number(f64),
+    /// 32 bits.
+    Integer(i32),
+}
+
+/// A variable of double precision.
+#[derive(Clone, Debug)]
+pub struct Variable {
+    /// Its name.
+    pub name: String,
+    /// Places of its dimensions in [`Dataset::dimensions`], the slowest first; none of a scalar.
+    pub dimensions: Vec<usize>,
+    /// Names and values of its attributes.
+    pub attributes: Vec<(&'static str, Attribute)>,
+    /// Its values, as many as the product of its dimensions.
+    pub values: Vec<f64>,
+}
+
+/// A file.
+#[derive(Clone, Debug, Default)]
+pub struct Dataset {
+    /// Names and lengths.
+    pub dimensions: Vec<(&'static str, usize)>,
+    /// Names and values of what belongs to the file as a whole.
+    pub attributes: Vec<(&'static str, Attribute)>,
+    /// The variables.
+    pub variables: Vec<Variable>,
+}
+
+const MAGIC: &[u8] = b"CDF\x02";
+const DIMENSIONS: u32 = 10;
+const VARIABLES: u32 = 11;
+const ATTRIBUTES: u32 = 12;
+const CHAR: u32 = 2;
+const INT: u32 = 4;
+const DOUBLE: u32 = 6;
+/// Bytes of a double.
+const WIDTH: usize = 8;
+
+impl Dataset {
+    /// The file: a header, then the values of one variable after the other.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        // Offsets have the same width whatever they are.
+        let n_header = self.header(0).len();
+        let mut bytes = self.header(n_header);
+        for variable in &self.variables {
+            bytes.extend(variable.values.iter().flat_map(|v| v.to_be_bytes()));
+        }
+        bytes
+    }
+
+    /// The header, the values beginning at this byte.
+    fn header(&self, begin: usize) -> Vec<u8> {
+        let mut out = MAGIC.to_vec();
+        // No records.
+        word(&mut out, 0);
+        list(&mut out, DIMENSIONS, self.dimensions.len());
+        for (dimension, length) in &self.dimensions {
+            name(&mut out, dimension);
+            word(&mut out, *length);
+        }
+        attributes(&mut out, &self.attributes);
+        list(&mut out, VARIABLES, self.variables.len());
+        let mut begin = begin;
+        for variable in &self.variables {
+            name(&mut out, &variable.name);
+            word(&mut out, variable.dimensions.len());
+            for dimension in &variable.dimensions {
+                word(&mut out, *dimension);
+            }
+            attributes(&mut out, &variable.attributes);
+            tag(&mut out, DOUBLE);
+            let n_bytes = WIDTH * variable.values.len();
+            word(&mut out, n_bytes);
+            out.extend((begin as u64).to_be_bytes());
+            begin += n_bytes;
+        }
+        out
+    }
+}
+
+fn tag(out: &mut Vec<u8>, tag: u32) {
+    out.extend(tag.to_be_bytes());
+}
+
+/// A count; those of results are far below the four gigabytes that it can tell.
+fn word(out: &mut Vec<u8>, count: usize) {
+    tag(out, u32::try_from(count).unwrap_or(u32::MAX));
+}
+
+/// Head of a list; an empty one has no tag.
+fn list(out: &mut Vec<u8>, of: u32, n: usize) {
+    tag(out, if n == 0 { 0 } else { of });
+    word(out, n);
+}
+
+/// Bytes up to a multiple of four.
+fn padded(out: &mut Vec<u8>, bytes: &[u8]) {
+    out.extend(bytes);
+    out.resize(out.len().next_multiple_of(4), 0);
+}
+
+fn name(out: &mut Vec<u8>, name: &str) {
+    word(out, name.len());
+    padded(out, name.as_bytes());
+}
+
+fn attributes(out: &mut Vec<u8>, all: &[(&str, Attribute)]) {
+    list(out, ATTRIBUTES, all.len());
+    for (key, value) in all {
+        name(out, key);
+        match value {
+            Attribute::Text(text) => {
+                tag(out, CHAR);
+                name(out, text);
+            }
+            Attribute::Number(number) => {
+                tag(out, DOUBLE);
+                word(out, 1);
+                out.extend(number.to_be_bytes());
+            }
+            Attribute::Integer(integer) => {
+                tag(out, INT);
+                word(out, 1);
+                out.extend(integer.to_be_bytes());
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand from the grammar of the specification: two points, one variable, no attribute but one of the file.
+    #[test]
+    fn bytes_are_those_of_the_specification() {
+        let data = Dataset {
+            dimensions: vec![("x", 2)],
+            attributes: vec![("title", Attribute::Text("oil".to_owned()))],
+            variables: vec![Variable {
+                name: "p".to_owned(),
+                dimensions: vec![0],
+                attributes: Vec::new(),
+                values: vec![1.0, -2.0],
+            }],
+        };
+        let mut expected = b"CDF\x02".to_vec();
+        expected.extend([0; 4]);
+        expected.extend(b"\0\0\0\x0a\0\0\0\x01\0\0\0\x01x\0\0\0\0\0\0\x02");
+        expected.extend(b"\0\0\0\x0c\0\0\0\x01\0\0\0\x05title\0\0\0\0\0\0\x02\0\0\0\x03oil\0");
+        expected.extend(b"\0\0\0\x0b\0\0\0\x01\0\0\0\x01p\0\0\0\0\0\0\x01\0\0\0\0");
+        expected.extend([0; 8]);
+        expected.extend(b"\0\0\0\x06\0\0\0\x10\0\0\0\0\0\0\0\x6c");
+        expected.extend(b"\x3f\xf0\0\0\0\0\0\0\xc0\0\0\0\0\0\0\0");
+        assert_eq!(data.to_bytes(), expected);
+    }
+}
