@@ -167,17 +167,11 @@ pub fn first_method(case: &Case) -> Method {
     if let Some(method) = case.solver.method {
         return method;
     }
-    let is_left = finite_volumes_refuse(case).is_some();
+    // Where heat counts, both take as long for contacts that both solve.
+    let is_left = case.thermal().is_some() || finite_volumes_refuse(case).is_some();
     // Elements of high order that are small at the spike alone take less time for a line.
     if asks_for_elements(case) || is_left || case.contact.kind.is_line() {
         return Method::FiniteElements;
-    }
-    // Where heat counts, both take as long for contacts that both solve; for its sensitivities finite elements take two solves for each input.
-    if case.thermal().is_some() {
-        return match case.wants_sensitivities() {
-            true => Method::FiniteVolumes,
-            false => Method::FiniteElements,
-        };
     }
     let is_easy = || {
         let lubricant = &case.lubricant;

@@ -108,7 +108,7 @@ const LARGEST_CHANGE: f64 = 60.0;
 const BELOW: f64 = 2.0;
 
 /// How exactly the equations of the walls are solved.
-pub(super) const OF_WALLS: GmresParams = GmresParams {
+const OF_WALLS: GmresParams = GmresParams {
     tolerance: 1e-2,
     max_iterations: 80,
     twice: true,
