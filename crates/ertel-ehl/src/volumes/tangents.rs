@@ -150,7 +150,7 @@ impl<Plan: Sync> Tangents<'_, Plan> {
         &self,
         (level, warm): (&Level, &Warm),
         (at, equation, inverse): (&Linearised, &Equation, Inverse),
-        (sides, moving): (&mut [Result<[Side<Plan>; 2], NoDerivative>], &mut [bool]),
+        (sides, moving): (&mut [BothSides<Plan>], &mut [bool]),
     ) {
         let params = Params {
             depth: warm.bodies.depth,
@@ -240,6 +240,9 @@ impl<Plan> Side<'_, Plan> {
     }
 }
 
+/// The sides of an input, or why it has no derivative.
+type BothSides<'a, Plan> = Result<[Side<'a, Plan>; 2], NoDerivative>;
+
 impl<'a, Plan> Side<'a, Plan> {
     /// The same with heat.
     fn next_warm(&mut self, own: (&Level, &Warm), params: Params) -> Option<WarmSide<'a>> {
@@ -311,7 +314,7 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
     }
 
     fn derivatives(&self, inputs: &[Perturbed<Plan>]) -> Vec<Result<Vec<f64>, NoDerivative>> {
-        let mut sides: Vec<Result<[Side<Plan>; 2], NoDerivative>> = (inputs.iter())
+        let mut sides: Vec<BothSides<Plan>> = (inputs.iter())
             .map(|input| match self.obstacle(input) {
                 Some(obstacle) => Err(obstacle),
                 None => Ok(input.problems.each_ref().map(|problem| Side {
