@@ -8,11 +8,14 @@ files=$PWD/target/release-files
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 
-if unshare --map-root-user true 2> /dev/null; then
-  within() { local root=$1; shift; env -i unshare --map-root-user chroot "$root" "$@"; }
+# Without an environment there is no path to it.
+chroot=$(command -v chroot || true)
+unshare=$(command -v unshare || true)
+if [ -n "$chroot" ] && unshare --map-root-user true 2> /dev/null; then
+  within() { local root=$1; shift; env -i "$unshare" --map-root-user "$chroot" "$root" "$@"; }
   roots="an empty root"
-elif chroot / true 2> /dev/null; then
-  within() { local root=$1; shift; env -i chroot "$root" "$@"; }
+elif [ -n "$chroot" ] && chroot / true 2> /dev/null; then
+  within() { local root=$1; shift; env -i "$chroot" "$root" "$@"; }
   roots="an empty root"
 else
   within() { local root=$1 program=$2; shift 2; (cd "$root" && env -i "./$program" "${@/#\//./}"); }

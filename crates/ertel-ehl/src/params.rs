@@ -318,14 +318,22 @@ pub struct OutputParams {
 /// As derived, without what is not asked for and came later: keys of journals are made of this text, and those that there are stay valid.
 impl std::fmt::Debug for OutputParams {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let OutputParams {
+            folder,
+            pictures,
+            body_field,
+            netcdf,
+            interferogram,
+            sensitivities,
+        } = self;
         let mut text = f.debug_struct("OutputParams");
-        text.field("folder", &self.folder)
-            .field("pictures", &self.pictures)
-            .field("body_field", &self.body_field)
-            .field("interferogram", &self.interferogram)
-            .field("sensitivities", &self.sensitivities);
-        if self.netcdf {
-            text.field("netcdf", &self.netcdf);
+        text.field("folder", folder)
+            .field("pictures", pictures)
+            .field("body_field", body_field)
+            .field("interferogram", interferogram)
+            .field("sensitivities", sensitivities);
+        if *netcdf {
+            text.field("netcdf", netcdf);
         }
         text.finish()
     }

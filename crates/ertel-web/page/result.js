@@ -9,7 +9,7 @@ const PICTURES = {
   "cross-film": "Temperature across the film",
   interferogram: "Interferogram",
 };
-const TYPES = { json: "application/json", svg: "image/svg+xml", png: "image/png", html: "text/html" };
+const TYPES = { json: "application/json", svg: "image/svg+xml", png: "image/png", html: "text/html", nc: "application/x-netcdf" };
 
 /** Addresses of the last result's files, given back when the next one comes. */
 let addresses = [];

@@ -48,7 +48,7 @@ const FIGURES: [Figure; 13] = [
     Figure::Body2TemperatureMean,
 ];
 
-/// Whether its derivatives are told where heat counts: those of films and temperatures are within 5 % of the largest of differences of whole solves, those of the traction by
+/// Whether its derivatives are told where heat counts: those of films and temperatures are within 6 % of the largest of differences of whole solves, those of the traction by
 /// 12 %, at the walls by 90 %, and of the largest pressure by a third.
 fn is_known_with_heat(figure: Figure) -> bool {
     !matches!(
@@ -157,8 +157,12 @@ impl<Plan: Sync> Tangents<'_, Plan> {
             ..Params::default()
         };
         let Some(rounds) = Rounds::new(self.problem, params) else {
+            for end in sides {
+                *end = Err(NoDerivative::LinearSolver);
+            }
             return;
         };
+        let is_first = std::ptr::eq(level, &self.levels[0]);
         let own = WarmSide {
             rounds,
             system: level.system.clone(),
@@ -170,7 +174,12 @@ impl<Plan: Sync> Tangents<'_, Plan> {
             let [_, above] = sides.as_mut().ok().filter(|_| *moves)?;
             above.next_warm((level, warm), params)
         });
-        let solved = tangents::solve((&own, warm), (at, equation, inverse), LINEAR, inputs);
+        let solved = tangents::solve(
+            (&own, warm),
+            (at, equation, inverse),
+            (LINEAR, is_first),
+            inputs,
+        );
         for ((end, moves), solved) in sides.iter_mut().zip(moving).zip(solved) {
             *moves = solved.is_some();
             match (solved, end.as_mut()) {
@@ -335,14 +344,8 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
                     .collect();
             };
             let equation = Equation::new(&level.system, &at, &preconditioner.scale);
-            let moved: Vec<Option<Moved>> = (sides.par_iter_mut().zip(&moving))
-                .map(|(sides, moves)| match sides {
-                    Ok(sides) if *moves => Side::both(sides, level, &at, &equation),
-                    _ => None,
-                })
-                .collect();
-            let mut inverse = Inverse::new(&equation, &mut preconditioner);
             if let Some(warm) = &level.warm {
+                let inverse = Inverse::new(&equation, &mut preconditioner);
                 self.heated(
                     (level, warm),
                     (&at, &equation, inverse),
@@ -350,6 +353,13 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
                 );
                 continue;
             }
+            let moved: Vec<Option<Moved>> = (sides.par_iter_mut().zip(&moving))
+                .map(|(sides, moves)| match sides {
+                    Ok(sides) if *moves => Side::both(sides, level, &at, &equation),
+                    _ => None,
+                })
+                .collect();
+            let mut inverse = Inverse::new(&equation, &mut preconditioner);
             // Inputs move the equation in few ways, as speed and viscosity do: what serves one of them serves the others.
             let mut recycled = Recycled::default();
             let mut solve = |right: &[f64]| {

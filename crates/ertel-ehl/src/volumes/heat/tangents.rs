@@ -180,14 +180,14 @@ struct Coupled<'a, 'p> {
     heats: Recycled,
 }
 
-/// Solutions a little above each input on a grid whose solution is `own` with the heat `warm`; `None` where one moves nothing there.
+/// Solutions a little above each input on a grid, the first or a later one, whose solution is `own` with the heat `warm`; `None` where one moves nothing on the first.
 ///
 /// # Errors
 /// Of each input: when its linear equations are not solved.
 pub fn solve<'a>(
     (own, warm): (&WarmSide, &Warm),
     (at, equation, inverse): (&Linearised, &Equation, Inverse),
-    of_films: GmresParams,
+    (of_films, is_first): (GmresParams, bool),
     inputs: impl Iterator<Item = Option<WarmSide<'a>>>,
 ) -> Vec<Option<Result<Level, NoDerivative>>> {
     let of = own.rounds.film_heat(&own.system);
@@ -232,7 +232,11 @@ pub fn solve<'a>(
     };
     let mut directions = (Recycled::default(), Vec::new());
     inputs
-        .map(|side| coupled.level(side?, &mut directions, warm).transpose())
+        .map(|side| {
+            coupled
+                .level((side?, is_first), &mut directions, warm)
+                .transpose()
+        })
         .collect()
 }
 
@@ -240,14 +244,15 @@ impl Coupled<'_, '_> {
     /// The solution above an input; `None` where it moves nothing. Of all directions of ẋ there are so far, the rounds that they make are kept.
     fn level(
         &mut self,
-        side: WarmSide,
+        (side, is_first): (WarmSide, bool),
         (directions, rounds): &mut (Recycled, Vec<Moved>),
         warm: &Warm,
     ) -> Result<Option<Level>, NoDerivative> {
         let n = Warmth::PARTS * self.near.len() + self.own.temperatures.film.len();
         let mut moved = self.round(&side, &vec![0.0; n], 1.0)?;
         let size = dot(&moved.x, &moved.x).max(dot(&moved.film, &moved.film));
-        if size < ROUNDING * ROUNDING {
+        // What does not move the first grid moves none.
+        if is_first && size < ROUNDING * ROUNDING {
             return Ok(None);
         }
         let mut failed = None;
@@ -265,11 +270,12 @@ impl Coupled<'_, '_> {
             }
         };
         let solved = directions.solve(apply, |_| (), &moved.x, &mut vec![0.0; n], COUPLED);
+        // A direction that was nothing but rounding is not kept.
+        rounds.truncate(directions.shares().len());
         if let Some(error) = failed {
             return Err(error);
         }
         solved.map_err(|_| NoDerivative::LinearSolver)?;
-        rounds.truncate(directions.shares().len());
         for (round, share) in rounds.iter().zip(directions.shares()) {
             moved.add(round, *share);
         }
