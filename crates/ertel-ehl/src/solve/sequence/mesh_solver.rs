@@ -4,9 +4,9 @@ use ertel_fem::platform::Instant;
 use std::sync::Arc;
 
 use super::driver::{Driver, StageEnd, StageSolver, Task, Trial};
-use super::paths::Outline;
 use super::stage_run::{DIVERGENCE_LIMIT, Finish, StageRun};
 use super::start::{cold_start, interpolate};
+use super::strategies::Outline;
 use super::{Problem, Stage, StageSolution};
 use crate::solution::LevelStats;
 use crate::solution::Role;
@@ -97,7 +97,8 @@ impl Outline {
         Outline {
             usual: problem.plan.stages.clone(),
             exponential: problem.fluid.is_exponential(),
-            roller: problem.shape.zone.roller.is_some(),
+            impatient: problem.shape.zone.roller.is_some(),
+            has_steep_ends: problem.shape.zone.roller.is_some(),
             // An exponential law has difficulties of its own.
             ridge_diffusion: match problem.fluid.is_exponential() {
                 true => 0.0,
@@ -261,7 +262,11 @@ impl StageSolver for MeshSolver<'_> {
         if wanted && observer.cancelled() {
             return Err(SolveError::Interrupted);
         }
-        let indicator = wanted.then(|| run.measure(&state, &mut effort)).flatten();
+        let indicator = if wanted {
+            run.measure(&state, &mut effort)
+        } else {
+            None
+        };
         let stats = run.stats(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
         self.stats.push(stats);
         let next = match (&problem.plan.adapt, &indicator) {
@@ -280,13 +285,18 @@ impl StageSolver for MeshSolver<'_> {
         if rough && last && outcome.is_ok() && refinement.is_none() {
             // Measured, and already accurate enough: the solution itself, to the end.
             let rough = outcome.ok().and_then(|(_, coupling)| coupling);
-            outcome = run.finish(rough, &mut state, &mut effort, observer);
+            outcome = run
+                .solve(Finish::Exact, &mut state, &mut effort, observer)
+                .map(|(reached, coupling)| (reached, coupling.map(|c| c.after(rough))));
             let stats = run.stats(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
             self.stats[level] = stats;
         }
-        let (reached, coupling) = match &outcome {
-            Ok(reached) => *reached,
-            Err(error) => (NewtonStatus::of_failure(error), None),
+        let (outcome, (reached, coupling)) = match outcome {
+            Ok(reached) => (Ok(()), reached),
+            Err(e) => {
+                let reached = NewtonStatus::of_failure(&e);
+                (Err(e), (reached, None))
+            }
         };
         let adjoints = (last && outcome.is_ok()).then(|| Box::new(run.rough_adjoints(indicator)));
         let solution = StageSolution {
@@ -301,7 +311,7 @@ impl StageSolver for MeshSolver<'_> {
             coupling,
         };
         Ok(StageEnd {
-            outcome: outcome.map(drop),
+            outcome,
             solution,
             refinement,
         })
@@ -312,13 +322,21 @@ impl StageSolver for MeshSolver<'_> {
         solution: &mut StageSolution,
         observer: &mut dyn Observer,
     ) -> Result<(), SolveError> {
-        let (stage, d) = (&solution.stage, &solution.discretisation);
-        let run = StageRun::new(self.problem, stage, self.stats.len() - 1, d);
-        let (mut state, mut effort) = (solution.state.clone(), NewtonStats::default());
-        match run.finish(solution.coupling, &mut state, &mut effort, observer) {
+        let level = self.stats.len() - 1;
+        let run = StageRun::new(
+            self.problem,
+            &solution.stage,
+            level,
+            &solution.discretisation,
+        );
+        let mut effort = NewtonStats::default();
+        let (rough, mut state) = (solution.coupling, solution.state.clone());
+        match run.solve(Finish::Exact, &mut state, &mut effort, observer) {
             Ok((reached, coupling)) => {
-                (solution.state, solution.reached) = (state, reached);
-                (solution.adjoints, solution.coupling) = (None, coupling);
+                solution.state = state;
+                solution.adjoints = None;
+                solution.reached = reached;
+                solution.coupling = coupling.map(|c| c.after(rough));
             }
             Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
             // What was measured stands.

@@ -1,6 +1,6 @@
 //! A solver that ends stages as it is told, for tests of the driver.
 
-use crate::solve::sequence::driver::*;
+use super::*;
 
 /// How a stage ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
