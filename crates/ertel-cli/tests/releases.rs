@@ -95,7 +95,10 @@ fn everything_that_is_shipped_has_them() {
             "packaging/build.sh",
             "cp \"$program\" THIRD_PARTY_NOTICES.txt",
         ),
-        ("packaging/build.sh", "documentation/\""),
+        (
+            "packaging/build.sh",
+            "cp THIRD_PARTY_NOTICES.txt LICENSE-APACHE LICENSE-MIT \"$parts/ertel-$version-documentation/\"",
+        ),
         (
             "crates/ertel-cli/Cargo.toml",
             "[\"../../THIRD_PARTY_NOTICES.txt\", \"usr/share/doc/ertel/\"",

@@ -224,7 +224,12 @@ fn heated_circle() {
             let size = terms.iter().fold(0.0_f64, |m, term| m.max(term.abs()));
             let error = (sum - difference).abs() / size;
             println!("{} {sum} {difference} {error:.1e}", figure.figure.name());
-            assert!(error < 0.06, "{}: {error}", figure.figure.name());
+            // The thinnest place of grids of four times the cells is read between nodes: 4.6 % seen. All else is within 0.6 %.
+            let tolerance = match figure.figure {
+                Figure::FilmMinimum => 0.06,
+                _ => 0.01,
+            };
+            assert!(error < tolerance, "{}: {error}", figure.figure.name());
         }
     }
 }

@@ -44,7 +44,7 @@ pub struct Checks {
     /// (inflow − side leakage − flow through the section x = 0)/inflow.
     #[serde(rename = "film_balance_error")]
     pub mass: f64,
-    /// (heat made − heat carried off)/heat made; `None` in isothermal contacts.
+    /// (heat made − heat carried off)/(heat of shear + size of the heat of compression); `None` in isothermal contacts.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[serde(rename = "heat_balance_error")]
     pub heat: Option<f64>,

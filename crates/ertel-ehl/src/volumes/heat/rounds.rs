@@ -112,8 +112,7 @@ impl<'a> Rounds<'a> {
         })
     }
 
-    /// Heat to begin with on a grid, from that of the grid before.
-    /// Bodies that are `alike` serve again.
+    /// Heat to begin with on a grid, from that of the grid before. Spreading in bodies of `alike` that are the same serves again.
     pub fn start(
         &self,
         system: &System,
@@ -317,7 +316,7 @@ impl<'a> Rounds<'a> {
     }
 
     /// Heat made and carried off.
-    pub fn account(&self, system: &System, state: &State, own: &mut Temperatures) -> Account {
+    fn account(&self, system: &System, state: &State, own: &mut Temperatures) -> Account {
         let at = system.linearise(state);
         let films: Vec<f64> = at.nodes.iter().map(|node| node.film).collect();
         let lacking = lacking(&system.fluid, &films, &at.contents);

@@ -32,7 +32,7 @@ const COUPLED: GmresParams = GmresParams {
 };
 
 /// How exactly temperatures are solved for in a round: what an input and ẋ make of the residual is taken off by the same inverse, or the fixed point is another one. With 1e-2
-/// derivatives by the temperature were wrong by 5 % in the traction.
+/// the derivatives of the central film were 2 % of the largest off those of whole solves, with 1e-6 they are 0.2 %.
 const OF_WALLS: GmresParams = GmresParams {
     tolerance: 1e-6,
     max_iterations: 80,
@@ -48,7 +48,8 @@ const STEP: f64 = 1e-5;
 /// Parts of ẋ and q̇ that are rounding.
 const ROUNDING: f64 = 1e-11;
 
-/// Half-widths from the centre, in the plane in which the zone is the unit circle.
+/// Half-widths from the centre, in the plane in which the zone is the unit circle, within which stress and heat are asked anew. Without it the derivatives of the films of squalane on glass were
+/// within 5 % of the largest of what they are with it, on one grid more.
 const NEAR: f64 = 2.0;
 
 /// Film and heat of a grid with an input a little above its value, or at the solution.
