@@ -8,7 +8,7 @@
 //!   Ẇ ← ∂W/∂q q̇ + ∂W/∂T Ṫ + ∂W/∂θ
 //! ```
 //! Products with derivatives are differences from the solution, so that all that an input moves is in them. Krylov's method solves for ẋ in place of
-//! further rounds: what serves one input serves the others ([`Recycled`]). Farther from the contact than [`NEAR`] the film hardly heats up: of what stress and
+//! further rounds: what serves one input serves the others ([`Recycled`]). Farther from the contact than `NEAR` the film hardly heats up: of what stress and
 //! heat make of it there, only the temperatures move.
 
 use ertel_fem::linear::gmres::{GmresParams, dot};
