@@ -30,6 +30,7 @@ mod solids;
 mod solve;
 mod sweep;
 mod table;
+mod transient;
 mod validate;
 mod view;
 

@@ -4,10 +4,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use ertel::output::{self};
+use ertel::run::transient::{InstantObserver, Reached};
 use ertel::solution::IterationRecord;
 use ertel::solve::Observer;
 use ertel::study::{CurveObserver, PointSolution};
-use ertel::words::length;
+use ertel::words::{digits, length};
 use ertel_input::escaped;
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -138,6 +139,31 @@ impl Observer for Progress<'_> {
 
     fn cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
+    }
+}
+
+impl InstantObserver for Progress<'_> {
+    fn instant(&mut self, reached: &Reached) {
+        self.emit(
+            "instant",
+            json!({
+                "time": reached.time,
+                "duration": reached.duration,
+                "steps": reached.steps,
+                "film_central": reached.film_central,
+            }),
+        );
+        let left = match reached.seconds_left.is_finite() {
+            true => format!(", about {} s left", digits(reached.seconds_left, 2)),
+            false => String::new(),
+        };
+        self.show(format!(
+            "step {}: {} of {} s, central film {}{left}",
+            reached.steps,
+            digits(reached.time, 4),
+            digits(reached.duration, 4),
+            length(reached.film_central)
+        ));
     }
 }
 

@@ -24,6 +24,7 @@ use crate::machine;
 use crate::monte_carlo::{self, Solved};
 use crate::print;
 use crate::progress::Progress;
+use crate::transient;
 use crate::{cases, check};
 
 /// Set by Ctrl-C; the solver looks at it before each iteration.
@@ -115,6 +116,12 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
         (false, true) => Progress::in_lines(&CANCELLED),
         (false, false) => Progress::new(arguments.quiet, &CANCELLED),
     };
+    if case.transient.is_some() {
+        events.warn(&case.warnings);
+        let found = run::transient::solve(case, &mut progress);
+        drop(progress);
+        return transient::write(case, &found, folder, arguments, events);
+    }
     if let Some(curve) = &case.curve {
         let solution = solve_curve(curve, &mut progress);
         drop(progress);
@@ -194,6 +201,11 @@ fn may_cross_check(case: &Case) -> Result<(), Failure> {
             "--cross-check takes one contact, and the case is a whole machine: choose one of its contacts with --set, such as {}",
             crate::machine::choice(contacts)
         )));
+    }
+    if case.transient.is_some() {
+        let text =
+            "--cross-check takes a steady contact, and finite volumes alone solve [transient]";
+        return Err(Failure::Argument(text.to_owned()));
     }
     if case.curve.is_some() {
         let text = "--cross-check takes one contact, and the case has a [curve]: --set or a file of its own makes one of it";

@@ -102,6 +102,10 @@ crates/ertel-cli/tests/good/quick.toml
     surface_roughness={ body_1_ra = "1 um", body_2_ra = "1 um" }
     surface_roughness={ body_1_rq = "1 um", body_2_rq = "1 um" }
     surface_roughness={ body_1_rz = "1 um", body_2_rz = "1 um" }
+    transient={ duration = "1 ms" }
+    transient={ duration = "1 ms", load = { course = "ramp", end = "1 ms", to = "50 N" }, entrainment_speed = { course = "sine", amplitude = "0.1 m/s", period = "1 ms" } }
+    transient={ duration = "1 ms", body_1_speed = { course = "step", at = "1 ms", to = "1 m/s" }, body_2_speed = { course = "table", file = "none.csv" } }
+    transient={ duration = "1 ms", slide_to_roll_ratio = { course = "table", times = ["0 s", "1 ms"], values = [0.0, 0.1] } }
     curve={ quantity = "contact.radius", from = "10 mm", to = "20 mm", points = 3 }
     lubricant.viscosity={ law = "walther", a = 8.0, b = 3.0, alpha = "20 1/GPa", reference_temperature = "40 degC" }
     lubricant.viscosity={ law = "roelands", mu_0 = "40 mPa.s", z = 0.6 }

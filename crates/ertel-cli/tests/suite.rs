@@ -25,6 +25,7 @@ mod schema;
 mod solve;
 mod studies;
 mod sweep;
+mod transient;
 mod uncertainty;
 mod unresolved;
 mod unwritable;

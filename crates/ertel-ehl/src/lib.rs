@@ -11,6 +11,7 @@
 //! | [`solution`], [`mixed`] | figures and fields in SI; asperities |
 //! | [`engine`] | the interface of ways of solving; what is read off any film |
 //! | [`solve`] | finite elements: Newton's method, continuation, refinement, heat |
+//! | [`transient`] | contacts in time |
 //! | [`volumes`] | finite volumes: a monotone scheme for isothermal point contacts |
 //! | [`post`] | figures and fields from a solved stage |
 
@@ -25,6 +26,7 @@ pub mod params;
 pub mod post;
 pub mod solution;
 pub mod solve;
+pub mod transient;
 pub mod volumes;
 pub mod warning;
 pub mod words;

@@ -75,6 +75,12 @@ impl NativeCase {
         &self.case.title
     }
 
+    /// Whether it changes in time.
+    #[getter]
+    fn is_transient(&self) -> bool {
+        self.case.transient.is_some()
+    }
+
     /// Whether it asks for a curve.
     #[getter]
     fn is_curve(&self) -> bool {

@@ -27,10 +27,12 @@ fn _ertel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<case::NativeCase>()?;
     module.add_class::<solution::NativeSolution>()?;
     module.add_class::<solution::NativeCurve>()?;
+    module.add_class::<solution::NativeTransient>()?;
     module.add_class::<machine::NativeMachine>()?;
     module.add_class::<study::NativeStudy>()?;
     module.add_function(wrap_pyfunction!(solve::solve, module)?)?;
     module.add_function(wrap_pyfunction!(solve::solve_curve, module)?)?;
+    module.add_function(wrap_pyfunction!(solve::solve_transient, module)?)?;
     module.add_function(wrap_pyfunction!(solve::solve_machine, module)?)?;
     module.add_function(wrap_pyfunction!(study::solve_part, module)?)?;
     module.add_function(wrap_pyfunction!(study::sweep, module)?)?;

@@ -8,6 +8,7 @@ use ertel::case::{Case, Curve};
 use ertel::output::{self};
 use ertel::params::OutputParams;
 use ertel::run::Start;
+use ertel::run::transient::TransientSolution;
 use ertel::solution::{ContactFields, Solution};
 use ertel::study::CurveSolution;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
@@ -157,6 +158,55 @@ impl NativeCurve {
         crate::pool::detached(py, || {
             output::check_target(&folder)?;
             output::write_curve(&self.echo, &self.curve, &folder, &self.output, self.folders)
+        })?
+        .map_err(errors::output)
+    }
+}
+
+/// A case in time.
+#[pyclass(frozen)]
+pub struct NativeTransient {
+    found: TransientSolution,
+    echo: CaseEcho,
+    output: OutputParams,
+    document: String,
+}
+
+impl NativeTransient {
+    pub fn new(case: &Case, found: TransientSolution) -> PyResult<Self> {
+        let echo = case.echo();
+        let document = output::transient_json(&echo, &found).map_err(crate::case::unwritable)?;
+        Ok(Self {
+            document: json(&document)?,
+            found,
+            echo,
+            output: case.output.clone(),
+        })
+    }
+}
+
+#[pymethods]
+impl NativeTransient {
+    /// `transient.json`.
+    fn document(&self) -> &str {
+        &self.document
+    }
+
+    /// `report.txt`.
+    fn report(&self) -> String {
+        output::transient_report(&self.echo, &self.found, None)
+    }
+
+    /// `transient.csv`.
+    fn table(&self) -> String {
+        output::transient_table(&self.found, self.echo.contact.kind.is_line())
+    }
+
+    /// Writes the files that `ertel solve` writes.
+    fn save(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
+        crate::pool::detached(py, || {
+            output::check_target(&folder)?;
+            output::write_transient(&self.echo, &self.found, &folder, &self.output)
         })?
         .map_err(errors::output)
     }

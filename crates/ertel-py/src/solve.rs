@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use ertel::run;
+use ertel::run::transient::{InstantObserver, Reached};
 use ertel::solution::IterationRecord;
 use ertel::solve::Observer;
 use ertel::study::{CurveObserver, solve_curve as run_curve, solve_in_balance};
@@ -16,7 +17,7 @@ use crate::case::{NativeCase, json};
 use crate::errors;
 use crate::machine::NativeMachine;
 use crate::pool::Threads;
-use crate::solution::{NativeCurve, NativeSolution};
+use crate::solution::{NativeCurve, NativeSolution, NativeTransient};
 
 /// Time between two looks at Ctrl-C.
 const GLANCE: Duration = Duration::from_millis(50);
@@ -123,6 +124,15 @@ impl Observer for Messages {
     }
 }
 
+impl InstantObserver for Messages {
+    fn instant(&mut self, reached: &Reached) {
+        self.send(serde_json::json!({
+            "event": "instant", "time": reached.time, "duration": reached.duration, "steps": reached.steps,
+            "film_central": reached.film_central,
+        }));
+    }
+}
+
 impl CurveObserver for Messages {
     fn point(&mut self, index: usize, n_points: usize, label: &str) {
         self.send(serde_json::json!({
@@ -178,6 +188,32 @@ pub fn solve_curve(
     let document = ertel::output::curve_json(&case.case.echo(), &solution);
     let document = json(&document.map_err(crate::case::unwritable)?)?;
     Ok(NativeCurve::new(&case.case, curve, solution, document))
+}
+
+/// Solves a case in time.
+#[pyfunction]
+#[pyo3(signature = (case, progress=None))]
+pub fn solve_transient(
+    py: Python<'_>,
+    case: &NativeCase,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<NativeTransient> {
+    if case.case.transient.is_none() {
+        return Err(errors::CaseError::new_err("the case has no [transient]"));
+    }
+    let wanted = progress.is_some();
+    let found = beside_python(py, progress.as_ref(), |sender, cancel| {
+        let mut messages = Messages {
+            sender,
+            wanted,
+            cancel,
+        };
+        run::transient::solve(&case.case, &mut messages)
+    })?;
+    if let (Some(failure), true) = (&found.failure, found.instants.is_empty()) {
+        return Err(errors::ConvergenceError::new_err(failure.to_string()));
+    }
+    NativeTransient::new(&case.case, found)
 }
 
 /// Solves the contacts of a machine.

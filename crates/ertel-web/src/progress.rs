@@ -1,5 +1,6 @@
 //! The solver's progress as messages.
 
+use ertel::run::transient::InstantObserver;
 use ertel::solution::IterationRecord;
 use ertel::solve::Observer;
 use ertel::study::CurveObserver;
@@ -44,6 +45,8 @@ impl<F: FnMut(Value) + Send + Sync> Observer for Progress<F> {
         (self.send)(json!({ "event": "heat", "round": round, "change": change, "rise": rise }));
     }
 }
+
+impl<F: FnMut(Value) + Send + Sync> InstantObserver for Progress<F> {}
 
 impl<F: FnMut(Value) + Send + Sync> CurveObserver for Progress<F> {
     fn point(&mut self, index: usize, n_points: usize, value: &str) {

@@ -26,6 +26,18 @@ fn solved(text: &str, progress: impl FnMut(Value) + Send + Sync) -> Result<Value
     if case.curve.is_some() {
         return solved_curve(&case, &mut progress);
     }
+    if case.transient.is_some() {
+        let found = ertel::run::transient::solve(&case, &mut progress);
+        if let (Some(failure), true) = (&found.failure, found.instants.is_empty()) {
+            return Err(Failure::NotConverged(failure.to_string()));
+        }
+        let files = output::transient_files(&case.echo(), &found, &case.output)?;
+        return Ok(json!({
+            "files": json_of(files),
+            "unresolved": [],
+            "failed_points": usize::from(found.failure.is_some()),
+        }));
+    }
     // As the program does for a single case.
     if case.output.sensitivities == SensitivityDemand::WhereUncertain {
         case.output.sensitivities = SensitivityDemand::WhereCheap;

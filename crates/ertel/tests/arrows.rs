@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// The modules of the solver, each above those that it may use.
-pub const SOLVER: [&str; 14] = [
+pub const SOLVER: [&str; 15] = [
     "words",
     "warning",
     "contact",
@@ -19,6 +19,7 @@ pub const SOLVER: [&str; 14] = [
     "solve",
     "post",
     "volumes",
+    "transient",
 ];
 
 /// The modules of the crate `ertel`, likewise; those of the solver are below them all.

@@ -25,7 +25,8 @@ function thin(text) {
 
 function kindOf(text) {
   if (/^\[\[axis\]\]/m.test(text)) return "study";
-  if (/^\[curve\]/m.test(text)) return "curve";
+  // A case in time has a table of its instants.
+  if (/^\[(curve|transient)\]/m.test(text)) return "curve";
   // A whole machine has a table of its contacts.
   return /^(designation|position = "path"|angle = "turn")/m.test(text) ? "machine" : "contact";
 }

@@ -360,6 +360,14 @@ impl FilmFluid {
         }
     }
 
+    /// The same fluid between surfaces that slide by another velocity over the entrainment speed of the scales.
+    pub fn sliding_by(&self, sliding: &Planar, scales: &Scales) -> FilmFluid {
+        FilmFluid {
+            slide: sliding.map(|s| scales.lambda * s / 12.0),
+            ..self.clone()
+        }
+    }
+
     /// Whether stress cannot pass a limit.
     pub fn has_limit(&self) -> bool {
         (self.shear_thinning.as_ref()).is_some_and(|law| law.law.limit.is_some())

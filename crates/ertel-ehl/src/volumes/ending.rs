@@ -115,11 +115,15 @@ fn gained(
         .sum()
 }
 
-/// What passes the section through the centre, along or across the grid.
+/// What passes the section through the centre, along or across the grid; in time, what would at the speed of reference, as speeds may vanish.
 fn passing(grid: &Grid, at: &Linearised) -> f64 {
     let [i, j] = grid.centre();
+    let in_time = at.storage_rate > 0.0;
     let through = |direction: usize, nodes: &mut dyn Iterator<Item = [usize; 2]>| -> f64 {
-        let flux = |[i, j]: [usize; 2]| at.faces[direction][grid.index(i, j)].flux;
+        let flux = |[i, j]: [usize; 2]| match in_time {
+            true => at.nodes[grid.index(i, j)].mass,
+            false => at.faces[direction][grid.index(i, j)].flux,
+        };
         nodes
             .map(|at| grid.share(at[0], at[1]) * grid.length(1 - direction, at[1]) * flux(at))
             .sum::<f64>()

@@ -35,8 +35,12 @@ pub struct Plan {
     pub max_unknowns: usize,
     /// Newton's method.
     pub newton: NewtonParams,
+    /// Grids at least, of point and of line contacts.
+    pub least_grids: [usize; 2],
     /// Grids at most.
     pub most_grids: usize,
+    /// Cells of the finest grid at most, in half-widths.
+    pub largest_cell: f64,
     /// Half-widths by which a patch goes beyond the dry contact, in cells of it.
     pub margin: f64,
     /// Heat, where it counts.
@@ -49,7 +53,9 @@ impl Plan {
         Plan {
             target_error,
             max_unknowns,
+            least_grids: [LEAST_GRIDS, LEAST_GRIDS_OF_LINES],
             most_grids: MOST_GRIDS,
+            largest_cell: f64::INFINITY,
             newton: NewtonParams {
                 ends: Ends::of(target_error),
                 ..NewtonParams::default()
@@ -76,10 +82,10 @@ pub struct Volumes {
 const MOST_GRIDS: usize = 24;
 
 /// Grids from which the films' errors are told.
-const LEAST_GRIDS: usize = 4;
+pub const LEAST_GRIDS: usize = 4;
 
 /// Grids by which figures and their bars are told.
-const TOLD: usize = 3;
+pub const TOLD: usize = 3;
 
 /// Grids of a line at least, whose cells are few: on cells of 7e-4 half-widths a spike is resolved that films say nothing of, and shear follows from it.
 const LEAST_GRIDS_OF_LINES: usize = 10;
@@ -112,6 +118,18 @@ fn largest_change(problem: &Problem<Plan>) -> f64 {
     usual.min(STEEP / viscosity.ln().max(1.0))
 }
 
+/// How Newton's method goes about a problem on any grid.
+pub fn newton_params(problem: &Problem<Plan>) -> NewtonParams {
+    NewtonParams {
+        largest_change: largest_change(problem),
+        krylov_tolerance: match problem.shape.is_line() {
+            true => KRYLOV_OF_LINES,
+            false => problem.plan.newton.krylov_tolerance,
+        },
+        ..problem.plan.newton
+    }
+}
+
 /// Newton's method on a grid: at once, with shorter steps, or over larger speeds.
 fn solve_on(
     problem: &Problem<Plan>,
@@ -127,14 +145,7 @@ fn solve_on(
         })
     })?;
     let about = (level, problem.scales.film);
-    let params = &NewtonParams {
-        largest_change: largest_change(problem),
-        krylov_tolerance: match problem.shape.is_line() {
-            true => KRYLOV_OF_LINES,
-            false => problem.plan.newton.krylov_tolerance,
-        },
-        ..problem.plan.newton
-    };
+    let params = &newton_params(problem);
     let start = state.clone();
     let at_once = NewtonParams {
         most_imbalance: match problem.fluid.is_exponential() {
@@ -226,10 +237,7 @@ impl Engine for FiniteVolumes {
             balance_error: f64::NAN,
         };
         let most = problem.plan.max_unknowns;
-        let least = match problem.shape.is_line() {
-            true => LEAST_GRIDS_OF_LINES,
-            false => LEAST_GRIDS,
-        };
+        let least = problem.plan.least_grids[usize::from(problem.shape.is_line())];
         let mut given_up = f64::NAN;
         for n in 0..problem.plan.most_grids {
             let clock = Instant::now();
@@ -329,7 +337,8 @@ impl Engine for FiniteVolumes {
                 ..stats(problem, &found.levels, info, [cells, unknowns])
             });
             let [central, minimum] = film_errors(&found.stats);
-            if central.max(minimum) <= problem.plan.target_error && n + 1 >= least {
+            let is_fine = h <= problem.plan.largest_cell;
+            if central.max(minimum) <= problem.plan.target_error && n + 1 >= least && is_fine {
                 break;
             }
             h *= 0.5;
@@ -367,7 +376,7 @@ impl Engine for FiniteVolumes {
 /// Relative errors of the central film and of all else that are told at least. Where the flow crosses the grid at an angle, contents spread over a cell to
 /// the sides, which errs by the first order beside an error of second order that may have the other sign. Measured on a ball whose grid is turned: up to
 /// a fifth of a cell in the central film, up to one in the minimum film and the friction at the walls. With heat, what rounds of film and heat may leave.
-fn least_shares(problem: &Problem<Plan>, cell: f64, warm: bool) -> [f64; 2] {
+pub fn least_shares(problem: &Problem<Plan>, cell: f64, warm: bool) -> [f64; 2] {
     let is_straight = problem.shape.zone.turn.is_none() && problem.entrainment.spin == 0.0;
     let of_arrival = match Arrival::of(problem) {
         Arrival::Layer(_) if !is_straight => [0.25 * cell, cell],

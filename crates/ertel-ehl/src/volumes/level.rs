@@ -80,6 +80,7 @@ pub fn first_system<Plan>(
         entrainment: problem.entrainment,
         arrival: Arrival::of(problem),
         warmth: Vec::new(),
+        storage: None,
         grid,
     }
 }

@@ -50,6 +50,14 @@ pub fn first_cell<P>(problem: &Problem<P>) -> f64 {
     }
 }
 
+/// Distance from the centre to which the first grid of a flooded point contact goes at most, in half-widths.
+pub fn widest<P>(problem: &Problem<P>) -> f64 {
+    match problem.shape.is_line() {
+        true => f64::INFINITY,
+        false => FIRST_CELLS * first_cell(problem),
+    }
+}
+
 /// The box, in the plane in which the zone is the unit circle, that a problem is solved in. Beyond a meniscus it holds the nodes that fluxes there
 /// reach for.
 pub fn bounds<P>(problem: &Problem<P>) -> [[f64; 2]; 2] {

@@ -162,6 +162,8 @@ impl Cross {
     fn wetted(grid: &Grid, at: &Linearised, k: usize) -> Cross {
         let [nx, ny] = grid.n;
         let mut cross = Cross::default();
+        let stored = at.nodes[k].mass_by.map(|by| at.storage_rate * by);
+        [cross.by_pressure[0], cross.by_film[0]] = stored;
         let [dx, dy] = [0, 1].map(|d: usize| grid.length(d, k / nx));
         cross.add(grid, at, (0, k), 1.0 / dx, true);
         cross.add(grid, at, (0, k - 1), -1.0 / dx, false);

@@ -1,7 +1,7 @@
 //! The film equation on a grid, and what Newton's method asks of it.
 //!
 //! ```text
-//!   G_i = Σ F through the faces of node i / its area,    P_i ≥ 0,  G_i ≥ 0,  P_i G_i = 0
+//!   G_i = Σ F through the faces of node i / its area + ∂m_i/∂T,    P_i ≥ 0,  G_i ≥ 0,  P_i G_i = 0
 //!   H = H_0 + G + δ_outer + K P,    ΣP dA = load of the grid
 //! ```
 //! Where the film has broken P = 0, and more flows out than in; everywhere else as much as in.
@@ -46,6 +46,17 @@ pub struct System {
     pub arrival: Arrival,
     /// What temperatures make of the film at the nodes; none where there is one temperature.
     pub warmth: Vec<Warmth>,
+    /// What the film held before, where time counts.
+    pub storage: Option<Storage>,
+}
+
+/// How the mass over the nodes changes in time: ∂m/∂T = c_0 m + h with h = Σ c_k m of the instants before.
+#[derive(Clone, Debug)]
+pub struct Storage {
+    /// c_0.
+    pub rate: f64,
+    /// h at all nodes.
+    pub past: Vec<f64>,
 }
 
 /// Pressures and separation.
@@ -92,6 +103,8 @@ pub struct Linearised {
     pub passing: Passing,
     /// Load missing.
     pub missing_load: f64,
+    /// c_0 of the storage, 0 where time does not count.
+    pub storage_rate: f64,
 }
 
 /// Nodes, and rows of them, that a thread takes at a time.
@@ -169,7 +182,10 @@ impl System {
             true => Vec::new(),
             false => distribute(grid, &mut faces, &state.wetted, &state.contents),
         };
-        let outflow = self.balance(|direction, k| faces[direction][k].flux);
+        let mut outflow = self.balance(|direction, k| faces[direction][k].flux);
+        self.store(&mut outflow, |k, storage| {
+            storage.rate * nodes[k].mass + storage.past[k]
+        });
         let fills = |k: usize| match contents.get(k) {
             Some(content) => content.is_infinite(),
             None => outflow[k] < 0.0,
@@ -185,6 +201,7 @@ impl System {
             contents,
             passing,
             missing_load: self.load - self.integral(&state.pressure),
+            storage_rate: self.storage.as_ref().map_or(0.0, |storage| storage.rate),
             nodes,
             thinned,
             faces,
@@ -333,6 +350,18 @@ impl System {
         sums
     }
 
+    /// Adds what is stored at each unknown node to its balance.
+    fn store(&self, balance: &mut [f64], stored: impl Fn(usize, &Storage) -> f64) {
+        let Some(storage) = &self.storage else {
+            return;
+        };
+        for ((k, [i, j]), sum) in self.grid.nodes().enumerate().zip(balance) {
+            if self.grid.is_unknown(i, j) {
+                *sum += stored(k, storage);
+            }
+        }
+    }
+
     /// Change of G by changes of the pressures and of the separation; contents follow.
     pub fn change(&self, at: &Linearised, pressure: &[f64], separation: f64) -> Vec<f64> {
         self.change_by(at, pressure, &self.change_of_film(pressure, separation))
@@ -371,6 +400,10 @@ impl System {
     /// The same by changes of pressures and films.
     pub(super) fn change_by(&self, at: &Linearised, pressure: &[f64], film: &[f64]) -> Vec<f64> {
         let mut change = self.balance(self.change_through(at, pressure, film));
+        self.store(&mut change, |k, storage| {
+            let [by_pressure, by_film] = at.nodes[k].mass_by;
+            storage.rate * (by_pressure * pressure[k] + by_film * film[k])
+        });
         at.passing.follow(&mut change);
         change
     }

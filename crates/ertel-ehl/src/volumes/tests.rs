@@ -14,7 +14,7 @@ use super::engine::{FiniteVolumes, Plan, Volumes};
 use super::figures::figures;
 use super::film::PatchedFilm;
 use super::grid::Grid;
-use super::system::{State, System};
+use super::system::{State, Storage, System};
 use super::tangents::Tangents;
 use crate::contact::{Contact, Hertz, HertzZone, Material, Motion, Planar, Scales, Shape, Turn};
 use crate::elastic::Elasticity;
@@ -109,6 +109,7 @@ fn system(half: bool, entrainment: Planar) -> (System, State) {
         entrainment,
         arrival: Arrival::Flooded,
         warmth: Vec::new(),
+        storage: None,
         grid,
     };
     (system, state)
@@ -125,6 +126,30 @@ fn jacobian_against_differences() {
         let (system, state) = system(half, entrainment);
         assert_changes(&system, &state, 1e-6);
     }
+}
+
+/// The same where the film stores mass in time.
+#[test]
+fn jacobian_in_time_against_differences() {
+    let (mut system, state) = system(true, Planar::along_x(0.3));
+    let past = (0..system.grid.n_nodes()).map(|k| 0.4 * (k as f64).sin());
+    system.storage = Some(Storage {
+        rate: 7.0,
+        past: past.collect(),
+    });
+    assert_changes(&system, &state, 1e-6);
+    // c_0 m + h is what it adds.
+    let with = system.linearise(&state);
+    system.storage = None;
+    let without = system.linearise(&state);
+    let [i, j] = system.grid.centre();
+    let k = system.grid.index(i, j);
+    let stored = 7.0 * without.nodes[k].mass + 0.4 * (k as f64).sin();
+    assert_relative_eq!(
+        with.outflow[k] - without.outflow[k],
+        stored,
+        max_relative = 1e-10
+    );
 }
 
 /// The same where Eyring's fluid thins, sliding along the grid, or at an angle to it with spin: the gradients beside a node count, too.
@@ -224,6 +249,7 @@ fn second_order_for_manufactured_fields() {
             },
             arrival: Arrival::Flooded,
             warmth: Vec::new(),
+            storage: None,
             grid: grid.clone(),
         };
         let state = State {

@@ -10,7 +10,7 @@ use super::lubricant::{CONDUCTIVITY, HEAT_CAPACITY, LUBRICANT};
 use super::machine::MACHINES;
 use super::rows;
 use super::settings::{COMPARE, MESH, OUTPUT, SOLVER, THERMAL};
-use super::{ANGLE, LENGTH, PRESSURE, ROTATION, SPEED, TEMPERATURE};
+use super::{ANGLE, LENGTH, PRESSURE, ROTATION, SPEED, TEMPERATURE, TIME};
 use crate::usual::{
     COATINGS, CROWNS, GROOVES, HEIGHTS, HERTZ_PRESSURE, LENGTHS, LINE_LOAD, LOAD, MODULUS,
     OIL_LAYER, RADII, SOLID_CONDUCTIVITY, SOLID_DENSITY, SPECIFIC_HEATS, SPEEDS,
@@ -32,6 +32,8 @@ rows! {
         mesh: Table(MESH) => "optional: target of the refinement, or sizes of the cells; lengths are in Hertz half-widths";
         solver: Table(SOLVER) => "optional: numerical method, tolerances and limits";
         output: Table(OUTPUT) => "optional: folder, formats and additional files of the results";
+        transient: Table(TRANSIENT) => "optional: time; what changes in it, from the steady contact on";
+        surface: Tables(SURFACE) => "optional: dents, bumps, grooves, ridges and waves that move with a body, in a case with `[transient]`";
         curve: Table(CURVE) => "optional: a list or range of one quantity; the case is solved at each value in turn";
         compare: Table(COMPARE) => "optional: how the table of `ertel compare` is read";
         correlation: Tables(CORRELATION) => "optional: correlations between uncertain inputs";
@@ -123,6 +125,46 @@ rows! {
         meniscus_distance: LENGTH, usual [COATINGS] => r"distance from the centre to a straight meniscus across the motion, downstream of which
             the gap is full; larger than the half-width of the dry contact. The mesh ends there, so `[mesh] inlet` must not be given; not for
             ellipses whose axes are at an angle to the motion";
+    }
+    /// `[transient]`.
+    pub TRANSIENT {
+        duration: TIME => "length of the time that is solved; it begins with the steady contact of `[contact]` and `[motion]`";
+        tolerance: Number, bounds [1e-4, 0.05], default "3e-3" => "relative error of the films that the steps in time may make{}; grids err beside that";
+        output_times: Quantities(&[D::TIME]) => "times whose centrelines are written to `profiles.csv`; without them eleven at equal distances";
+        entrainment_speed, slide_to_roll_ratio: Table(COURSE) => "how the speed, or the ratio, changes; where neither is given it stays that of `[motion]`";
+        body_1_speed, body_2_speed: Table(COURSE) => "how the speeds of the bodies change, in place of both";
+        load: Table(COURSE) => "how the load changes";
+    }
+    /// How a quantity changes in time.
+    pub COURSE {
+        course: Choice(&["table", "ramp", "sine", "step"]) => r"straight lines between `times` and `values`; from the value of the case at `start` to another one
+            at `end`; a sine about the value of the case; another value after an instant";
+        times: Quantities(&[D::TIME]) => "increasing times of a table, from 0 to the end of the duration at least";
+        values: List => "the values at these times";
+        file: Text => "a CSV file with the columns `time` and `value` and their units, in place of both lists";
+        interpolation: Choice(&["linear", "smooth"]), default "linear" => r"`smooth`: cubics through the rows of a table that make no new extremum. A straight line has a
+            kink at each row, after which steps begin short";
+        start: TIME => "when a ramp or a sine begins; 0 if absent";
+        end: TIME => "when a ramp ends";
+        to: Any => "value at the end of a ramp, or after a step";
+        at: TIME => "when a step happens";
+        amplitude: Any => "amplitude of a sine";
+        period: TIME => "its period";
+    }
+    /// `[[surface]]`.
+    pub SURFACE {
+        kind: Choice(&["dent", "bump", "groove", "ridge", "waves"]) => r"round, straight, or waves behind a first crest that fade out before it over a wavelength";
+        body: Choice(&["body_1", "body_2"]) => "the body that it moves with";
+        radius: LENGTH => "r_0 of a dent or a bump, whose height falls to zero at 1.2 r_0";
+        half_width: LENGTH => "the same of a groove or a ridge, across it";
+        depth: LENGTH => "depth of a dent or a groove in its middle";
+        height: LENGTH => "height of a bump or a ridge in its middle";
+        wavelength: LENGTH => "length of the waves";
+        amplitude: LENGTH => "amplitude of the waves";
+        direction: ANGLE, default "0 deg" => r"direction across a groove or a ridge, or in which waves follow each other, from the motion: -90 to 90 degrees; 0 where they lie across
+            the motion";
+        x: LENGTH => "where its middle, or its first crest, lies at t = 0; negative before the contact";
+        y: LENGTH, default "0 m" => "the same across the motion";
     }
     /// `[curve]`.
     pub CURVE {

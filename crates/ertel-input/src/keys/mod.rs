@@ -13,7 +13,9 @@ use std::sync::LazyLock;
 
 use ertel_quantity::{Dimension as D, Dimension};
 
-pub use case::{AXIS, CASE, CONTACT, CURVE, INLET, MOTION, ROUGHNESS, STUDY};
+pub use case::{
+    AXIS, CASE, CONTACT, COURSE, CURVE, INLET, MOTION, ROUGHNESS, STUDY, SURFACE, TRANSIENT,
+};
 pub use lubricant::{
     CONDUCTIVITIES, DENSITIES, HEAT_CAPACITIES, LUBRICANT, SHEAR_LAWS, VISCOSITIES,
 };
@@ -150,6 +152,7 @@ impl Kind {
 
 const LENGTH: Kind = Kind::Quantity(&[D::LENGTH]);
 const SPEED: Kind = Kind::Quantity(&[D::SPEED]);
+const TIME: Kind = Kind::Quantity(&[D::TIME]);
 const ANGLE: Kind = Kind::Quantity(&[D::ANGLE]);
 const ROTATION: Kind = Kind::Quantity(&[D::ANGULAR_SPEED]);
 const FORCE: Kind = Kind::Quantity(&[D::FORCE]);

@@ -38,6 +38,7 @@ from ._read import read
 from ._result import Result
 from ._studies import Comparison, Distribution, MonteCarlo, Study
 from ._study import StudySummary, compare, merge, sweep
+from ._transient import Instant, Transient
 
 # The text of the error says how far the solve came, why it stopped, and what to try.
 ConvergenceError.report = property(str)  # type: ignore[method-assign,assignment,misc]

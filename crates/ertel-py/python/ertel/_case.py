@@ -16,6 +16,7 @@ from ._ertel import CaseError
 from ._laws import UNITS, ErtelWarning, Law, TabulatedLaw, tabulated
 from ._machine import MachineSolution
 from ._result import Result
+from ._transient import Transient
 
 Progress = bool | Callable[[dict[str, Any]], object] | None
 
@@ -220,6 +221,11 @@ class Case:
         return self._native.is_curve
 
     @property
+    def is_transient(self) -> bool:
+        """Whether it changes in time: then :meth:`solve` gives a :class:`Transient`."""
+        return self._native.is_transient
+
+    @property
     def is_machine(self) -> bool:
         """Whether it describes a whole machine, as a bearing under its loads: then :meth:`solve` gives a :class:`MachineSolution`."""
         return self._native.is_machine
@@ -247,8 +253,8 @@ class Case:
         """The same in words, as ``ertel estimate`` shows it."""
         return self._native.estimate_report()
 
-    def solve(self, progress: Progress = None, start: Result | None = None) -> Result | Curve | MachineSolution:
-        """Solve the contact, the points of its curve, or all contacts of its machine.
+    def solve(self, progress: Progress = None, start: Result | None = None) -> Result | Curve | Transient | MachineSolution:
+        """Solve the contact, the points of its curve, its course in time, or all contacts of its machine.
 
         Ctrl-C stops after the iteration; other Python threads run on meanwhile.
 
@@ -262,8 +268,8 @@ class Case:
 
         Returns
         -------
-        Result, Curve or MachineSolution
-            A curve where the case has a ``[curve]``, a machine where it describes a whole one. Points and contacts that fail are kept with
+        Result, Curve, Transient or MachineSolution
+            A curve where the case has a ``[curve]``, a transient where it has ``[transient]``, a machine where it describes a whole one. Points and contacts that fail are kept with
             their reasons.
 
         Raises
@@ -278,6 +284,10 @@ class Case:
             if start is not None:
                 raise CaseError("a curve starts from the dry contact: leave out `start`")
             return Curve(self, _ertel.solve_curve(self._native, listener))
+        if self.is_transient:
+            if start is not None:
+                raise CaseError("time begins with the steady contact: leave out `start`")
+            return Transient(self, _ertel.solve_transient(self._native, listener))
         if self.is_machine:
             if start is not None:
                 raise CaseError("the contacts of a machine start from each other: leave out `start`")
@@ -352,6 +362,6 @@ def estimate(case: Case) -> dict[str, Any]:
     return case.estimate()
 
 
-def solve(case: Case, progress: Progress = None, start: Result | None = None) -> Result | Curve | MachineSolution:
+def solve(case: Case, progress: Progress = None, start: Result | None = None) -> Result | Curve | Transient | MachineSolution:
     """Solve a case; see :meth:`Case.solve`."""
     return case.solve(progress, start)

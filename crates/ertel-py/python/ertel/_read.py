@@ -9,14 +9,15 @@ from ._curve import Curve
 from ._ertel import OutputError
 from ._machine import MachineSolution
 from ._result import Result
+from ._transient import Transient
 from ._studies import Comparison, MonteCarlo, Study
 
-_FILES = "result.json, curve.json, machine.json, comparison.json or study.json"
+_FILES = "result.json, curve.json, transient.json, machine.json, comparison.json or study.json"
 
 
 def read(
     folder: str | os.PathLike[str], *, inputs: str | os.PathLike[str] | None = None
-) -> Result | Curve | MachineSolution | Comparison | MonteCarlo | Study:
+) -> Result | Curve | Transient | MachineSolution | Comparison | MonteCarlo | Study:
     """Open a folder of results that the program or :meth:`Result.save` wrote.
 
     Nothing is solved, and nothing in the folder is changed. Fields, profiles, report and case are read when they are asked for.
@@ -24,13 +25,13 @@ def read(
     Parameters
     ----------
     folder : path
-        The folder of a result, a curve, a machine, a study (finished or not), samples of uncertain inputs, or a comparison.
+        The folder of a result, a curve, a course in time, a machine, a study (finished or not), samples of uncertain inputs, or a comparison.
     inputs : path, optional
         Folder of the files that the case names, where these are not beside its ``case.toml``.
 
     Returns
     -------
-    Result, Curve, MachineSolution, Study, MonteCarlo or Comparison
+    Result, Curve, Transient, MachineSolution, Study, MonteCarlo or Comparison
         With what a fresh solve gives, as far as the folder holds it. What needs the solver's own data does not: `save` is refused, and a solve with it as `start`
         begins at the dry contact.
 
@@ -48,6 +49,8 @@ def read(
         return Result._read(place, where)
     if (place / "curve.json").exists():
         return Curve._read(place, where)
+    if (place / "transient.json").exists():
+        return Transient._read(place, where)
     if (place / "machine.json").exists():
         return MachineSolution._read(place, where)
     if (place / "comparison.json").exists():

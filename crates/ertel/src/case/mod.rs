@@ -28,7 +28,7 @@
 //!
 //! `lubricant = "squalane-pip"` with a top-level `temperature = "40 degC"` is short for a `[lubricant]`
 //! table with `name` and `temperature`. `[thermal]` switches heat on, `[inlet]` limits the oil that arrives. `[mesh]`, `[solver]` and `[output]` are optional; everything
-//! physical is required. `[curve]` asks for a list or range of one quantity ([`curve`]). Numbers carry units. Unknown keys are errors.
+//! physical is required. `[transient]` tells what changes in time, `[[surface]]` what stands on a surface. `[curve]` asks for a list or range of one quantity ([`curve`]). Numbers carry units. Unknown keys are errors.
 
 mod bodies;
 mod builder;
@@ -52,6 +52,7 @@ mod sections;
 mod set;
 pub mod study;
 mod thermal;
+mod transient;
 mod usual;
 
 use std::collections::BTreeMap;
@@ -90,6 +91,7 @@ pub use study::Study;
 pub use study::read_named;
 pub use thermal::read as read_thermal;
 pub use thermal::{Heat, SolidHeat};
+pub use transient::{SurfaceRelief, Transient};
 pub(crate) use usual::question_of_state;
 
 /// Everything a solve needs, in SI.
@@ -135,6 +137,8 @@ pub struct Case {
     pub given: serde_json::Value,
     /// Where its quantities come from; `None` for a case made in code.
     pub origin: Option<Arc<Origin>>,
+    /// How it changes in time, if the file says so; [`crate::run::transient`] solves that, [`crate::run::solve`] the case without it.
+    pub transient: Option<Arc<Transient>>,
     /// The points of `[curve]`, each a case of its own; [`crate::run`] solves the case without them.
     pub curve: Option<Curve>,
     /// The machine of which the contact is the governing one, if the file describes one without a choice of its contacts.
@@ -276,6 +280,9 @@ impl Case {
             None => OutputParams::default(),
         };
         root.contains("curve");
+        // Read below, for what changes is a part of the case.
+        root.contains("transient");
+        root.contains("surface");
         // What a comparison says of its table has no effect on a solve, but no wrong key gets through.
         if let Some(table) = root.optional_table("compare")? {
             CsvParams::of_table(table)?;
@@ -304,6 +311,7 @@ impl Case {
             source: document.text().to_owned(),
             given: echo::json_of(document.tree()),
             origin: None,
+            transient: None,
             curve: None,
             whole: whole.map(Arc::new),
             contacts: None,
@@ -328,6 +336,7 @@ impl Case {
             case.warnings.extend(thermal::check(&case, table)?);
         }
         case.origin = Some(Arc::new(Origin::new(document, folder, inputs)?));
+        case.transient = transient::read(&mut document.root(), &case, folder)?.map(Arc::new);
         let mut unusual = usual::warnings(case.inputs(), document);
         unusual.extend(usual::of_data(&case, &unusual));
         case.warnings.extend(unusual);

@@ -25,6 +25,7 @@ mod result_json;
 mod results;
 mod study;
 mod target;
+pub mod transient;
 pub mod vtu;
 mod workplace;
 
@@ -48,6 +49,9 @@ pub use report::report;
 pub use result_json::{FORMAT, FORMAT_VERSION, result_json};
 pub use study::{StudyPicture, study_pictures};
 pub use target::check_target;
+pub use transient::{
+    transient_files, transient_json, transient_report, transient_table, write_transient,
+};
 
 use std::fs;
 use std::io;

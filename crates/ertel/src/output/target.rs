@@ -11,9 +11,10 @@ use super::OutputError;
 use super::curve::CURVE_FORMAT;
 use super::machine::MACHINE_FORMAT;
 use super::result_json::FORMAT;
+use super::transient::TRANSIENT_FORMAT;
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
-pub(super) const OWN_FILES: [&str; 85] = [
+pub(super) const OWN_FILES: [&str; 94] = [
     "result.json",
     super::html::REPORT_PAGE,
     "curve.json",
@@ -62,6 +63,15 @@ pub(super) const OWN_FILES: [&str; 85] = [
     "interferogram.pdf",
     "cross-film.pdf",
     "cross-check.csv",
+    "transient.json",
+    "transient.csv",
+    "profiles.csv",
+    "film-time.svg",
+    "film-time.png",
+    "film-time.pdf",
+    "film-map.svg",
+    "film-map.png",
+    "film-map.pdf",
     "friction-torque-curve.svg",
     "friction-torque-curve.png",
     "friction-torque-curve.pdf",
@@ -142,7 +152,9 @@ pub(super) fn foreign(folder: &Path) -> io::Result<Option<String>> {
     }
     let has_points = has_format(&folder.join("curve.json"), CURVE_FORMAT)
         || has_format(&folder.join("machine.json"), MACHINE_FORMAT);
-    if !has_points && !has_format(&folder.join("result.json"), FORMAT) {
+    let is_single = has_format(&folder.join("result.json"), FORMAT)
+        || has_format(&folder.join("transient.json"), TRANSIENT_FORMAT);
+    if !has_points && !is_single {
         return Ok(Some("it holds files, but no result of ertel".into()));
     }
     let stray = match stray(folder)? {

@@ -14,6 +14,7 @@
 
 mod describe;
 mod elements;
+pub mod transient;
 mod volumes;
 
 use crate::case::{Case, finite_volumes_refuse};

@@ -123,7 +123,7 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
 }
 
 /// Target and limit of a case.
-fn plan(case: &Case) -> Plan {
+pub(super) fn plan(case: &Case) -> Plan {
     let mesh = &case.mesh;
     let target = mesh.target_error.unwrap_or(match mesh.preset {
         MeshPreset::Coarse => 5.0 * DEFAULT_TARGET_ERROR,

@@ -49,6 +49,9 @@ fn tables_of_the_reference_are_those_of_the_keys() {
         ("solver", keys::SOLVER),
         ("output", keys::OUTPUT),
         ("interferogram", keys::INTERFEROGRAM),
+        ("transient", keys::TRANSIENT),
+        ("course", keys::COURSE),
+        ("surface", keys::SURFACE),
         ("curve", keys::CURVE),
         ("compare", keys::COMPARE),
     ] {

@@ -8,8 +8,10 @@
 //!
 //! A term is a file of its own here and a variant of [`GapTerm`]; nothing else changes for a new one.
 
+mod relief;
 mod roller;
 
+pub use relief::{Form, Relief};
 pub use roller::RollerGap;
 
 use super::Turn;
@@ -48,6 +50,8 @@ pub enum Body {
 pub enum GapTerm {
     /// Relief and tilt of a roller.
     Roller(RollerGap),
+    /// A dent, a ridge, waves on one of the surfaces.
+    Relief(Relief),
 }
 
 impl GapTerm {
@@ -56,6 +60,7 @@ impl GapTerm {
     pub fn at(&self, place: [f64; 2]) -> Height {
         match self {
             GapTerm::Roller(roller) => roller.at(place),
+            GapTerm::Relief(relief) => relief.at(place),
         }
     }
 
@@ -64,6 +69,7 @@ impl GapTerm {
         match self {
             // A roller is body 2, on a plane.
             GapTerm::Roller(_) => Body::Second,
+            GapTerm::Relief(relief) => relief.body,
         }
     }
 }

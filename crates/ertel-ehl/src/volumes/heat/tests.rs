@@ -83,6 +83,7 @@ impl Channel {
             entrainment: problem.entrainment,
             arrival: Arrival::Flooded,
             warmth: Vec::new(),
+            storage: None,
             grid,
         };
         Channel {

@@ -29,6 +29,7 @@ fn row() -> (System, State) {
         entrainment: Planar::along_x(1.0),
         arrival: Arrival::Flooded,
         warmth: Vec::new(),
+        storage: None,
         grid,
     };
     (system, state)

@@ -158,7 +158,13 @@ impl StudyPoint {
             }
             let mut case = Case::without_curve(&varied, folder, replaced.clone())?;
             case.read_contacts(&varied, folder, replaced)?;
-            Ok(case)
+            match case.transient {
+                None => Ok(case),
+                Some(_) => Err(varied
+                    .root()
+                    .error("transient", "studies, curves and samples solve steady contacts, and this case changes in time")
+                    .with_help("solve it alone, or take [transient] out of the case")),
+            }
         };
         let mut case = read().map_err(|error| error.with_help(told(&label)))?;
         let keys = settings.iter().map(|s| s.key.as_str());

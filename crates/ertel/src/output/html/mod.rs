@@ -17,10 +17,13 @@ use super::lines::{Block, Lines};
 use super::machine::{
     machine_pictures, table_of_pressed, warning_texts, write_figures, write_idle,
 };
+use super::pictures::Picture;
 use super::report::{write_case, write_contact, write_effort, write_formulas, write_results};
+use super::transient::{transient_table, write_results as write_transient};
 use super::{curve_report, curve_table, heat, inputs};
 use crate::case::CaseEcho;
 use crate::machine::MachineFigures;
+use crate::run::transient::TransientSolution;
 use crate::solution::Solution;
 use crate::study::{CurveSolution, MachineSolution};
 use crate::warning::texts;
@@ -230,6 +233,25 @@ pub fn machine_page(
         inputs: part(|out| write_case(out, case), "Governing contact"),
         case_file: case.case_file.as_deref(),
         pictures: pictures.map(|p| STANDARD.encode(p.svg)).collect(),
+        data,
+        ..Page::default()
+    })
+}
+
+/// The page of a case in time: extremes and instants, pictures, and the table over time.
+pub fn transient_page(case: &CaseEcho, found: &TransientSolution, pictures: &[Picture]) -> String {
+    let csv = transient_table(found, case.contact.kind.is_line());
+    let data = json!({ "version": DATA_VERSION, "table": table(&csv, 1) });
+    page(Page {
+        title: &case.title,
+        subtitle: format!("{} instants", found.instants.len()),
+        warnings: (texts(&found.warnings).into_iter())
+            .map(str::to_owned)
+            .collect(),
+        results: part(|out| write_transient(out, found), "Results"),
+        inputs: part(|out| write_case(out, case), "Case at the start"),
+        case_file: case.case_file.as_deref(),
+        pictures: pictures.iter().map(|p| STANDARD.encode(&p.svg)).collect(),
         data,
         ..Page::default()
     })

@@ -276,7 +276,7 @@ fn draw_other(drawing: &mut Drawing, bar: Frame, other: &OtherScale, ticks: &[(f
 }
 
 /// Ticks that point outwards, for they would be lost on the colours.
-pub(super) fn draw_ticks(drawing: &mut Drawing, frame: Frame, x: &Axis, y: &Axis) {
+pub(in crate::output) fn draw_ticks(drawing: &mut Drawing, frame: Frame, x: &Axis, y: &Axis) {
     let mut d = String::new();
     let (bottom, left) = (frame.top + frame.height, frame.left);
     for (value, _) in x.ticks() {

@@ -10,6 +10,7 @@ mod profile;
 mod sampling;
 
 pub use convergence::convergence;
+pub(super) use field::draw_ticks;
 pub use fluid::{ViscosityCurve, viscosity_chart};
 pub use heat::{cross_film_chart, temperature_chart};
 pub use interferogram::Image;

@@ -1,0 +1,122 @@
+//! Cases in time, end to end.
+
+use std::path::Path;
+
+use tempfile::TempDir;
+
+use crate::common::{ertel, text};
+
+/// A line contact whose speed falls to a half.
+const CASE: &str = r#"
+title = "Braking"
+
+[contact]
+kind = "line"
+radius = "10 mm"
+load = "100 kN/m"
+
+[bodies]
+body_1 = "steel"
+body_2 = "steel"
+
+[motion]
+entrainment_speed = "1 m/s"
+slide_to_roll_ratio = 0.1
+
+[lubricant]
+temperature = "40 degC"
+density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
+viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
+
+[transient]
+duration = "1 ms"
+output_times = ["0 ms", "0.5 ms"]
+entrainment_speed = { course = "ramp", start = "0.1 ms", end = "0.5 ms", to = "0.5 m/s" }
+"#;
+
+fn workspace(case: &str) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("case.toml"), case).unwrap();
+    folder
+}
+
+fn json(path: &Path) -> serde_json::Value {
+    serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
+}
+
+/// Files, tables and the report say the same; the speed at a time is that of the ramp; a second run replaces the folder.
+#[test]
+fn a_ramp_is_solved_written_and_replaced() {
+    let folder = workspace(CASE);
+    for _ in 0..2 {
+        let output = ertel(&folder, &["solve", "case.toml", "--output", "out"]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let shown = text(&output.stdout);
+        assert!(shown.contains("highest central film thickness"), "{shown}");
+    }
+    let out = folder.path().join("out");
+    let result = json(&out.join("transient.json"));
+    assert_eq!(result["format"], "ertel-transient");
+    assert_eq!(result["complete"], true);
+    let instants = result["instants"].as_array().unwrap();
+    let table = std::fs::read_to_string(out.join("transient.csv")).unwrap();
+    assert_eq!(table.lines().count(), instants.len() + 1);
+    let at = instants
+        .iter()
+        .find(|instant| instant["time"] == 5e-4)
+        .expect("a kink is an instant");
+    assert!((at["entrainment_speed"].as_f64().unwrap() - 0.5).abs() < 1e-12);
+    assert!((at["body_2_speed"].as_f64().unwrap() - 0.525).abs() < 1e-12);
+    let film = |i: usize| {
+        instants[i]["figures"]["film_central"]["value"]
+            .as_f64()
+            .unwrap()
+    };
+    assert!(film(instants.len() - 1) < 0.7 * film(0));
+    let profiles = std::fs::read_to_string(out.join("profiles.csv")).unwrap();
+    let mut times: Vec<&str> = profiles
+        .lines()
+        .skip(1)
+        .filter_map(|line| line.split(',').next())
+        .collect();
+    times.dedup();
+    assert_eq!(times, ["0e0", "5e-4"]);
+    for file in [
+        "film-time.svg",
+        "film-map.svg",
+        "report.html",
+        "report.txt",
+        "case.toml",
+    ] {
+        assert!(out.join(file).exists(), "{file}");
+    }
+}
+
+/// A relief that no allowed grid resolves ends with the reason and exit code 3; studies and cross-checks refuse a case in time.
+#[test]
+fn what_is_not_solved_in_time_is_told() {
+    let relief = "\n[[surface]]\nkind = \"groove\"\nbody = \"body_1\"\nhalf_width = \"1 um\"\ndepth = \"20 nm\"\nx = \"-0.3 mm\"\n\n[mesh]\nmax_unknowns = 2000\n";
+    let folder = workspace(&format!("{CASE}{relief}"));
+    let output = ertel(&folder, &["solve", "case.toml", "--output", "out"]);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(3), "{message}");
+    assert!(
+        message.contains("the shortest length of a relief needs cells"),
+        "{message}"
+    );
+    assert!(!folder.path().join("out").exists());
+    std::fs::write(
+        folder.path().join("study.toml"),
+        "case = \"case.toml\"\n[[axis]]\nkey = \"contact.load\"\nvalues = [\"50 kN/m\", \"60 kN/m\"]\n",
+    )
+    .unwrap();
+    let output = ertel(&folder, &["sweep", "study.toml"]);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        message.contains("studies, curves and samples solve steady contacts"),
+        "{message}"
+    );
+    let output = ertel(&folder, &["solve", "case.toml", "--cross-check"]);
+    assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+}

@@ -1,0 +1,138 @@
+//! What changes in time.
+//!
+//! ```text
+//!   T = t u_r/a,   u_1 = ū(1 − S/2), u_2 = ū(1 + S/2) over u_r,   w over w_r
+//! ```
+//! The speed u_r and the load w_r of reference are those of the scales: the largest that occur, which never vanish.
+
+use super::Course;
+
+/// Velocities of both surfaces along the motion.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Speeds {
+    /// Entrainment speed and slide-to-roll ratio.
+    Mean {
+        /// ū.
+        entrainment: Course,
+        /// S.
+        slide_to_roll_ratio: Course,
+    },
+    /// Each on its own: they may run against each other without entrainment.
+    Each([Course; 2]),
+}
+
+impl Speeds {
+    /// Velocities of body 1 and body 2 at an instant.
+    pub fn at(&self, time: f64) -> [f64; 2] {
+        match self {
+            Speeds::Mean {
+                entrainment,
+                slide_to_roll_ratio,
+            } => {
+                let (u, half) = (entrainment.at(time), 0.5 * slide_to_roll_ratio.at(time));
+                [u * (1.0 - half), u * (1.0 + half)]
+            }
+            Speeds::Each(speeds) => speeds.each_ref().map(|speed| speed.at(time)),
+        }
+    }
+
+    fn courses(&self) -> [&Course; 2] {
+        match self {
+            Speeds::Mean {
+                entrainment,
+                slide_to_roll_ratio,
+            } => [entrainment, slide_to_roll_ratio],
+            Speeds::Each([first, second]) => [first, second],
+        }
+    }
+}
+
+/// What changes in time, over the scales of the contact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Conditions {
+    /// Velocities of the surfaces.
+    pub speeds: Speeds,
+    /// Load.
+    pub load: Course,
+    /// T at the end.
+    pub duration: f64,
+    /// Instants that a step ends at, beside kinks.
+    pub instants: Vec<f64>,
+}
+
+/// Points and weights of Gauss's rule of five points on (0, 1).
+const GAUSS: [[f64; 2]; 5] = [
+    [0.046_910_077_030_668, 0.118_463_442_528_095],
+    [0.230_765_344_947_158, 0.239_314_335_249_683],
+    [0.5, 0.284_444_444_444_444],
+    [0.769_234_655_052_842, 0.239_314_335_249_683],
+    [0.953_089_922_969_332, 0.118_463_442_528_095],
+];
+
+impl Conditions {
+    /// How far both bodies move between two instants without a kink between them.
+    pub fn way(&self, from: f64, to: f64) -> [f64; 2] {
+        GAUSS.iter().fold([0.0; 2], |sum, [share, weight]| {
+            let speeds = self.speeds.at(from + share * (to - from));
+            [0, 1].map(|i: usize| sum[i] + weight * (to - from) * speeds[i])
+        })
+    }
+
+    /// Whether an instant was asked for.
+    pub fn is_asked(&self, time: f64) -> bool {
+        let near = 1e-9 * self.duration;
+        (self.instants.iter()).any(|other| (other - time).abs() <= near)
+    }
+
+    /// Instants after the start that a step ends at, in order; with each whether something has a kink there.
+    pub fn stops(&self) -> Vec<(f64, bool)> {
+        let [first, second] = self.speeds.courses();
+        let kinks = [first, second, &self.load]
+            .into_iter()
+            .flat_map(Course::kinks);
+        let mut stops: Vec<(f64, bool)> = (kinks.map(|t| (t, true)))
+            .chain(self.instants.iter().map(|t| (*t, false)))
+            .chain([(self.duration, false)])
+            .filter(|(t, _)| *t > 0.0 && *t <= self.duration)
+            .collect();
+        stops.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let near = 1e-9 * self.duration;
+        stops.dedup_by(|next, kept| {
+            let same = next.0 - kept.0 <= near;
+            kept.1 |= same && next.1;
+            same
+        });
+        stops
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// A ramp from 1 to 3 within T = 2 at a ratio of 0.5: the bodies move by 0.75 and 1.25 of ∫ū = 4; stops in order, kinks told once.
+    #[test]
+    fn ways_and_stops_by_hand() {
+        let conditions = Conditions {
+            speeds: Speeds::Mean {
+                entrainment: Course::Table(vec![[0.0, 1.0], [2.0, 3.0]]),
+                slide_to_roll_ratio: Course::Constant(0.5),
+            },
+            load: Course::Step {
+                from: 1.0,
+                to: 0.5,
+                at: 1.5,
+            },
+            duration: 5.0,
+            instants: vec![4.0, 2.0, 9.0],
+        };
+        let [first, second] = conditions.way(0.0, 2.0);
+        assert_relative_eq!(first, 3.0, max_relative = 1e-12);
+        assert_relative_eq!(second, 5.0, max_relative = 1e-12);
+        assert_eq!(
+            conditions.stops(),
+            vec![(1.5, true), (2.0, true), (4.0, false), (5.0, false)]
+        );
+    }
+}

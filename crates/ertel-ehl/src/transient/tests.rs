@@ -1,0 +1,290 @@
+//! Constant conditions, convergence in time, and films that travel with the entrainment speed.
+
+use approx::assert_relative_eq;
+use ertel_rheology::density::DensityLaw;
+use ertel_rheology::viscosity::ViscosityLaw;
+
+use super::{Conditions, Course, Info, Instant, Params, Speeds, TransientObserver, march};
+use crate::contact::gap::{Body, Form, GapTerm, Relief};
+use crate::contact::{Contact, Hertz, Material, Motion, Scales, Shape, Turn};
+use crate::elastic::Elasticity;
+use crate::engine::{Extents, NoObserver, Observer, Problem};
+use crate::film::FilmFluid;
+use crate::solution::Figure;
+use crate::volumes::Plan;
+
+/// A contact and its oil.
+struct Given {
+    contact: Contact,
+    reduced_modulus: f64,
+    viscosity: f64,
+    speed: f64,
+    target: f64,
+}
+
+/// Steel on steel at 0.5 m/s, with an oil of 0.04 Pa s and 22 1/GPa.
+fn line() -> Given {
+    Given {
+        contact: Contact::line(0.01, 1e5),
+        reduced_modulus: 230.769_230_77e9,
+        viscosity: 0.04,
+        speed: 0.5,
+        target: 1e-3,
+    }
+}
+
+impl Given {
+    fn problem(&self) -> Problem<Plan> {
+        // E' is that of two alike.
+        let material = Material {
+            youngs_modulus: 0.91 * self.reduced_modulus,
+            poissons_ratio: 0.3,
+        };
+        let motion = Motion::straight(self.speed, 0.0);
+        let hertz = Hertz::new(&self.contact, self.reduced_modulus);
+        let scales = Scales::new(&self.contact, &hertz, &motion, self.viscosity, 870.0);
+        let density = DensityLaw::dowson_higginson(870.0).unwrap();
+        let viscosity = ViscosityLaw::roelands(self.viscosity, 2.2e-8).unwrap();
+        let sliding = motion.sliding(scales.length);
+        let bodies = [material.over(scales.elastic_stress); 2];
+        Problem {
+            shape: Shape::new(&self.contact, &hertz, &motion),
+            extents: Extents {
+                inlet: -4.5,
+                outlet: 1.5,
+                side: 3.0,
+                body_width: 60.0,
+                body_depth: 60.0,
+            },
+            reach: [4.5, 3.0],
+            elasticity: Elasticity::half_space(1, &bodies),
+            fluid: FilmFluid::new(&density, &viscosity, 313.15, &scales)
+                .with_shear(None, &sliding, &scales),
+            entrainment: motion.entrainment(scales.length),
+            load: scales.load,
+            start_film: 0.12,
+            heat: None,
+            scales,
+            plan: Plan {
+                least_grids: [4, 5],
+                ..Plan::new(self.target, 200_000)
+            },
+        }
+    }
+}
+
+/// T, h_c, h_min and mass error of each instant.
+#[derive(Default)]
+struct Films(Vec<[f64; 4]>, NoObserver);
+
+impl TransientObserver for Films {
+    fn instant(&mut self, instant: &Instant<'_>) {
+        let of = |figure| instant.measured.estimate(figure).value;
+        self.0.push([
+            instant.time,
+            of(Figure::FilmCentral),
+            of(Figure::FilmMinimum),
+            instant.mass_error,
+        ]);
+    }
+
+    fn start(&mut self) -> &mut dyn Observer {
+        &mut self.1
+    }
+}
+
+impl Films {
+    /// A film at an instant, by straight lines.
+    fn at(&self, time: f64, which: usize) -> f64 {
+        let rows: Vec<[f64; 2]> = self.0.iter().map(|row| [row[0], row[which]]).collect();
+        Course::Table(rows).at(time)
+    }
+}
+
+fn run(problem: Problem<Plan>, conditions: &Conditions, params: &Params) -> (Films, Info) {
+    let mut films = Films::default();
+    let info = march(problem, conditions, params, &mut films).unwrap();
+    (films, info)
+}
+
+/// From half of the speed of reference to all of it between T = 1 and 4.
+fn ramp(duration: f64) -> Conditions {
+    Conditions {
+        speeds: Speeds::Mean {
+            entrainment: Course::Table(vec![[1.0, 0.5], [4.0, 1.0]]),
+            slide_to_roll_ratio: Course::Constant(0.0),
+        },
+        load: Course::Constant(1.0),
+        duration,
+        instants: (1..8).map(f64::from).collect(),
+    }
+}
+
+fn steady(duration: f64) -> Conditions {
+    Conditions {
+        speeds: Speeds::Mean {
+            entrainment: Course::Constant(1.0),
+            slide_to_roll_ratio: Course::Constant(0.0),
+        },
+        load: Course::Constant(1.0),
+        duration,
+        instants: vec![],
+    }
+}
+
+/// Largest mass error of a step after the start.
+fn mass_error(films: &Films) -> f64 {
+    films.0[1..].iter().fold(0.0, |m, row| m.max(row[3].abs()))
+}
+
+/// Amplitude of waves of a wavelength in pure rolling through the centre of a line contact over their own, A_i a tenth of the central film: half of the way
+/// between the extremes of the last wavelength.
+fn amplitude_ratio(given: &Given, wavelength: f64) -> (f64, f64) {
+    let (smooth, _) = run(given.problem(), &steady(0.01), &Params::default());
+    let h_c = smooth.0[0][1];
+    let mut problem = given.problem();
+    problem.plan.largest_cell = wavelength / 16.0;
+    let amplitude = 0.1 * h_c / problem.scales.film;
+    let form = Form::Waves {
+        wavelength,
+        amplitude,
+        direction: 0.0,
+    };
+    problem.shape.gap.terms.push(GapTerm::Relief(Relief {
+        form,
+        body: Body::Second,
+        place: [-2.0, 0.0],
+        moved: 0.0,
+        turn: Turn::NONE,
+    }));
+    let end = 2.8 + wavelength;
+    let (films, _) = run(problem, &steady(end), &Params::default());
+    let last = films.0.iter().filter(|row| row[0] > end - wavelength);
+    let [low, high] = last.fold([f64::INFINITY, 0.0_f64], |[low, high], row| {
+        [low.min(row[1]), high.max(row[1])]
+    });
+    for row in films.0.iter().filter(|row| row[3].abs() > 2e-3) { println!("{row:?}"); }
+    (0.5 * (high - low) / (0.1 * h_c), mass_error(&films))
+}
+
+/// Under constant conditions the steady film stays, with a relief far away, too; a step takes an iteration on each grid.
+#[test]
+fn constant_conditions_stay() {
+    let (films, info) = run(line().problem(), &steady(3.0), &Params::default());
+    let [_, central, minimum, _] = films.0[0];
+    for [_, h_c, h_m, mass] in &films.0[1..] {
+        assert_relative_eq!(*h_c, central, max_relative = 1e-6);
+        assert_relative_eq!(*h_m, minimum, max_relative = 1e-5);
+        assert!(mass.abs() < 1e-3, "{mass}");
+    }
+    assert_eq!(info.refused, 0);
+}
+
+/// A ramp of the speed: steps to 0.3 % agree with steps ten times as accurate at all asked instants to that, and the film long after it is that of a steady solve at the new speed.
+#[test]
+fn films_of_a_ramp_hold_their_tolerance() {
+    let params = |tolerance| Params {
+        tolerance,
+        ..Params::default()
+    };
+    let [(films, info), (fine, _)] =
+        [3e-3, 3e-4].map(|tolerance| run(line().problem(), &ramp(8.0), &params(tolerance)));
+    for time in ramp(8.0).instants {
+        for which in [1, 2] {
+            let ratio = films.at(time, which) / fine.at(time, which);
+            assert!((ratio - 1.0).abs() < 3e-3, "{ratio} at {time}");
+        }
+    }
+    assert!(info.steps < 150, "{info:?}");
+    assert!(mass_error(&films) < 1e-2);
+    // Half of the speed of reference at first.
+    let slow = Given {
+        speed: 0.25,
+        ..line()
+    };
+    for (given, row) in [(slow, films.0[0]), (line(), *films.0.last().unwrap())] {
+        let (steady, _) = run(given.problem(), &steady(0.01), &Params::default());
+        assert_relative_eq!(row[1], steady.0[0][1], max_relative = 1e-3);
+        assert_relative_eq!(row[2], steady.0[0][2], max_relative = 2e-3);
+    }
+}
+
+/// Venner, Couhier, Lubrecht and Greenwood 1997, table 1: M = 100, L = 11, waves of half a half-width keep 0.394 of their amplitude. Here to 3 %, of which the table's own
+/// numbers differ by 4 % with the amplitude (0.378 to 0.394).
+#[test]
+fn waves_keep_the_amplitude_of_venner() {
+    let given = Given {
+        contact: Contact::line(0.01, 1.083_32e6),
+        speed: 0.635_7,
+        ..line()
+    };
+    let (ratio, mass) = amplitude_ratio(&given, 0.5);
+    assert_relative_eq!(ratio, 0.394, max_relative = 0.03);
+    assert!(mass < 1e-2, "{mass}");
+}
+
+/// The speed stops within 0.4 ms of the line's time and turns: the film stays where it is, as nothing flows, and then comes back from the other side. Courses of both bodies.
+#[test]
+fn a_film_is_entrapped_and_turns() {
+    let mut problem = line().problem();
+    problem.extents.outlet = 4.5;
+    let course = Course::Table(vec![[0.0, 1.0], [0.5, 0.0], [1.5, 0.0], [2.0, -1.0]]);
+    let conditions = Conditions {
+        speeds: Speeds::Each([course.clone(), course]),
+        load: Course::Constant(1.0),
+        duration: 8.0,
+        instants: vec![1.5],
+    };
+    let (films, _) = run(problem, &conditions, &Params::default());
+    let first = films.0[0];
+    // Entrapped: hardly thinner after a rest of as long as oil takes through half of the contact.
+    assert_relative_eq!(films.at(1.5, 1), first[1], max_relative = 0.02);
+    assert!(films.at(1.5, 2) < 0.8 * first[2]);
+    // The contact is its own mirror image.
+    let last = films.0.last().unwrap();
+    assert_relative_eq!(last[1], first[1], max_relative = 5e-3);
+    assert_relative_eq!(last[2], first[2], max_relative = 2e-2);
+    assert!(mass_error(&films) < 1e-2);
+}
+
+/// A dent is a dent of the film that moves at the speed of its body, and the film closes behind it: circular contact, rolling.
+#[test]
+fn a_dent_passes_through_a_circular_contact() {
+    let given = Given {
+        contact: Contact::circular(0.0125, 15.0),
+        reduced_modulus: 110e9,
+        viscosity: 0.25,
+        speed: 0.09,
+        target: 2e-2,
+    };
+    let mut problem = given.problem();
+    let scales = problem.scales;
+    let radius = 0.25;
+    problem.plan.largest_cell = 2.4 * radius / 16.0;
+    problem.shape.gap.terms.push(GapTerm::Relief(Relief {
+        form: Form::Round {
+            radius,
+            height: -100e-9 / scales.film,
+        },
+        body: Body::First,
+        place: [-1.6, 0.0],
+        moved: 0.0,
+        turn: Turn::NONE,
+    }));
+    let params = Params {
+        tolerance: 2e-2,
+        ..Params::default()
+    };
+    let (films, _) = run(problem, &steady(2.6), &params);
+    let [_, smooth, minimum, _] = films.0[0];
+    let deepest = (films.0.iter())
+        .max_by(|a, b| a[1].total_cmp(&b[1]))
+        .unwrap();
+    assert!((deepest[0] - 1.6).abs() < 0.06, "{deepest:?}");
+    let depth = (deepest[1] - smooth) / 100e-9;
+    assert!((0.5..1.0).contains(&depth), "{depth}");
+    let last = films.0.last().unwrap();
+    assert_relative_eq!(last[1], smooth, max_relative = 1e-2);
+    assert_relative_eq!(last[2], minimum, max_relative = 2e-2);
+    assert!(mass_error(&films) < 1e-2);
+}

@@ -1,0 +1,77 @@
+//! `transient.json`: the instants for programs.
+
+use serde_json::{Map, Value, json};
+
+use super::super::result_json::{FORMAT_VERSION, units};
+use super::table::unresolved;
+use crate::case::CaseEcho;
+use crate::run::NUMERICS;
+use crate::run::transient::TransientSolution;
+use crate::solution::Figure;
+use crate::warning::texts;
+
+/// Value of the key `format` by which the results of a case in time are recognised.
+pub const TRANSIENT_FORMAT: &str = "ertel-transient";
+
+/// The document; SI throughout.
+pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json::Result<Value> {
+    let is_line = case.contact.kind.is_line();
+    let instants: Vec<Value> = (found.instants.iter())
+        .map(|instant| {
+            let measured = &instant.measured;
+            let figures: Map<String, Value> = (Figure::ALL.into_iter())
+                .filter_map(|figure| {
+                    let reading = measured.figures.get(figure)?;
+                    let mut told = json!({ "value": reading.value });
+                    if let Some(bar) = measured.bars.get(figure) {
+                        told["error"] = json!(bar.value);
+                    }
+                    if let Some(place) = reading.place {
+                        told["place"] = json!(place);
+                    }
+                    Some((figure.name().to_owned(), told))
+                })
+                .collect();
+            json!({
+                "time": instant.time,
+                "entrainment_speed": 0.5 * (instant.speeds[0] + instant.speeds[1]),
+                "body_1_speed": instant.speeds[0],
+                "body_2_speed": instant.speeds[1],
+                "load": instant.load,
+                "figures": figures,
+                "unresolved": unresolved(instant),
+                "step": instant.step,
+                "newton_iterations": instant.newton_iterations,
+                "mass_error": instant.mass_error,
+            })
+        })
+        .collect();
+    let profiles: Vec<Value> = (found.profiles.iter())
+        .map(|profile| {
+            json!({
+                "time": profile.time,
+                "x": profile.x,
+                "pressure": profile.pressure,
+                "film_thickness": profile.film,
+            })
+        })
+        .collect();
+    Ok(json!({
+        "format": TRANSIENT_FORMAT,
+        "format_version": FORMAT_VERSION,
+        "ertel_version": env!("CARGO_PKG_VERSION"),
+        "numerics_version": NUMERICS,
+        "title": case.title,
+        "complete": found.failure.is_none(),
+        "reason": found.failure.as_ref().map(ToString::to_string),
+        "steps": found.info.steps,
+        "refused_steps": found.info.refused,
+        "newton_iterations": found.info.newton_iterations,
+        "wall_seconds": found.wall_seconds,
+        "warnings": texts(&found.warnings),
+        "instants": instants,
+        "profiles": profiles,
+        "case": { "given": case.given, "si": serde_json::to_value(case)? },
+        "units": units(is_line),
+    }))
+}

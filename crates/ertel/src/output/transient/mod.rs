@@ -1,0 +1,115 @@
+//! Results of a case in time: `transient.csv`, `profiles.csv`, `transient.json`, pictures, a report and its page.
+
+mod json;
+mod picture;
+mod report;
+mod table;
+
+pub use json::{TRANSIENT_FORMAT, transient_json};
+pub use picture::{film_over_time, map_of_film};
+pub use report::transient_report;
+pub(super) use report::write_results;
+pub use table::{profiles_table, transient_table};
+
+use std::path::Path;
+
+use super::folder::{NewFolder, OutputFile, Part};
+use super::html::{REPORT_PAGE, transient_page};
+use super::pictures::Picture;
+use super::{OutputError, write_picture};
+use crate::case::CaseEcho;
+use crate::params::OutputParams;
+use crate::run::transient::TransientSolution;
+use crate::solution::Figure;
+
+/// Writes the results of a case in time into one folder, as [`super::write`] does.
+///
+/// # Errors
+/// [`OutputError`]; the target is then as it was before.
+pub fn write_transient(
+    case: &CaseEcho,
+    found: &TransientSolution,
+    target: &Path,
+    params: &OutputParams,
+) -> Result<(), OutputError> {
+    check_finite(found)?;
+    let folder = NewFolder::beside(target)?;
+    write_files(folder.root(), case, found, params)?;
+    folder.finish()
+}
+
+/// The files that [`write_transient`] puts into a folder, in memory.
+///
+/// # Errors
+/// As [`super::files`].
+pub fn transient_files(
+    case: &CaseEcho,
+    found: &TransientSolution,
+    params: &OutputParams,
+) -> Result<Vec<OutputFile>, OutputError> {
+    check_finite(found)?;
+    let folder = Part::in_memory();
+    write_files(&folder, case, found, params)?;
+    Ok(folder.into_files())
+}
+
+/// No number that is none gets into a file.
+fn check_finite(found: &TransientSolution) -> Result<(), OutputError> {
+    for instant in &found.instants {
+        let figures = &instant.measured.figures;
+        let mut values = Figure::ALL
+            .iter()
+            .filter_map(|figure| figures.value(*figure));
+        let own = [
+            instant.mass_error,
+            instant.load,
+            instant.speeds[0],
+            instant.speeds[1],
+        ];
+        if !values.all(f64::is_finite) || !own.iter().all(|value| value.is_finite()) {
+            let what = format!("a figure at t = {:e} s", instant.time);
+            return Err(OutputError::NotFinite { what });
+        }
+    }
+    Ok(())
+}
+
+fn write_files(
+    root: &Part,
+    case: &CaseEcho,
+    found: &TransientSolution,
+    params: &OutputParams,
+) -> Result<(), OutputError> {
+    let json = transient_json(case, found)
+        .and_then(|json| serde_json::to_string_pretty(&json))
+        .map_err(|e| OutputError::io(&root.shown("transient.json"), e.into()))?;
+    root.file("transient.json", |out| writeln!(out, "{json}"))?;
+    let is_line = case.contact.kind.is_line();
+    root.file("transient.csv", |out| {
+        out.write_all(transient_table(found, is_line).as_bytes())
+    })?;
+    root.file("profiles.csv", |out| {
+        out.write_all(profiles_table(found).as_bytes())
+    })?;
+    root.file("report.txt", |out| {
+        out.write_all(transient_report(case, found, None).as_bytes())
+    })?;
+    let pictures = pictures(&case.title, found)?;
+    root.file(REPORT_PAGE, |out| {
+        out.write_all(transient_page(case, found, &pictures).as_bytes())
+    })?;
+    if let Some(text) = &case.case_file {
+        root.file("case.toml", |out| out.write_all(text.as_bytes()))?;
+    }
+    for picture in pictures {
+        write_picture(root, &picture, params.pictures)?;
+    }
+    Ok(())
+}
+
+fn pictures(title: &str, found: &TransientSolution) -> Result<Vec<Picture>, OutputError> {
+    let films = Picture::new("film-time", film_over_time(title, found).drawing());
+    let map = map_of_film(title, found)?;
+    let map = map.map(|drawing| Picture::new("film-map", drawing));
+    Ok(std::iter::once(films).chain(map).collect())
+}

@@ -1,0 +1,182 @@
+//! Films and conditions over time, and the film over place and time.
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+
+use super::super::OutputError;
+use super::super::pictures::{draw_ticks, film_unit};
+use super::report::time_unit;
+use crate::run::transient::{InstantSolution, TransientSolution};
+use crate::solution::Figure;
+use ertel_plot::axis::Axis;
+use ertel_plot::chart::{Chart, Look, PALETTE, Series, Side};
+use ertel_plot::drawing::{
+    Anchor, Drawing, INK, LABEL_SIZE, Raster, Stroke, TICK_SIZE, text_width,
+};
+use ertel_plot::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis};
+use ertel_plot::png::encode;
+
+/// Central and minimum film over time, the entrainment speed on the right, dashed.
+pub fn film_over_time(title: &str, found: &TransientSolution) -> Chart {
+    let instants = &found.instants;
+    let film = |instant: &InstantSolution, figure| instant.measured.estimate(figure).value;
+    let largest = (instants.iter())
+        .map(|instant| film(instant, Figure::FilmCentral))
+        .fold(0.0, f64::max);
+    let (factor, unit) = film_unit(largest);
+    let last = instants.last().map_or(0.0, |instant| instant.time);
+    let (per_second, time) = time_unit(last);
+    let series =
+        |label: &str, colour: &str, look, side, value: &dyn Fn(&InstantSolution) -> f64| Series {
+            label: label.to_owned(),
+            points: (instants.iter())
+                .map(|instant| [per_second * instant.time, value(instant)])
+                .collect(),
+            look,
+            colour: colour.to_owned(),
+            side,
+        };
+    let films = [
+        (Figure::FilmCentral, PALETTE[0]),
+        (Figure::FilmMinimum, PALETTE[1]),
+    ]
+    .map(|(figure, colour)| {
+        series(figure.words(), colour, Look::Line, Side::Left, &|instant| {
+            factor * film(instant, figure)
+        })
+    });
+    let speed = |instant: &InstantSolution| 0.5 * (instant.speeds[0] + instant.speeds[1]);
+    let heights = films.iter().flat_map(|s| &s.points).map(|point| point[1]);
+    let mut chart = Chart::new(
+        title,
+        Axis::linear(&format!("Time *t* ({time})"), 0.0, per_second * last),
+        Axis::linear_around(
+            &format!("Film thickness *h* ({unit})"),
+            heights.chain([0.0]),
+        ),
+    );
+    chart.series = films.to_vec();
+    let first = instants.first().map_or(0.0, speed);
+    if instants.iter().any(|instant| speed(instant) != first) {
+        let speeds = instants.iter().map(speed).chain([0.0]);
+        chart.y_right = Some(Axis::linear_around("Entrainment speed (m/s)", speeds));
+        chart.series.push(series(
+            "entrainment speed",
+            PALETTE[2],
+            Look::Dashed,
+            Side::Right,
+            &speed,
+        ));
+    }
+    chart
+}
+
+/// Frame of the map, px, its pixels along time, and those of the colour bar.
+const WIDTH: f64 = 420.0;
+const HEIGHT: f64 = 330.0;
+const ROWS: usize = 330;
+const BAR: f64 = 16.0;
+
+/// Films beyond this multiple of the largest central film have the last colour.
+const UP_TO: f64 = 1.5;
+
+/// The film on the centreline over place and time; `None` with a single instant.
+///
+/// # Errors
+/// When the image cannot be encoded.
+pub fn map_of_film(title: &str, found: &TransientSolution) -> Result<Option<Drawing>, OutputError> {
+    let (instants, map) = (&found.instants, &found.map);
+    let last = instants.last().map_or(0.0, |instant| instant.time);
+    let n = map.x.len();
+    if instants.len() < 2 || n < 2 || last <= 0.0 {
+        return Ok(None);
+    }
+    let central = |instant: &InstantSolution| instant.measured.estimate(Figure::FilmCentral).value;
+    let minimum = |instant: &InstantSolution| instant.measured.estimate(Figure::FilmMinimum).value;
+    let high = UP_TO * instants.iter().map(central).fold(0.0, f64::max);
+    let low = instants.iter().map(minimum).fold(high, f64::min).max(0.0);
+    let mut pixels = Vec::with_capacity(3 * n * ROWS);
+    for row in 0..ROWS {
+        // Time rises upwards.
+        let time = last * (ROWS - row) as f64 / ROWS as f64 - 0.5 * last / ROWS as f64;
+        let after = instants
+            .partition_point(|instant| instant.time < time)
+            .clamp(1, instants.len() - 1);
+        let [t0, t1] = [after - 1, after].map(|i| instants[i].time);
+        let share = ((time - t0) / (t1 - t0)).clamp(0.0, 1.0);
+        for i in 0..n {
+            let [a, b] = [after - 1, after].map(|k| f64::from(map.films[k][i]));
+            let film = a + share * (b - a);
+            let at = ((film - low) / (high - low)).clamp(0.0, 1.0);
+            let colour = colorous::VIRIDIS.eval_continuous(at);
+            pixels.extend([colour.r, colour.g, colour.b]);
+        }
+    }
+    let png = encode(n as u32, ROWS as u32, &pixels, None).map_err(OutputError::from)?;
+    let (per_second, unit) = time_unit(last);
+    let (factor, film_unit) = film_unit(high);
+    let frame = Frame {
+        left: 66.0,
+        top: 16.0,
+        width: WIDTH,
+        height: HEIGHT,
+    };
+    let bar = Frame {
+        left: frame.left + WIDTH + 22.0,
+        top: frame.top,
+        width: BAR,
+        height: HEIGHT,
+    };
+    let scale = Axis::linear("", factor * low, factor * high);
+    let ticks = scale.ticks();
+    let widest = ticks
+        .iter()
+        .map(|t| text_width(&t.1, TICK_SIZE))
+        .fold(0.0, f64::max);
+    let mut drawing = Drawing::new(
+        bar.left + BAR + widest + 40.0,
+        frame.top + HEIGHT + 52.0,
+        title,
+    );
+    let image = Raster {
+        width: n,
+        height: ROWS,
+        pixels,
+        png: STANDARD.encode(png),
+    };
+    drawing.image([frame.left, frame.top, WIDTH, HEIGHT], image);
+    let a = found.half_width;
+    let x = Axis::linear("*x*/*a*", map.x[0] / a, map.x[n - 1] / a);
+    let t = Axis::linear(&format!("Time *t* ({unit})"), 0.0, per_second * last);
+    drawing.stroke(&frame.outline(), Stroke::solid(INK, FRAME_WIDTH));
+    label_x_axis(&mut drawing, frame, &x, false);
+    draw_ticks(&mut drawing, frame, &x, &t);
+    label_y_axis(&mut drawing, frame, &t, Side::Left, INK);
+    for i in 0..ROWS {
+        let share = (ROWS - i) as f64 / ROWS as f64;
+        let colour = colorous::VIRIDIS.eval_continuous(share);
+        let top = bar.top + HEIGHT * (1.0 - share);
+        drawing.rectangle(
+            bar.left,
+            top,
+            BAR,
+            bar.top + HEIGHT - top,
+            &format!("#{colour:x}"),
+        );
+    }
+    drawing.stroke(&bar.outline(), Stroke::solid(INK, 0.7));
+    for (value, label) in ticks {
+        let y = bar.top + (1.0 - scale.position(value)) * HEIGHT;
+        drawing.text(
+            [bar.left + BAR + 7.0, y + 4.2],
+            &label,
+            TICK_SIZE,
+            Anchor::Start,
+            INK,
+        );
+    }
+    let at = [bar.left + BAR + widest + 26.0, bar.top + 0.5 * HEIGHT];
+    let label = format!("Film thickness *h* on the centreline ({film_unit})");
+    drawing.turned_text(at, &label, LABEL_SIZE, Anchor::Middle, INK, -90.0);
+    Ok(Some(drawing))
+}

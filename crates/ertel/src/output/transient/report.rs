@@ -1,0 +1,146 @@
+//! What a user reads of a case in time.
+
+use std::path::Path;
+
+use super::super::figure::with_bar;
+use super::super::lines::{Lines, Table};
+use super::super::pictures::film_unit;
+use crate::case::CaseEcho;
+use crate::run::transient::{InstantSolution, TransientSolution};
+use crate::solution::Figure;
+use crate::words::digits;
+
+/// Extremes over time, the instants of the output, warnings, effort.
+pub fn transient_report(
+    case: &CaseEcho,
+    found: &TransientSolution,
+    folder: Option<&Path>,
+) -> String {
+    let mut out = Lines::default();
+    out.title(&case.title);
+    out.heading("Results");
+    write_results(&mut out, found);
+    out.warnings(&found.warnings);
+    if let Some(folder) = folder {
+        out.line(&format!("Results in {}", folder.display()));
+    }
+    out.text()
+}
+
+/// The same without title and warnings.
+pub(in crate::output) fn write_results(out: &mut Lines, found: &TransientSolution) {
+    let instants = &found.instants;
+    let (Some(first), Some(last)) = (instants.first(), instants.last()) else {
+        if let Some(failure) = &found.failure {
+            out.line(&failure.to_string());
+        }
+        return;
+    };
+    let time = time_unit(last.time);
+    for (name, figure, is_lowest) in [
+        ("lowest central film thickness", Figure::FilmCentral, true),
+        ("highest central film thickness", Figure::FilmCentral, false),
+        ("lowest minimum film thickness", Figure::FilmMinimum, true),
+        ("highest pressure maximum", Figure::PressureMaximum, false),
+        (
+            "highest friction coefficient",
+            Figure::TractionCoefficient,
+            false,
+        ),
+    ] {
+        let value = |instant: &InstantSolution| instant.measured.figures.value(figure);
+        let sorted = |a: &&InstantSolution, b: &&InstantSolution| {
+            let [a, b] = [a, b].map(|instant| value(instant).unwrap_or(f64::NAN));
+            a.total_cmp(&b)
+        };
+        let known = || instants.iter().filter(|instant| value(instant).is_some());
+        let found = match is_lowest {
+            true => known().min_by(sorted),
+            false => known().max_by(sorted),
+        };
+        if let Some(instant) = found.filter(|instant| value(instant) != Some(0.0)) {
+            out.row(
+                name,
+                format!("{} at {}", shown(instant, figure), at(instant.time, time)),
+            );
+        }
+    }
+    out.heading("Instants");
+    let times: Vec<f64> = found.profiles.iter().map(|profile| profile.time).collect();
+    let rows: Vec<Vec<String>> = (instants.iter())
+        .filter(|instant| times.contains(&instant.time) || std::ptr::eq(*instant, last))
+        .map(|instant| {
+            vec![
+                at(instant.time, time),
+                format!(
+                    "{} m/s",
+                    digits(0.5 * (instant.speeds[0] + instant.speeds[1]), 4)
+                ),
+                digits(instant.load, 4),
+                shown(instant, Figure::FilmCentral),
+                shown(instant, Figure::FilmMinimum),
+            ]
+        })
+        .collect();
+    let head = ["time", "speed", "load", "central film", "minimum film"];
+    out.table(Table {
+        head: head.map(String::from).to_vec(),
+        widths: vec![(10, 2), (12, 2), (10, 2), (18, 2), (18, 2)],
+        rows,
+    });
+    out.note("entrainment speed; load in N, of line contacts in N/m; error bars hold what the grids may err by at that instant, and the tolerance of the steps");
+    out.heading("Effort");
+    let mass = instants
+        .iter()
+        .map(|instant| instant.mass_error.abs())
+        .fold(0.0, f64::max);
+    out.row(
+        "steps in time",
+        format!(
+            "{}, {} refused, from {} to {}",
+            found.info.steps,
+            found.info.refused,
+            at(first.time, time),
+            at(last.time, time)
+        ),
+    );
+    out.row(
+        "Newton iterations",
+        found.info.newton_iterations.to_string(),
+    );
+    out.row(
+        "largest mass error of a step",
+        format!("{} %", digits(100.0 * mass, 2)),
+    );
+    out.row("wall time", format!("{} s", digits(found.wall_seconds, 3)));
+    if let Some(failure) = &found.failure {
+        out.line(&failure.to_string());
+    }
+}
+
+/// Unit in which times up to this one (s) are told, and its factor.
+pub(super) fn time_unit(longest: f64) -> (f64, &'static str) {
+    match longest {
+        t if t < 2e-3 => (1e6, "µs"),
+        t if t < 2.0 => (1e3, "ms"),
+        _ => (1.0, "s"),
+    }
+}
+
+fn at(time: f64, (factor, unit): (f64, &str)) -> String {
+    format!("{} {unit}", digits(factor * time, 4))
+}
+
+fn shown(instant: &InstantSolution, figure: Figure) -> String {
+    let measured = &instant.measured;
+    if !measured.is_resolved(figure) {
+        return "not resolved".to_owned();
+    }
+    let estimate = measured.estimate(figure);
+    let (factor, unit) = match figure {
+        Figure::FilmCentral | Figure::FilmMinimum => film_unit(estimate.value),
+        Figure::PressureMaximum => (1e-9, "GPa"),
+        _ => (1.0, ""),
+    };
+    with_bar(estimate, factor, unit)
+}

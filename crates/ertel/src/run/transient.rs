@@ -1,0 +1,404 @@
+//! A case in time, by finite volumes.
+
+use std::sync::Arc;
+
+use ertel_fem::platform::Instant as Clock;
+
+use crate::case::{Case, Transient};
+use crate::contact::gap::{Form, GapTerm, Relief};
+use crate::contact::{Motion, Symmetry};
+use crate::engine::Observer;
+use crate::params::Method;
+use crate::problem::problem_by_slices;
+use crate::solution::{Figure, Measured};
+use crate::transient::{
+    Conditions, Course, Info, Instant, Params, Speeds, TransientError, TransientObserver, march,
+};
+use crate::volumes::Plan;
+use crate::volumes::engine::LEAST_GRIDS;
+use crate::volumes::fields::profile;
+use crate::volumes::film::PatchedFilm;
+use crate::volumes::patches::widest;
+use crate::volumes::roller_zone::with_rows_by_film;
+use crate::warning::{Warning, WarningKind};
+use crate::words::digits;
+
+/// Follows a case through time.
+pub trait InstantObserver: Observer {
+    /// An instant is solved.
+    fn instant(&mut self, _reached: &Reached) {}
+}
+
+impl InstantObserver for crate::solve::NoObserver {}
+
+/// How far time has come.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reached {
+    /// Time, s.
+    pub time: f64,
+    /// Where it ends, s.
+    pub duration: f64,
+    /// Steps so far.
+    pub steps: usize,
+    /// Estimate of the wall time left, s.
+    pub seconds_left: f64,
+    /// Central film thickness, m.
+    pub film_central: f64,
+}
+
+/// A contact at an instant, SI.
+#[derive(Clone, Debug)]
+pub struct InstantSolution {
+    /// Time, s.
+    pub time: f64,
+    /// Speeds of body 1 and body 2, m/s.
+    pub speeds: [f64; 2],
+    /// Load, N, of line contacts N/m.
+    pub load: f64,
+    /// Figures with error bars: what the grids may err by at this instant, and the tolerance of the steps.
+    pub measured: Measured,
+    /// Length of the step that led here, s; 0 at the start.
+    pub step: f64,
+    /// Newton iterations of that step on all grids.
+    pub newton_iterations: usize,
+    /// Mass that the film gained or lost, over what passes the centre at the largest entrainment speed.
+    pub mass_error: f64,
+}
+
+/// The centreline at an instant, SI.
+#[derive(Clone, Debug)]
+pub struct InstantProfile {
+    /// Time, s.
+    pub time: f64,
+    /// Places along the motion, m.
+    pub x: Vec<f64>,
+    /// Pressure there, Pa.
+    pub pressure: Vec<f64>,
+    /// Film thickness there, m.
+    pub film: Vec<f64>,
+}
+
+/// The film on the centreline about the contact over all instants.
+#[derive(Clone, Debug, Default)]
+pub struct FilmMap {
+    /// Places along the motion, m.
+    pub x: Vec<f64>,
+    /// Film thickness there, m, for each instant.
+    pub films: Vec<Vec<f32>>,
+}
+
+/// What became of a case in time.
+#[derive(Debug)]
+pub struct TransientSolution {
+    /// Instants from the steady start on.
+    pub instants: Vec<InstantSolution>,
+    /// Centrelines at the output times.
+    pub profiles: Vec<InstantProfile>,
+    /// The film over place and time.
+    pub map: FilmMap,
+    /// Half-width of the dry contact under the largest load, m.
+    pub half_width: f64,
+    /// How it went.
+    pub info: Info,
+    /// Why it ended before its time, if it did.
+    pub failure: Option<TransientError>,
+    /// What the user should know.
+    pub warnings: Vec<Warning>,
+    /// Wall time, s.
+    pub wall_seconds: f64,
+}
+
+/// Cells across the shortest length of a relief: a wavelength on 16 of them has its amplitude to half a per cent.
+const CELLS_OVER_RELIEF: f64 = 16.0;
+
+/// Half-widths about the centre of the map of films, and places in it at most.
+const MAP: f64 = 1.5;
+const MAP_PLACES: usize = 240;
+
+/// Mass error from which a warning is given.
+const MASS_ERROR: f64 = 1e-2;
+
+/// Solves a case with `[transient]` from its steady state on.
+///
+/// # Panics
+/// For a case without.
+pub fn solve(case: &Case, observer: &mut dyn InstantObserver) -> TransientSolution {
+    let transient = case.transient.clone().expect("the case has [transient]");
+    // On a thread of the pool, as steady contacts.
+    rayon::scope(|_| solve_here(case, &transient, observer))
+}
+
+fn solve_here(
+    case: &Case,
+    transient: &Arc<Transient>,
+    observer: &mut dyn InstantObserver,
+) -> TransientSolution {
+    let clock = Clock::now();
+    let [speed, load] = transient.reference();
+    let mut reference = case.clone();
+    reference.contact.load = load;
+    reference.motion = Motion::straight(speed, case.motion.slide_to_roll_ratio);
+    reference.solver.method = Some(Method::FiniteVolumes);
+    let mut problem = problem_by_slices(&reference).with_plan(plan(&reference));
+    let (length, film) = (problem.scales.length, problem.scales.film);
+    let unit = length / speed;
+    let conditions = conditions(transient, [speed, load], unit);
+    if (0..=SAMPLES).any(|i| {
+        let [first, second] = conditions
+            .speeds
+            .at(conditions.duration * f64::from(i) / f64::from(SAMPLES));
+        first + second < 0.0
+    }) {
+        // What was the outlet becomes the inlet.
+        problem.extents.outlet = problem.extents.outlet.max(-problem.extents.inlet);
+    }
+    // Far pressures of steady parabolas count for nothing here: the contact area ends with the grid.
+    let widest = widest(&problem);
+    let extents = &mut problem.extents;
+    extents.inlet = extents.inlet.max(-widest);
+    extents.outlet = extents.outlet.min(widest);
+    extents.side = extents.side.min(widest);
+    let turn = problem.shape.gap.turn;
+    let reliefs: Vec<Relief> = (transient.reliefs.iter())
+        .map(|relief| Relief {
+            form: scaled(&relief.form, length, film),
+            body: relief.body,
+            place: relief.place.map(|x| x / length),
+            moved: 0.0,
+            turn,
+        })
+        .collect();
+    if problem.shape.symmetry == Symmetry::Half && !reliefs.iter().all(Relief::is_symmetric) {
+        problem.shape.symmetry = Symmetry::Full;
+        problem.load *= 2.0;
+        problem.scales.load *= 2.0;
+    }
+    let finest = reliefs
+        .iter()
+        .map(|relief| relief.form.finest())
+        .fold(f64::INFINITY, f64::min);
+    problem.plan.largest_cell = finest / CELLS_OVER_RELIEF / problem.shape.zone.axis_ratio.max(1.0);
+    let terms = reliefs.into_iter().map(GapTerm::Relief);
+    problem.shape.gap.terms.extend(terms);
+    let mut collector = Collector {
+        observer,
+        clock,
+        scales: [length, film, problem.scales.pressure],
+        unit,
+        speed,
+        load,
+        duration: transient.duration,
+        found: TransientSolution {
+            instants: Vec::new(),
+            profiles: Vec::new(),
+            map: FilmMap::default(),
+            half_width: length,
+            info: Info::default(),
+            failure: None,
+            warnings: case.warnings.clone(),
+            wall_seconds: 0.0,
+        },
+    };
+    let params = Params {
+        tolerance: transient.tolerance,
+        ..Params::default()
+    };
+    let end = with_rows_by_film(problem, collector.observer)
+        .map_err(TransientError::from)
+        .and_then(|problem| march(problem, &conditions, &params, &mut collector));
+    let mut found = collector.found;
+    match end {
+        Ok(info) => found.info = info,
+        Err(error) => {
+            found.info = error.info().unwrap_or_default();
+            found.failure = Some(error);
+        }
+    }
+    found.warnings.extend(warnings(&found));
+    found.wall_seconds = clock.elapsed().as_secs_f64();
+    found
+}
+
+/// Instants at which the direction of the entrainment is looked at.
+const SAMPLES: u32 = 2000;
+
+/// How finite volumes go about a case in time: films of each instant need no finer grids than those of a steady contact, and nothing is read off the spike of a line.
+fn plan(case: &Case) -> Plan {
+    Plan {
+        least_grids: [LEAST_GRIDS, LEAST_GRIDS + 1],
+        ..super::volumes::plan(case)
+    }
+}
+
+/// What changes, over the scales of the contact.
+fn conditions(transient: &Transient, [speed, load]: [f64; 2], unit: f64) -> Conditions {
+    let over = |course: &Course, value: f64| course.scaled(1.0 / unit, 1.0 / value);
+    Conditions {
+        speeds: match &transient.speeds {
+            Speeds::Mean {
+                entrainment,
+                slide_to_roll_ratio,
+            } => Speeds::Mean {
+                entrainment: over(entrainment, speed),
+                slide_to_roll_ratio: over(slide_to_roll_ratio, 1.0),
+            },
+            Speeds::Each(speeds) => Speeds::Each(speeds.each_ref().map(|u| over(u, speed))),
+        },
+        load: over(&transient.load, load),
+        duration: transient.duration / unit,
+        instants: transient.output_times.iter().map(|t| t / unit).collect(),
+    }
+}
+
+/// A form in half-widths and a²/R.
+fn scaled(form: &Form, length: f64, film: f64) -> Form {
+    match *form {
+        Form::Round { radius, height } => Form::Round {
+            radius: radius / length,
+            height: height / film,
+        },
+        Form::Ridge {
+            half_width,
+            height,
+            direction,
+        } => Form::Ridge {
+            half_width: half_width / length,
+            height: height / film,
+            direction,
+        },
+        Form::Waves {
+            wavelength,
+            amplitude,
+            direction,
+        } => Form::Waves {
+            wavelength: wavelength / length,
+            amplitude: amplitude / film,
+            direction,
+        },
+    }
+}
+
+/// Collects what the results tell.
+struct Collector<'a> {
+    observer: &'a mut dyn InstantObserver,
+    clock: Clock,
+    /// Length, film and pressure.
+    scales: [f64; 3],
+    /// Seconds in T.
+    unit: f64,
+    speed: f64,
+    load: f64,
+    duration: f64,
+    found: TransientSolution,
+}
+
+impl TransientObserver for Collector<'_> {
+    fn instant(&mut self, instant: &Instant<'_>) {
+        let [length, film, pressure] = self.scales;
+        let time = instant.time * self.unit;
+        let patched = PatchedFilm::new(&instant.problem.shape, instant.levels);
+        let profile = profile(&patched);
+        let map = &mut self.found.map;
+        if map.x.is_empty() {
+            let about: Vec<f64> = (profile.x.iter().copied())
+                .filter(|x| x.abs() <= MAP)
+                .collect();
+            let stride = about.len().div_ceil(MAP_PLACES).max(1);
+            map.x = about
+                .into_iter()
+                .step_by(stride)
+                .map(|x| x * length)
+                .collect();
+        }
+        let films: Vec<f64> = profile.fields.iter().map(|f| f.film * film).collect();
+        let x: Vec<f64> = profile.x.iter().map(|x| x * length).collect();
+        // The grids stay where they are, and so do the places.
+        let mut own = x.iter().zip(&films);
+        let row = map.x.iter().map(|place| {
+            own.find(|(x, _)| *x >= place)
+                .map_or(f32::NAN, |(_, film)| *film as f32)
+        });
+        map.films.push(row.collect());
+        if instant.is_asked {
+            self.found.profiles.push(InstantProfile {
+                time,
+                pressure: profile
+                    .fields
+                    .iter()
+                    .map(|f| f.pressure * pressure)
+                    .collect(),
+                film: films,
+                x,
+            });
+        }
+        let central = instant.measured.estimate(Figure::FilmCentral).value;
+        self.found.instants.push(InstantSolution {
+            time,
+            speeds: instant.speeds.map(|u| u * self.speed),
+            load: instant.load * self.load,
+            measured: instant.measured,
+            step: instant.step * self.unit,
+            newton_iterations: instant.newton_iterations,
+            mass_error: instant.mass_error,
+        });
+        let elapsed = self.clock.elapsed().as_secs_f64();
+        let share = time / self.duration;
+        self.observer.instant(&Reached {
+            time,
+            duration: self.duration,
+            steps: self.found.instants.len() - 1,
+            seconds_left: elapsed * (1.0 - share) / share,
+            film_central: central,
+        });
+    }
+
+    fn start(&mut self) -> &mut dyn Observer {
+        self.observer
+    }
+
+    fn cancelled(&self) -> bool {
+        self.observer.cancelled()
+    }
+}
+
+/// What the user should know of the instants.
+fn warnings(found: &TransientSolution) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let instants = &found.instants;
+    for (kind, name, figure) in [
+        (
+            WarningKind::CentralFilmError,
+            "central",
+            Figure::FilmCentral,
+        ),
+        (
+            WarningKind::MinimumFilmError,
+            "minimum",
+            Figure::FilmMinimum,
+        ),
+    ] {
+        let unresolved = instants
+            .iter()
+            .filter(|instant| !instant.measured.is_resolved(figure));
+        let n = unresolved.count();
+        if n > 0 {
+            let text = format!(
+                "the {name} film thickness is not resolved at {n} of {} instants: see the column `unresolved`; raise [mesh] max_unknowns",
+                instants.len()
+            );
+            warnings.push(Warning::new(kind, text));
+        }
+    }
+    let worst = instants
+        .iter()
+        .map(|instant| instant.mass_error.abs())
+        .fold(0.0, f64::max);
+    // A first instant is that of the steady contact.
+    if worst > MASS_ERROR {
+        warnings.push(Warning::from(format!(
+            "the film gains or loses up to {} % of what passes the centre in a step: see the column `mass_error`",
+            digits(100.0 * worst, 2)
+        )));
+    }
+    warnings
+}
