@@ -129,7 +129,10 @@ impl Checked {
         Self {
             estimate: estimate(case),
             n_points,
-            cpu_seconds: n_solves as f64 * typical_cpu_seconds(case),
+            cpu_seconds: match case.transient {
+                None => n_solves as f64 * typical_cpu_seconds(case),
+                Some(_) => IN_TIME * typical_cpu_seconds(case),
+            },
         }
     }
 
@@ -155,6 +158,9 @@ impl Checked {
         )
     }
 }
+
+/// A hundred steps in time over a steady solve: a line takes 0.02 s for a step, a circle 0.4 s.
+const IN_TIME: f64 = 15.0;
 
 /// Ratio of the radii from which on an ellipse takes much longer.
 const SLENDER: f64 = 10.0;

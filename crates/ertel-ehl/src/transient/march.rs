@@ -153,22 +153,39 @@ impl TransientError {
     }
 }
 
-/// Gives the problem the conditions of an instant; its load at first is that of reference.
+/// Gives the problem the conditions of an instant; load and λ are those of reference at first.
 struct Present<'a> {
     conditions: &'a Conditions,
     load: f64,
+    lambda: f64,
 }
+
+/// Speed over that of reference below which the film is at rest.
+const REST: f64 = 1e-6;
 
 /// Half-widths from the centre within which reliefs count for the length of steps.
 const ABOUT: f64 = 1.1;
 
 impl Present<'_> {
+    /// The same in the scales of the speed at an instant, in which what is read off the film in SI is that of a steady contact at this speed; a film at rest keeps those of
+    /// reference.
+    fn in_own_scales(problem: &mut Problem<Plan>) {
+        let [speed, _] = problem.entrainment.centre;
+        if speed.abs() > REST {
+            problem.scales.lambda *= speed.abs();
+            problem.entrainment = Planar::along_x(speed.signum());
+        }
+    }
+
     fn set(&self, problem: &mut Problem<Plan>, time: f64, moved: [f64; 2]) {
         let [first, second] = self.conditions.speeds.at(time);
         problem.entrainment = Planar::along_x(0.5 * (first + second));
         let sliding = Planar::along_x(second - first);
         problem.fluid = problem.fluid.sliding_by(&sliding, &problem.scales);
+        problem.scales.lambda = self.lambda;
         problem.load = self.load * self.conditions.load.at(time);
+        // What friction is measured by.
+        problem.scales.load = problem.load;
         for term in &mut problem.shape.gap.terms {
             if let GapTerm::Relief(relief) = term {
                 relief.moved = match relief.body {
@@ -215,6 +232,7 @@ pub fn march(
     let present = Present {
         conditions,
         load: problem.load,
+        lambda: problem.scales.lambda,
     };
     let mut moved = [0.0; 2];
     present.set(&mut problem, 0.0, moved);
@@ -236,6 +254,7 @@ pub fn march(
         is_asked: true,
         ..At::default()
     };
+    Present::in_own_scales(&mut problem);
     observer.instant(&instant(&levels, &problem, conditions, params, start));
     let target = STEP_ERROR * params.tolerance.powf(1.5);
     let (mut time, mut step) = (0.0, FIRST_STEP);
@@ -296,6 +315,7 @@ pub fn march(
                 newton_iterations,
                 is_asked: time == stop && conditions.is_asked(stop),
             };
+            Present::in_own_scales(&mut problem);
             observer.instant(&instant(&levels, &problem, conditions, params, at));
             if observer.cancelled() {
                 return Err(SolveError::Interrupted.into());

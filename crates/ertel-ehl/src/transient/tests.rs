@@ -73,9 +73,9 @@ impl Given {
     }
 }
 
-/// T, h_c, h_min and mass error of each instant.
+/// T, h_c, h_min, mass error and friction power of each instant.
 #[derive(Default)]
-struct Films(Vec<[f64; 4]>, NoObserver);
+struct Films(Vec<[f64; 5]>, NoObserver);
 
 impl TransientObserver for Films {
     fn instant(&mut self, instant: &Instant<'_>) {
@@ -85,6 +85,7 @@ impl TransientObserver for Films {
             of(Figure::FilmCentral),
             of(Figure::FilmMinimum),
             instant.mass_error,
+            of(Figure::FrictionPower),
         ]);
     }
 
@@ -170,8 +171,8 @@ fn amplitude_ratio(given: &Given, wavelength: f64) -> (f64, f64) {
 #[test]
 fn constant_conditions_stay() {
     let (films, info) = run(line().problem(), &steady(3.0), &Params::default());
-    let [_, central, minimum, _] = films.0[0];
-    for [_, h_c, h_m, mass] in &films.0[1..] {
+    let [_, central, minimum, ..] = films.0[0];
+    for [_, h_c, h_m, mass, _] in &films.0[1..] {
         assert_relative_eq!(*h_c, central, max_relative = 1e-6);
         assert_relative_eq!(*h_m, minimum, max_relative = 1e-5);
         assert!(mass.abs() < 1e-3, "{mass}");
@@ -196,7 +197,7 @@ fn films_of_a_ramp_hold_their_tolerance() {
     }
     assert!(info.steps < 150, "{info:?}");
     assert!(mass_error(&films) < 1e-2);
-    // Half of the speed of reference at first.
+    // Half of the speed of reference at first; friction is that of the speed, too.
     let slow = Given {
         speed: 0.25,
         ..line()
@@ -204,6 +205,7 @@ fn films_of_a_ramp_hold_their_tolerance() {
     for (given, row) in [(slow, films.0[0]), (line(), *films.0.last().unwrap())] {
         let (steady, _) = run(given.problem(), &steady(0.01), &Params::default());
         assert_relative_eq!(row[1], steady.0[0][1], max_relative = 1e-3);
+        assert_relative_eq!(row[4], steady.0[0][4], max_relative = 5e-3);
         // On the grids of the start, whose smallest film errs by 0.2 %.
         assert_relative_eq!(row[2], steady.0[0][2], max_relative = 4e-3);
     }
@@ -277,7 +279,7 @@ fn a_dent_passes_through_a_circular_contact() {
         ..Params::default()
     };
     let (films, _) = run(problem, &steady(2.6), &params);
-    let [_, smooth, minimum, _] = films.0[0];
+    let [_, smooth, minimum, ..] = films.0[0];
     let deepest = (films.0.iter())
         .max_by(|a, b| a[1].total_cmp(&b[1]))
         .unwrap();
