@@ -4,9 +4,9 @@ use ertel_fem::platform::Instant;
 use std::sync::Arc;
 
 use super::driver::{Driver, StageEnd, StageSolver, Task, Trial};
+use super::paths::Outline;
 use super::stage_run::{DIVERGENCE_LIMIT, Finish, StageRun};
 use super::start::{cold_start, interpolate};
-use super::strategies::Outline;
 use super::{Problem, Stage, StageSolution};
 use crate::solution::LevelStats;
 use crate::solution::Role;
@@ -97,8 +97,7 @@ impl Outline {
         Outline {
             usual: problem.plan.stages.clone(),
             exponential: problem.fluid.is_exponential(),
-            impatient: problem.shape.zone.roller.is_some(),
-            has_steep_ends: problem.shape.zone.roller.is_some(),
+            roller: problem.shape.zone.roller.is_some(),
             // An exponential law has difficulties of its own.
             ridge_diffusion: match problem.fluid.is_exponential() {
                 true => 0.0,
@@ -262,11 +261,7 @@ impl StageSolver for MeshSolver<'_> {
         if wanted && observer.cancelled() {
             return Err(SolveError::Interrupted);
         }
-        let indicator = if wanted {
-            run.measure(&state, &mut effort)
-        } else {
-            None
-        };
+        let indicator = wanted.then(|| run.measure(&state, &mut effort)).flatten();
         let stats = run.stats(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
         self.stats.push(stats);
         let next = match (&problem.plan.adapt, &indicator) {
@@ -285,18 +280,13 @@ impl StageSolver for MeshSolver<'_> {
         if rough && last && outcome.is_ok() && refinement.is_none() {
             // Measured, and already accurate enough: the solution itself, to the end.
             let rough = outcome.ok().and_then(|(_, coupling)| coupling);
-            outcome = run
-                .solve(Finish::Exact, &mut state, &mut effort, observer)
-                .map(|(reached, coupling)| (reached, coupling.map(|c| c.after(rough))));
+            outcome = run.finish(rough, &mut state, &mut effort, observer);
             let stats = run.stats(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
             self.stats[level] = stats;
         }
-        let (outcome, (reached, coupling)) = match outcome {
-            Ok(reached) => (Ok(()), reached),
-            Err(e) => {
-                let reached = NewtonStatus::of_failure(&e);
-                (Err(e), (reached, None))
-            }
+        let (reached, coupling) = match &outcome {
+            Ok(reached) => *reached,
+            Err(error) => (NewtonStatus::of_failure(error), None),
         };
         let adjoints = (last && outcome.is_ok()).then(|| Box::new(run.rough_adjoints(indicator)));
         let solution = StageSolution {
@@ -311,7 +301,7 @@ impl StageSolver for MeshSolver<'_> {
             coupling,
         };
         Ok(StageEnd {
-            outcome,
+            outcome: outcome.map(drop),
             solution,
             refinement,
         })
@@ -322,21 +312,13 @@ impl StageSolver for MeshSolver<'_> {
         solution: &mut StageSolution,
         observer: &mut dyn Observer,
     ) -> Result<(), SolveError> {
-        let level = self.stats.len() - 1;
-        let run = StageRun::new(
-            self.problem,
-            &solution.stage,
-            level,
-            &solution.discretisation,
-        );
-        let mut effort = NewtonStats::default();
-        let (rough, mut state) = (solution.coupling, solution.state.clone());
-        match run.solve(Finish::Exact, &mut state, &mut effort, observer) {
+        let (stage, d) = (&solution.stage, &solution.discretisation);
+        let run = StageRun::new(self.problem, stage, self.stats.len() - 1, d);
+        let (mut state, mut effort) = (solution.state.clone(), NewtonStats::default());
+        match run.finish(solution.coupling, &mut state, &mut effort, observer) {
             Ok((reached, coupling)) => {
-                solution.state = state;
-                solution.adjoints = None;
-                solution.reached = reached;
-                solution.coupling = coupling.map(|c| c.after(rough));
+                (solution.state, solution.reached) = (state, reached);
+                (solution.adjoints, solution.coupling) = (None, coupling);
             }
             Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
             // What was measured stands.

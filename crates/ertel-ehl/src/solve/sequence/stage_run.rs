@@ -146,6 +146,18 @@ impl<'a> StageRun<'a> {
         gentle
     }
 
+    /// To the tolerance of the case from a state that was only measured, whose coupling with the heat counts, too.
+    pub(super) fn finish(
+        &self,
+        rough: Option<CouplingStats>,
+        state: &mut State,
+        effort: &mut NewtonStats,
+        observer: &mut dyn Observer,
+    ) -> Result<(NewtonStatus, Option<CouplingStats>), SolveError> {
+        let (reached, coupling) = self.solve(Finish::Exact, state, effort, observer)?;
+        Ok((reached, coupling.map(|c| c.after(rough))))
+    }
+
     /// Newton's method with a share of the penalty, in turn with that for the temperatures where the stage is heated.
     fn run(
         &self,

@@ -1,6 +1,6 @@
 //! A solver that ends stages as it is told, for tests of the driver.
 
-use super::*;
+use crate::solve::sequence::driver::*;
 
 /// How a stage ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
