@@ -27,8 +27,9 @@ pub fn solve_stages(
     problem: &Problem,
     observer: &mut dyn Observer,
 ) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
-    let driver = Driver::new(Outline::of(problem), MeshSolver::new(problem, 0));
-    solution_of(driver, observer).map_err(|error| problem.explained(error))
+    let driver = Driver::new(Outline::of(problem), MeshSolver::new(problem, 0), observer);
+    let end = driver.run().and_then(with_film);
+    end.map_err(|error| problem.explained(error))
 }
 
 /// One stage that starts from a solution on its mesh, and refinements after it.
@@ -39,29 +40,26 @@ pub(super) fn solve_from(
     observer: &mut dyn Observer,
 ) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
     let solver = MeshSolver::new(problem, stage.refinements);
-    let driver = Driver::warm(Outline::of(problem), solver, from, stage);
-    solution_of(driver, observer)
+    let driver = Driver::new(Outline::of(problem), solver, observer);
+    driver.run_from(from, stage).and_then(with_film)
 }
 
-/// Runs the stages to the end.
-fn solution_of(
-    driver: Driver<MeshSolver>,
-    observer: &mut dyn Observer,
+/// What was found, unless its film is negative: a root of the discrete equations, but no contact.
+fn with_film(
+    (solution, MeshSolver { stats, .. }): (StageSolution, MeshSolver),
 ) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
-    let (solution, MeshSolver { stats, .. }) = driver.run(observer)?;
     let (film, _) = minimum_film(&solution.discretisation, &solution.state);
-    if film <= 0.0 {
-        // A root of the discrete equations, but no contact.
-        return Err(SolveError::NotConverged {
-            level: stats.len() - 1,
-            iterations: stats.last().map_or(0, |l| l.newton_iterations),
-            residual: solution.reached.residual,
-            update: solution.reached.update,
-            penalty_share: 1.0,
-            reason: Stopped::NegativeFilm,
-        });
+    if film > 0.0 {
+        return Ok((solution, stats));
     }
-    Ok((solution, stats))
+    Err(SolveError::NotConverged {
+        level: stats.len() - 1,
+        iterations: stats.last().map_or(0, |l| l.newton_iterations),
+        residual: solution.reached.residual,
+        update: solution.reached.update,
+        penalty_share: 1.0,
+        reason: Stopped::NegativeFilm,
+    })
 }
 
 /// Where the pressure of a stage has a ridge, from what it starts from: from its pressure, or as there if that is known on this mesh.
@@ -118,14 +116,11 @@ impl Trial for StageSolution {
         self.converged
     }
 
-    fn has_film(&self) -> bool {
-        let (film, _) = minimum_film(&self.discretisation, &self.state);
-        film.is_finite() && film > 0.0
-    }
-
     /// Finite, with film everywhere, and nearer than the dry contact.
     fn is_usable(&self) -> bool {
-        self.has_film()
+        let (film, _) = minimum_film(&self.discretisation, &self.state);
+        film.is_finite()
+            && film > 0.0
             && self.state.pressure.iter().all(|p| p.is_finite())
             && self.reached.residual <= DIVERGENCE_LIMIT
     }
@@ -276,8 +271,7 @@ impl StageSolver for MeshSolver<'_> {
             _ => Err(RefinementEnd::NoEstimate),
         };
         let refinement_end = next.as_ref().err().copied();
-        let refinement = next.ok();
-        if rough && last && outcome.is_ok() && refinement.is_none() {
+        if rough && last && outcome.is_ok() && next.is_err() {
             // Measured, and already accurate enough: the solution itself, to the end.
             let rough = outcome.ok().and_then(|(_, coupling)| coupling);
             outcome = run.finish(rough, &mut state, &mut effort, observer);
@@ -289,21 +283,19 @@ impl StageSolver for MeshSolver<'_> {
             Err(error) => (NewtonStatus::of_failure(error), None),
         };
         let adjoints = (last && outcome.is_ok()).then(|| Box::new(run.rough_adjoints(indicator)));
-        let solution = StageSolution {
-            adjoints,
-            discretisation: d,
-            state,
-            stage: *stage,
-            reached,
-            converged: outcome.is_ok(),
-            rough: false,
-            refinement_end,
-            coupling,
-        };
         Ok(StageEnd {
-            outcome: outcome.map(drop),
-            solution,
-            refinement,
+            solution: StageSolution {
+                adjoints,
+                discretisation: d,
+                state,
+                stage: *stage,
+                reached,
+                converged: outcome.is_ok(),
+                rough: false,
+                refinement_end,
+                coupling,
+            },
+            outcome: outcome.map(|_| next.ok()),
         })
     }
 

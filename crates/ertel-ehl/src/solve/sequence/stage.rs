@@ -46,7 +46,8 @@ impl Stage {
     pub(super) fn with_quadratic_pressures(&self) -> Option<Stage> {
         (self.pressure_order > LOWER_ORDER).then_some(Stage {
             pressure_order: LOWER_ORDER,
-            given_up_early: false,
+            // Refined meshes keep their patience.
+            given_up_early: self.given_up_early && self.refinements > 0,
             ..*self
         })
     }

@@ -33,23 +33,19 @@ impl Problem {
     /// Makes the contact area large enough for other problems, too, and the cells fine enough where nothing is
     /// refined by estimates; but not for those that ask for too much.
     pub fn make_room_for(&mut self, others: impl Iterator<Item = Problem>) {
-        let (reach, sizes): (_, Vec<_>) = (
-            self.extents.reach(),
-            self.plan.stages.iter().map(|stage| stage.sizes).collect(),
-        );
-        let refined = self.plan.adapt.is_some();
+        let (reach, stages) = (self.extents.reach(), self.plan.stages.clone());
         for other in others {
             let mut its = reach.iter().zip(other.extents.reach()).take(3);
             let is_near = its.all(|(own, wanted)| wanted <= MOST_REACH * own);
             if self.shape.inlet != Inlet::Meniscus && is_near {
                 self.extents = self.extents.around(&other.extents);
             }
-            if refined || sizes.len() != other.plan.stages.len() {
+            if self.plan.adapt.is_some() || stages.len() != other.plan.stages.len() {
                 continue;
             }
-            let stages = self.plan.stages.iter_mut().zip(&other.plan.stages);
-            for ((stage, other), first) in stages.zip(&sizes) {
-                let (own, its) = (&mut stage.sizes, &other.sizes);
+            let own = self.plan.stages.iter_mut().zip(&stages);
+            for ((stage, first), other) in own.zip(&other.plan.stages) {
+                let (own, first, its) = (&mut stage.sizes, &first.sizes, &other.sizes);
                 if first.rim <= MOST_ROOM * its.rim && first.hertz <= MOST_ROOM * its.hertz {
                     own.hertz = own.hertz.min(its.hertz);
                     own.constriction = own.constriction.min(its.constriction);
@@ -64,33 +60,24 @@ impl Problem {
 }
 
 impl Start {
-    /// A start from the solution of a problem and the figures of its stages.
-    pub fn new(problem: &Problem, solution: StageSolution, stats: &[LevelStats]) -> Start {
-        let miss = miss(problem, &solution, stats);
+    /// A start from the solution of a problem and the figures of its stages; `before`: from which start that was found, if from any.
+    pub fn new(
+        problem: &Problem,
+        solution: StageSolution,
+        stats: &[LevelStats],
+        before: Option<&Start>,
+    ) -> Start {
         Start {
+            miss: before.map_or_else(|| miss(problem, &solution, stats), |start| start.miss),
             solution,
             elasticity: problem.elasticity.clone(),
             film: problem.start_film,
-            miss,
         }
     }
 
     /// The solution that it starts from.
     pub fn solution(&self) -> &StageSolution {
         &self.solution
-    }
-
-    /// The same for a problem that was solved from this start.
-    pub fn followed_by(
-        &self,
-        problem: &Problem,
-        solution: StageSolution,
-        stats: &[LevelStats],
-    ) -> Start {
-        Start {
-            miss: self.miss,
-            ..Start::new(problem, solution, stats)
-        }
     }
 
     /// Whether its mesh suits a problem: the same bodies, a contact area that is large enough, cells that

@@ -1,6 +1,11 @@
-//! Which stage comes next, until the last has converged.
+//! The program of a solve: up a path of stages from the dry contact, along other paths where that fails, then on finer and finer meshes.
 //!
-//! The driver knows neither meshes nor equations: a [`StageSolver`] solves a stage, and [`Driver::after`] draws the conclusion.
+//! ```text
+//!   for each path (the usual stages, then those of `paths`):
+//!       climb     a step that fails is halved, or goes on from what came near; the last may have its ridge diffused, or quadratic pressures
+//!       refine    where that led to the case: until the errors are small; a mesh that fails is tried in other ways, then given up
+//! ```
+//! A start from another problem is a stage in place of the path. The driver knows neither meshes nor equations: a [`StageSolver`] solves a stage.
 
 mod stage_solver;
 #[cfg(test)]
@@ -11,7 +16,7 @@ use std::collections::VecDeque;
 pub(super) use stage_solver::{StageEnd, StageSolver, Task, Trial};
 
 use super::paths::knob::halfway;
-use super::paths::{Outline, Path, less_diffusion, paths};
+use super::paths::{Outline, less_diffusion, paths};
 use super::stage::Stage;
 use crate::solution::Role;
 use crate::solve::adapt::{Refinement, RefinementTarget};
@@ -21,314 +26,217 @@ use crate::solve::tuning::continuation::{
 use crate::solve::{Observer, SolveError};
 
 /// Where a solve stands.
-pub(super) struct Driver<S: StageSolver> {
-    pub(super) solver: S,
+pub(super) struct Driver<'a, S: StageSolver> {
+    solver: S,
     outline: Outline,
-    /// Stages to come.
-    queue: VecDeque<Stage>,
-    /// What to try if these fail.
-    paths: VecDeque<Path>,
-    /// What was tried of it.
-    tried: Vec<&'static str>,
-    /// Why the usual stages failed: the error to report when all paths do.
-    first_failure: Option<SolveError>,
-    /// Stages solved or given up.
-    attempts: usize,
+    observer: &'a mut dyn Observer,
     /// Where the next stage starts.
     current: Option<S::Solution>,
-    /// The last solution of a final stage, while a refined mesh is being tried.
-    before_refinement: Option<S::Solution>,
-    /// How the next mesh, or that in force, was refined.
-    refinement: Refinement,
-    /// Steps halved on the present path.
-    halved_steps: usize,
-    /// Refinements of the mesh that has been tried once more.
-    restarted: usize,
-    /// Whether the case's own pressures have been tried from those of lower order.
-    raised: bool,
-    /// Whether the next stage is that try.
-    raising: bool,
+    /// How to refine its mesh, if its errors are too large.
+    refinement: Option<Refinement>,
+    /// How the mesh in force was refined.
+    halvings: Vec<u32>,
     /// ρ_r in force.
     ridge_diffusion: f64,
-    /// Whether it starts from the solution of another problem.
-    warm: bool,
+    /// Whether the usual stages have failed.
+    falls_back: bool,
 }
 
-impl<S: StageSolver> Driver<S> {
-    /// The usual stages, from the dry contact.
-    pub fn new(outline: Outline, solver: S) -> Driver<S> {
+impl<'a, S: StageSolver> Driver<'a, S> {
+    pub fn new(outline: Outline, solver: S, observer: &'a mut dyn Observer) -> Driver<'a, S> {
         Driver {
             solver,
-            queue: outline.usual.iter().copied().collect(),
-            paths: paths(&outline).into(),
-            tried: Vec::new(),
             outline,
-            first_failure: None,
-            attempts: 0,
+            observer,
             current: None,
-            before_refinement: None,
-            refinement: Refinement {
-                halvings: Vec::new(),
-                aim: RefinementTarget::Films,
-                film_bar: f64::INFINITY,
-            },
-            halved_steps: 0,
-            restarted: 0,
-            raised: false,
-            raising: false,
+            refinement: None,
+            halvings: Vec::new(),
             ridge_diffusion: 0.0,
-            warm: false,
+            falls_back: false,
         }
     }
 
-    /// One stage that starts from the solution of a similar problem on its mesh, and refinements after it.
-    pub fn warm(outline: Outline, solver: S, from: S::Solution, stage: Stage) -> Driver<S> {
-        Driver {
-            queue: VecDeque::from([stage]),
-            paths: VecDeque::new(),
-            current: Some(from),
-            ridge_diffusion: stage.constants.ridge_diffusion,
-            warm: true,
-            ..Driver::new(outline, solver)
-        }
-    }
-
-    /// Runs the stages to the end; returns the solution and the solver, which keeps the records.
+    /// From the dry contact; returns the solution and the solver, which keeps the records.
     ///
     /// # Errors
     /// That of the usual stages when all paths fail; [`SolveError::Interrupted`]; what keeps a stage from being begun.
-    pub fn run(mut self, observer: &mut dyn Observer) -> Result<(S::Solution, S), SolveError> {
-        while let Some(mut stage) = self.queue.pop_front() {
-            if stage.role == Role::Final {
-                stage.constants.ridge_diffusion = self.ridge_diffusion;
+    pub fn run(mut self) -> Result<(S::Solution, S), SolveError> {
+        let Some(first) = self.climb(self.outline.usual.clone())? else {
+            return self.refine();
+        };
+        self.falls_back = true;
+        // No time is lost on what goes on from a start that failed.
+        let has_start = self.current.is_some();
+        let mut tried = Vec::new();
+        for path in paths(&self.outline) {
+            if path.needs_start && !has_start {
+                continue;
             }
-            if observer.cancelled() {
-                return Err(SolveError::Interrupted);
+            tried.push(path.name);
+            if self.climb(path.stages)?.is_none() {
+                return self.refine();
             }
-            let task = Task {
-                stage: &stage,
-                from: self.current.as_ref(),
-                halvings: &self.refinement.halvings,
-                stages_to_come: self.queue.len(),
-            };
-            let end = self.solver.solve(task, observer)?;
-            self.attempts += 1;
-            self.after(&stage, end, observer)?;
         }
-        let solution = self.current.filter(|s| s.stage().role == Role::Final);
-        match solution.filter(Trial::converged) {
-            Some(solution) => Ok((solution, self.solver)),
-            // Every path ends with a final stage; what follows a failure may not reach its end.
-            None => Err(all_failed(self.first_failure, self.tried)),
-        }
+        let first = Box::new(first);
+        Err(SolveError::AllFailed { first, tried })
     }
 
-    /// What follows from the end of a stage; the rows of the table in docs/theory/isothermal-contact.md.
-    fn after(
+    /// One stage from the solution of a similar problem on its mesh, and refinements after it. There is nothing to go back to.
+    ///
+    /// # Errors
+    /// As [`Self::run`].
+    pub fn run_from(
+        mut self,
+        from: S::Solution,
+        stage: Stage,
+    ) -> Result<(S::Solution, S), SolveError> {
+        self.current = Some(from);
+        self.ridge_diffusion = stage.constants.ridge_diffusion;
+        let end = self.solve(stage, 0)?;
+        (self.refinement, self.current) = (end.outcome?, Some(end.solution));
+        self.refine()
+    }
+
+    /// Solves a stage from where the solve stands.
+    fn solve(
         &mut self,
-        stage: &Stage,
-        end: StageEnd<S::Solution>,
-        observer: &mut dyn Observer,
-    ) -> Result<(), SolveError> {
-        let (solution, error) = (end.solution, end.outcome.err());
-        let (leads, refined) = (stage.role.leads(), stage.refinements > 0);
-        if let Some(SolveError::Interrupted) = error {
+        mut stage: Stage,
+        stages_to_come: usize,
+    ) -> Result<StageEnd<S::Solution>, SolveError> {
+        if self.observer.cancelled() {
             return Err(SolveError::Interrupted);
         }
-        // A step of a restart on a refined mesh; the solution on the mesh before is kept.
-        if refined && leads {
-            if error.is_some() && !solution.is_usable() {
-                return self.stop_refining(observer);
-            }
-            let before = self.current.replace(solution);
-            self.before_refinement = self.before_refinement.take().or(before);
-            return Ok(());
+        if stage.role == Role::Final {
+            stage.constants.ridge_diffusion = self.ridge_diffusion;
         }
-        // Pressures of lower order stand.
-        if std::mem::take(&mut self.raising) && (error.is_some() || !solution.has_film()) {
-            return Ok(());
-        }
-        let Some(error) = error else {
-            self.accept(stage, solution, end.refinement);
-            return Ok(());
+        let task = Task {
+            stage: &stage,
+            from: self.current.as_ref(),
+            halvings: &self.halvings,
+            stages_to_come,
         };
-        // What a warm start began from solves another problem: there is nothing to go back to.
-        if self.warm && self.attempts == 1 {
-            return Err(error);
-        }
-        if stage.role == Role::Final && self.ridge_diffusion < self.outline.ridge_diffusion {
-            self.ridge_diffusion = self.outline.ridge_diffusion;
-            self.queue.push_front(*stage);
-            return Ok(());
-        }
-        if refined {
-            return self.retry_refined(stage, observer);
-        }
-        // No time is lost on what goes on from a start that failed.
-        if leads && self.attempts == 1 {
-            self.paths.retain(|path| !path.needs_start);
-            self.current = Some(solution);
-            return self.fall_back(error);
-        }
-        if let Some(step) = self.half_step(stage) {
-            self.halved_steps += 1;
-            self.queue.push_front(*stage);
-            self.queue.push_front(step);
-            return Ok(());
-        }
-        if leads && solution.is_usable() {
-            self.current = Some(solution);
-            return Ok(());
-        }
-        // It can be done without.
-        if stage.role == Role::Estimate || stage.role.compares() {
-            return Ok(());
-        }
-        match self.lower(stage) {
-            Some(lower) => {
-                self.halved_steps = 0;
-                self.queue = VecDeque::from([lower]);
-                Ok(())
-            }
-            None => self.fall_back(error),
+        let end = self.solver.solve(task, self.observer)?;
+        match end.outcome {
+            Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
+            _ => Ok(end),
         }
     }
 
-    /// Goes on from a solved stage, on a refined mesh if its errors are too large.
-    fn accept(&mut self, stage: &Stage, solution: S::Solution, refinement: Option<Refinement>) {
-        self.current = Some(solution);
-        self.before_refinement = None;
-        let Some(refinement) = refinement else {
-            self.raise(stage);
-            return;
-        };
-        let for_films = refinement.aim == RefinementTarget::Films;
-        if !for_films {
-            self.ridge_diffusion = self.outline.ridge_diffusion;
+    /// Along a path to the case; returns why it does not lead there, if so.
+    fn climb(&mut self, path: Vec<Stage>) -> Result<Option<SolveError>, SolveError> {
+        let (mut queue, mut n_halved) = (VecDeque::from(path), 0);
+        while let Some(stage) = queue.pop_front() {
+            let StageEnd { outcome, solution } = self.solve(stage, queue.len())?;
+            let error = match outcome {
+                Ok(refinement) => {
+                    (self.refinement, self.current) = (refinement, Some(solution));
+                    continue;
+                }
+                Err(error) => error,
+            };
+            let is_first = self.current.is_none() && !self.falls_back;
+            if stage.role == Role::Final && self.diffuse_ridge() {
+                queue.push_front(stage);
+            } else if let Some(half) = self.half_step(&stage, n_halved) {
+                n_halved += 1;
+                queue.push_front(stage);
+                queue.push_front(half);
+            } else if stage.role.leads() && solution.is_usable() && !is_first {
+                self.current = Some(solution);
+            } else if let Some(lower) = self.lower(&stage) {
+                queue = VecDeque::from([lower]);
+            } else if stage.role != Role::Estimate && !stage.role.compares() {
+                // What is only compared can be done without.
+                return Ok(Some(error));
+            }
         }
-        self.refinement = refinement;
-        // Films that are about as accurate as asked for bear no long search, nor does what can be tried with a diffused ridge.
-        let can_be_diffused = self.ridge_diffusion < self.outline.ridge_diffusion;
-        self.queue.push_back(Stage {
-            refinements: stage.refinements + 1,
-            undamped: false,
-            given_up_early: self.outline.roller || !for_films || can_be_diffused,
-            ..*stage
-        });
+        Ok(None)
     }
 
-    /// The next path, or the first failure where there is none left.
-    fn fall_back(&mut self, error: SolveError) -> Result<(), SolveError> {
-        let first = self.first_failure.take().unwrap_or(error);
-        let Some(path) = self.paths.pop_front() else {
-            return Err(all_failed(Some(first), std::mem::take(&mut self.tried)));
-        };
-        self.first_failure = Some(first);
-        self.halved_steps = 0;
-        self.tried.push(path.name);
-        self.queue = path.stages.into();
-        Ok(())
+    /// Diffusion at ridges of the pressure from now on; whether that is new.
+    fn diffuse_ridge(&mut self) -> bool {
+        let is_new = self.ridge_diffusion < self.outline.ridge_diffusion;
+        self.ridge_diffusion = self.ridge_diffusion.max(self.outline.ridge_diffusion);
+        is_new
     }
 
     /// Half of the step to a stage, if steps may still be halved.
-    fn half_step(&self, stage: &Stage) -> Option<Stage> {
+    fn half_step(&self, stage: &Stage, n_halved: usize) -> Option<Stage> {
         let most = match self.outline.exponential {
+            _ if stage.refinements > 0 => 0,
             true => MAX_HALVED_EXPONENTIAL_STEPS,
             false => MAX_HALVED_STEPS,
         };
-        let from = self.current.as_ref().filter(|_| self.halved_steps < most)?;
+        let from = self.current.as_ref().filter(|_| n_halved < most)?;
         halfway(from.stage(), stage)
     }
 
-    /// A failed final stage with quadratic pressures, where a path has led to it.
+    /// A failed final stage with quadratic pressures: where steps on its mesh have led to it, or on a refined one with a diffused ridge.
     fn lower(&self, stage: &Stage) -> Option<Stage> {
         let from = self.current.as_ref()?;
-        let led = stage.role == Role::Final
-            && self.first_failure.is_some()
+        let led = self.falls_back
             && from.converged()
             && from.stage().role != Role::Start
             && from.stage().is_on_mesh_of(stage);
-        stage.with_quadratic_pressures().filter(|_| led)
+        let diffused = stage.refinements > 0 && self.ridge_diffusion > 0.0;
+        let lower = stage.with_quadratic_pressures();
+        lower.filter(|_| stage.role == Role::Final && (led || diffused))
     }
 
-    /// The case's own pressures next, on the finest mesh that those of lower order have come to; once.
-    fn raise(&mut self, stage: &Stage) {
-        let own = self.outline.last().pressure_order;
-        if own > stage.pressure_order && !self.raised && stage.role == Role::Final && !self.warm {
-            (self.raised, self.raising) = (true, true);
-            self.queue.push_back(Stage {
-                pressure_order: own,
-                // Those of lower order stand, and an exponential seldom bears the overshoots of others.
-                given_up_early: self.outline.exponential,
-                ..*stage
-            });
+    /// From a solution of the case on finer meshes until its errors are small. Where a mesh fails, once more, and that fails, too, the
+    /// solution on the mesh before stands, with an error bar that says what it is worth.
+    fn refine(mut self) -> Result<(S::Solution, S), SolveError> {
+        while let Some(by) = self.refinement.take() {
+            let for_films = by.aim == RefinementTarget::Films;
+            if !for_films {
+                self.diffuse_ridge();
+            }
+            let may_be_diffused = self.ridge_diffusion < self.outline.ridge_diffusion;
+            self.halvings = by.halvings;
+            let at = *self.current.as_ref().expect("a solution").stage();
+            let stage = Stage {
+                refinements: at.refinements + 1,
+                undamped: false,
+                // Films that are about as accurate as asked for bear no long search, nor does what can be tried with a diffused ridge.
+                given_up_early: self.outline.roller || !for_films || may_be_diffused,
+                ..at
+            };
+            if self.climb(vec![stage])?.is_none() {
+                continue;
+            }
+            // Films that are as accurate as asked for need no second try.
+            let good_enough = by.aim == RefinementTarget::Pressure
+                || self.ridge_diffusion > 0.0 && by.film_bar < GOOD_ENOUGH;
+            let before = self.current.clone();
+            if !good_enough && self.climb(self.restart(&stage))?.is_none() {
+                continue;
+            }
+            self.current = before;
+            // Only measured so far.
+            if let Some(current) = &mut self.current {
+                self.solver.finish(current, self.observer)?;
+            }
         }
+        let solution = self.current.expect("a path ends with a solution");
+        Ok((solution, self.solver))
     }
 
-    /// A refined mesh that failed once more: with quadratic pressures where its ridge is diffused already, else in steps of diminishing
-    /// diffusion. Films that are as accurate as asked for need no second try.
-    fn retry_refined(
-        &mut self,
-        stage: &Stage,
-        observer: &mut dyn Observer,
-    ) -> Result<(), SolveError> {
-        let diffused = self.outline.ridge_diffusion > 0.0;
-        if let Some(lower) = stage.with_quadratic_pressures().filter(|_| diffused) {
-            // It is not for want of a better start that the case's own fail.
-            self.raised = true;
-            self.queue.push_back(Stage {
-                given_up_early: stage.given_up_early,
-                ..lower
-            });
-            return Ok(());
-        }
-        if diffused && self.refinement.film_bar < GOOD_ENOUGH
-            || self.restarted == stage.refinements
-            || self.refinement.aim == RefinementTarget::Pressure
-        {
-            return self.stop_refining(observer);
-        }
-        self.restarted = stage.refinements;
-        let restart = Stage {
+    /// To a stage on a refined mesh in steps of diminishing diffusion.
+    fn restart(&self, stage: &Stage) -> Vec<Stage> {
+        let lower = stage.with_quadratic_pressures();
+        let stage = lower
+            .filter(|_| self.ridge_diffusion > 0.0)
+            .unwrap_or(*stage);
+        let start = Stage {
             sizes: stage.sizes,
             refinements: stage.refinements,
             newtonian: stage.newtonian,
             cold: false,
             ..*self.outline.start()
         };
-        self.queue.push_back(restart);
-        self.queue.extend(less_diffusion(&restart, stage));
-        self.queue.push_back(*stage);
-        Ok(())
-    }
-
-    /// Gives a refined mesh up: the solution on the mesh before stands, with an error bar that says what it is worth.
-    fn stop_refining(&mut self, observer: &mut dyn Observer) -> Result<(), SolveError> {
-        self.queue.clear();
-        if let Some(solved) = self.before_refinement.take() {
-            self.current = Some(solved);
-        }
-        let Some(current) = &mut self.current else {
-            return Ok(());
-        };
-        // Only measured so far.
-        if current.stage().role == Role::Final {
-            self.solver.finish(current, observer)?;
-        }
-        let stage = *current.stage();
-        self.raise(&stage);
-        Ok(())
-    }
-}
-
-/// The error of a solve that failed first for a reason, and then in all that was `tried`.
-fn all_failed(first: Option<SolveError>, tried: Vec<&'static str>) -> SolveError {
-    let first = first.expect("stages that end without failure end with a solution");
-    match tried.is_empty() {
-        true => first,
-        false => SolveError::AllFailed {
-            first: Box::new(first),
-            tried,
-        },
+        let mut path = vec![start];
+        path.extend(less_diffusion(&start, &stage));
+        path.push(stage);
+        path
     }
 }

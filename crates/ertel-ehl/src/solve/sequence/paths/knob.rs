@@ -67,7 +67,7 @@ impl Knob {
         match self {
             Knob::Diffusion => stage.constants.isotropic_diffusion = value,
             Knob::Exponent => stage.viscosity_exponent = value,
-            Knob::Softness => stage.softness = value,
+            Knob::Softness => (stage.softness, stage.newtonian) = (value, false),
             Knob::Sliding => stage.sliding = value,
             Knob::Speed => {
                 stage.constants.film_scale *= (value / stage.constants.lambda).powf(FILM_EXPONENT);

@@ -8,7 +8,7 @@ pub(super) mod tests;
 
 use super::stage::Stage;
 use crate::solution::Role;
-use crate::solve::tuning::continuation::{EXPONENTS, MEDIUM_SOFTNESS, SLIDING, THICKEST};
+use crate::solve::tuning::continuation::{EXPONENTS, MEDIUM_SOFTNESS, SLIDING, SPEEDS, THICKEST};
 use knob::Knob;
 
 /// What continuations know of a problem.
@@ -53,22 +53,21 @@ impl Outline {
     /// What a path ends with: the usual stages after the start that a rule names, none of them given up early, for what was is tried in
     /// earnest; but an exponential seldom bears the overshoots of cubic pressures, and quadratic ones stand in for them.
     fn ends(&self, rule: impl Fn(&Stage) -> bool) -> impl Iterator<Item = Stage> {
-        self.usual[1..]
-            .iter()
-            .filter(move |stage| rule(stage))
-            .map(|stage| Stage {
-                given_up_early: self.exponential && stage.with_quadratic_pressures().is_some(),
-                ..*stage
-            })
+        let early = |stage: &Stage| self.exponential && stage.with_quadratic_pressures().is_some();
+        let ends = self.usual[1..].iter().filter(move |stage| rule(stage));
+        ends.map(move |stage| Stage {
+            given_up_early: early(stage),
+            ..*stage
+        })
     }
 
-    /// What leads from a start to the stages that a path ends with: the shear law where that is the difficulty, then diffusion.
-    fn steps_after(&self, start: &Stage) -> Vec<Stage> {
-        let mut path = Vec::new();
-        if self.exponential {
-            path = march(&thinned(start), Knob::Softness, |_| true);
+    /// From the stages so far to the case: the shear law where that is the difficulty, then diffusion, then what a rule names.
+    fn to_case(&self, mut path: Vec<Stage>, rule: impl Fn(&Stage) -> bool) -> Vec<Stage> {
+        if self.exponential && path[path.len() - 1].newtonian {
+            path.extend(march(&path[path.len() - 1], Knob::Softness, |_| true));
         }
-        path.extend(less_diffusion(path.last().unwrap_or(start), self.last()));
+        path.extend(less_diffusion(&path[path.len() - 1], self.last()));
+        path.extend(self.ends(rule));
         path
     }
 }
@@ -87,29 +86,16 @@ fn march(at: &Stage, knob: Knob, within: impl Fn(f64) -> bool) -> Vec<Stage> {
 /// Steps from a diffusive stage towards the diffusion of another.
 pub(super) fn less_diffusion(from: &Stage, to: &Stage) -> Vec<Stage> {
     let [from_value, end] = [from, to].map(|stage| Knob::Diffusion.of(stage));
-    march(from, Knob::Diffusion, |value| {
-        (end..from_value).contains(&value)
-    })
-}
-
-/// The same stage with the case's own shear law.
-fn thinned(stage: &Stage) -> Stage {
-    Stage {
-        newtonian: false,
-        ..*stage
-    }
+    let within = end..from_value;
+    march(from, Knob::Diffusion, |value| within.contains(&value))
 }
 
 /// What is tried, in turn, when the first start or the final stage does not converge. First what changes least: mesh and start stay
 /// while the difficulty itself (heat, shear law, spike) is led up to; then another start, then another mesh.
 pub(super) fn paths(outline: &Outline) -> Vec<Path> {
-    let (start, last) = (outline.start(), outline.last());
-    let any = |_: &Stage| true;
+    let (start, last) = (*outline.start(), outline.last());
     let measured = |stage: &Stage| !stage.role.compares() || !outline.exponential;
-    let from_start = |start: &Stage| {
-        let ends = outline.ends(measured);
-        outline.steps_after(start).into_iter().chain(ends)
-    };
+    let heats_up = last.heated && outline.slides;
     let mut paths = Vec::new();
     let mut push = |name, needs_start, stages: Vec<Stage>| {
         paths.push(Path {
@@ -118,55 +104,28 @@ pub(super) fn paths(outline: &Outline) -> Vec<Path> {
             stages,
         });
     };
-    if outline.exponential {
-        if last.heated && outline.slides {
-            // To a medium softness with little sliding, through sliding, and the rest of the way when hot: heat thins the film and its spikes.
-            let slow = Knob::Sliding.set(thinned(start), SLIDING[0]);
-            let hot = Knob::Softness.set(thinned(start), MEDIUM_SOFTNESS);
-            let hot = Stage {
-                heated: true,
-                ..hot
-            };
-            let mut path = vec![*start];
-            path.extend(march(&slow, Knob::Softness, |s| s >= MEDIUM_SOFTNESS));
-            path.extend(march(&hot, Knob::Sliding, |_| true));
-            path.extend(march(&hot, Knob::Softness, |s| s < MEDIUM_SOFTNESS));
-            path.extend(less_diffusion(&path[path.len() - 1], last));
-            path.extend(outline.ends(measured));
-            push(
-                "shear law, sliding, then the rest of the shear law",
-                true,
-                path,
-            );
-        }
-        let path = [*start].into_iter().chain(from_start(start));
-        push("shear law", true, path.collect());
-    } else {
-        let faster = |stage: &Stage, speed: f64| {
-            let stage = Stage {
-                newtonian: start.newtonian,
-                heated: false,
-                ..*stage
-            };
-            Knob::Speed.set(stage, speed * stage.constants.lambda)
+    if outline.exponential && heats_up {
+        // To a medium softness with little sliding, through sliding, and the rest of the way when hot: heat thins the film and its spikes.
+        let slow = Knob::Sliding.set(start, SLIDING[0]);
+        let hot = Stage {
+            heated: true,
+            ..Knob::Softness.set(start, MEDIUM_SOFTNESS)
         };
-        // Thick films have other shapes, and other difficulties.
-        let speeds = Knob::Speed.values().iter().copied();
-        let mut speeds = speeds
-            .filter(|speed| faster(start, *speed).constants.film_scale < THICKEST)
-            .peekable();
-        if let Some(first) = speeds.peek().copied().filter(|_| outline.roller) {
-            let mut path = vec![faster(start, first)];
-            path.extend(speeds.map(|speed| Stage {
-                cold: false,
-                role: Role::Path,
-                given_up_early: false,
-                ..faster(last, speed)
-            }));
-            path.extend(outline.ends(any));
+        let mut path = vec![start];
+        path.extend(march(&slow, Knob::Softness, |s| s >= MEDIUM_SOFTNESS));
+        path.extend(march(&hot, Knob::Sliding, |_| true));
+        path.extend(march(&hot, Knob::Softness, |s| s < MEDIUM_SOFTNESS));
+        let name = "shear law, sliding, then the rest of the shear law";
+        push(name, true, outline.to_case(path, measured));
+    }
+    if outline.exponential {
+        push("shear law", true, outline.to_case(vec![start], measured));
+    } else {
+        let path = speeds(outline);
+        if !path.is_empty() {
             push("speed", false, path);
         }
-        if last.heated && outline.slides {
+        if heats_up {
             let hot = Stage {
                 sizes: start.sizes,
                 pressure_order: start.pressure_order,
@@ -183,23 +142,53 @@ pub(super) fn paths(outline: &Outline) -> Vec<Path> {
             path.extend(outline.ends(|stage| stage.heated));
             push("sliding", true, path);
         }
-        push("diffusion", true, from_start(start).collect());
+        let path = outline.to_case(vec![start], measured);
+        push("diffusion", true, path[1..].to_vec());
     }
-    let mut path = march(start, Knob::Exponent, |_| true);
-    path[0] = Knob::Exponent.set(*start, EXPONENTS[0]);
-    path.extend(from_start(start));
+    let mut thinner = march(&start, Knob::Exponent, |_| true);
+    thinner[0] = Knob::Exponent.set(start, EXPONENTS[0]);
+    let path = outline.to_case(thinner.clone(), measured);
     push("viscosity exponent", false, path);
     // Where the mesh is not refined, on the case's own, which is finer than that of the start.
     let sizes = match outline.refined {
         true => last.sizes.with_finer_rim(),
         false => last.sizes,
     };
-    let path = [*start].into_iter().chain(outline.steps_after(start));
-    let path = path.chain(outline.ends(|stage| stage.role == Role::Final));
-    push(
-        "finer rim",
-        false,
-        path.map(|stage| Stage { sizes, ..stage }).collect(),
-    );
+    for (name, path) in [
+        ("finer rim", vec![start]),
+        ("finer rim and viscosity exponent", thinner),
+    ] {
+        let path = outline.to_case(path, |stage| stage.role == Role::Final);
+        let path = path.iter().map(|stage| Stage { sizes, ..*stage });
+        push(name, false, path.collect());
+    }
     paths
+}
+
+/// From a film that is thick at the steep ends of a roller, too, down to the case's speed; empty for other contacts.
+fn speeds(outline: &Outline) -> Vec<Stage> {
+    let (start, last) = (outline.start(), outline.last());
+    let at = |stage: &Stage, multiple: f64| {
+        let stage = Stage {
+            newtonian: start.newtonian,
+            heated: false,
+            ..*stage
+        };
+        Knob::Speed.set(stage, multiple * stage.constants.lambda)
+    };
+    // Thick films have other shapes, and other difficulties.
+    let is_thin = |multiple: &f64| at(start, *multiple).constants.film_scale < THICKEST;
+    let speeds: Vec<f64> = SPEEDS.into_iter().filter(is_thin).collect();
+    let Some(first) = speeds.first().filter(|_| outline.roller) else {
+        return Vec::new();
+    };
+    let mut path = vec![at(start, *first)];
+    path.extend(speeds.iter().map(|multiple| Stage {
+        cold: false,
+        role: Role::Path,
+        given_up_early: false,
+        ..at(last, *multiple)
+    }));
+    path.extend(outline.ends(|_| true));
+    path
 }

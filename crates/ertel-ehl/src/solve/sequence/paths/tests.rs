@@ -104,7 +104,11 @@ fn names(outline: &Outline) -> Vec<&'static str> {
 #[test]
 fn paths_stand_in_their_order() {
     let outlines = outlines();
-    let others = ["viscosity exponent", "finer rim"];
+    let others = [
+        "viscosity exponent",
+        "finer rim",
+        "finer rim and viscosity exponent",
+    ];
     let first: [&[&str]; 7] = [
         &["diffusion"],
         &["sliding", "diffusion"],
