@@ -81,10 +81,7 @@ pub(super) fn solve(
     let mut finest = solved.finest;
     let levels = &solution.stats.levels;
     let rough = finest.adjoints.take().map(|rough| *rough);
-    let start = match warm_start {
-        Some(start) => start.followed_by(&problem, finest, levels),
-        None => Start::new(&problem, finest, levels),
-    };
+    let start = Start::new(&problem, finest, levels, warm_start);
     if case.wants_sensitivities() {
         let by = (&start, rough);
         let found = sensitivities(&solution, case, &problem, by, recorder.observer);

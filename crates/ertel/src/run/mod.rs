@@ -46,7 +46,11 @@ pub fn check(case: &Case) -> Result<(), SolveError> {
 }
 
 /// What the solve of a similar case can start from. Finite volumes start from the dry contact.
-pub struct Start(Option<Box<sequence::Start>>);
+pub struct Start {
+    own: Option<Box<sequence::Start>>,
+    /// That of the same contact with more oil than it takes, where it has less.
+    flooded: Option<Box<sequence::Start>>,
+}
 
 /// Solves a case.
 ///
@@ -72,18 +76,18 @@ pub fn solve_from(
     // On a thread of the pool: from outside, each of the thousands of short parallel loops would wait for one
     // thread to be woken before it began.
     rayon::scope(|_| {
-        let start = start.and_then(|start| start.0.as_deref());
-        let flooded = solve_flooded(case, start, observer)?;
-        let (mut solution, start) = solve_here(case, start, ahead, observer)?;
-        let Some((full, full_start)) = flooded else {
-            return Ok((solution, Start(start.map(Box::new))));
+        let flooded = start.and_then(|start| start.flooded.as_deref());
+        let flooded = solve_flooded(case, flooded, observer)?;
+        let start = start.and_then(|start| start.own.as_deref());
+        let (mut solution, own) = solve_here(case, start, ahead, observer)?;
+        if let Some((full, _)) = &flooded {
+            solution.beside_flooded(full);
+        }
+        let start = Start {
+            own: own.map(Box::new),
+            flooded: flooded.and_then(|(_, start)| start).map(Box::new),
         };
-        solution.beside_flooded(&full);
-        let start = match (start, full_start) {
-            (Some(start), Some(full)) => Some(start.beside(full)),
-            (start, _) => start,
-        };
-        Ok((solution, Start(start.map(Box::new))))
+        Ok((solution, start))
     })
 }
 
@@ -107,7 +111,6 @@ fn solve_flooded(
     if first_method(case) == Method::FiniteVolumes {
         flooded.solver.method = Some(Method::FiniteVolumes);
     }
-    let start = start.and_then(sequence::Start::flooded);
     match solve_here(&flooded, start, &[], observer) {
         Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
         end => Ok(end.ok()),

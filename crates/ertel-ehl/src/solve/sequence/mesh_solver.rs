@@ -4,9 +4,9 @@ use ertel_fem::platform::Instant;
 use std::sync::Arc;
 
 use super::driver::{Driver, StageEnd, StageSolver, Task, Trial};
+use super::paths::Outline;
 use super::stage_run::{DIVERGENCE_LIMIT, Finish, StageRun};
 use super::start::{cold_start, interpolate};
-use super::strategies::Outline;
 use super::{Problem, Stage, StageSolution};
 use crate::solution::LevelStats;
 use crate::solution::Role;
@@ -27,8 +27,9 @@ pub fn solve_stages(
     problem: &Problem,
     observer: &mut dyn Observer,
 ) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
-    let driver = Driver::new(Outline::of(problem), MeshSolver::new(problem, 0));
-    solution_of(driver, observer).map_err(|error| problem.explained(error))
+    let driver = Driver::new(Outline::of(problem), MeshSolver::new(problem, 0), observer);
+    let end = driver.run().and_then(with_film);
+    end.map_err(|error| problem.explained(error))
 }
 
 /// One stage that starts from a solution on its mesh, and refinements after it.
@@ -39,29 +40,26 @@ pub(super) fn solve_from(
     observer: &mut dyn Observer,
 ) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
     let solver = MeshSolver::new(problem, stage.refinements);
-    let driver = Driver::warm(Outline::of(problem), solver, from, stage);
-    solution_of(driver, observer)
+    let driver = Driver::new(Outline::of(problem), solver, observer);
+    driver.run_from(from, stage).and_then(with_film)
 }
 
-/// Runs the stages to the end.
-fn solution_of(
-    driver: Driver<MeshSolver>,
-    observer: &mut dyn Observer,
+/// What was found, unless its film is negative: a root of the discrete equations, but no contact.
+fn with_film(
+    (solution, MeshSolver { stats, .. }): (StageSolution, MeshSolver),
 ) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
-    let (solution, MeshSolver { stats, .. }) = driver.run(observer)?;
     let (film, _) = minimum_film(&solution.discretisation, &solution.state);
-    if film <= 0.0 {
-        // A root of the discrete equations, but no contact.
-        return Err(SolveError::NotConverged {
-            level: stats.len() - 1,
-            iterations: stats.last().map_or(0, |l| l.newton_iterations),
-            residual: solution.reached.residual,
-            update: solution.reached.update,
-            penalty_share: 1.0,
-            reason: Stopped::NegativeFilm,
-        });
+    if film > 0.0 {
+        return Ok((solution, stats));
     }
-    Ok((solution, stats))
+    Err(SolveError::NotConverged {
+        level: stats.len() - 1,
+        iterations: stats.last().map_or(0, |l| l.newton_iterations),
+        residual: solution.reached.residual,
+        update: solution.reached.update,
+        penalty_share: 1.0,
+        reason: Stopped::NegativeFilm,
+    })
 }
 
 /// Where the pressure of a stage has a ridge, from what it starts from: from its pressure, or as there if that is known on this mesh.
@@ -97,8 +95,7 @@ impl Outline {
         Outline {
             usual: problem.plan.stages.clone(),
             exponential: problem.fluid.is_exponential(),
-            impatient: problem.shape.zone.roller.is_some(),
-            has_steep_ends: problem.shape.zone.roller.is_some(),
+            roller: problem.shape.zone.roller.is_some(),
             // An exponential law has difficulties of its own.
             ridge_diffusion: match problem.fluid.is_exponential() {
                 true => 0.0,
@@ -119,14 +116,11 @@ impl Trial for StageSolution {
         self.converged
     }
 
-    fn has_film(&self) -> bool {
-        let (film, _) = minimum_film(&self.discretisation, &self.state);
-        film.is_finite() && film > 0.0
-    }
-
     /// Finite, with film everywhere, and nearer than the dry contact.
     fn is_usable(&self) -> bool {
-        self.has_film()
+        let (film, _) = minimum_film(&self.discretisation, &self.state);
+        film.is_finite()
+            && film > 0.0
             && self.state.pressure.iter().all(|p| p.is_finite())
             && self.reached.residual <= DIVERGENCE_LIMIT
     }
@@ -262,11 +256,7 @@ impl StageSolver for MeshSolver<'_> {
         if wanted && observer.cancelled() {
             return Err(SolveError::Interrupted);
         }
-        let indicator = if wanted {
-            run.measure(&state, &mut effort)
-        } else {
-            None
-        };
+        let indicator = wanted.then(|| run.measure(&state, &mut effort)).flatten();
         let stats = run.stats(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
         self.stats.push(stats);
         let next = match (&problem.plan.adapt, &indicator) {
@@ -281,39 +271,31 @@ impl StageSolver for MeshSolver<'_> {
             _ => Err(RefinementEnd::NoEstimate),
         };
         let refinement_end = next.as_ref().err().copied();
-        let refinement = next.ok();
-        if rough && last && outcome.is_ok() && refinement.is_none() {
+        if rough && last && outcome.is_ok() && next.is_err() {
             // Measured, and already accurate enough: the solution itself, to the end.
             let rough = outcome.ok().and_then(|(_, coupling)| coupling);
-            outcome = run
-                .solve(Finish::Exact, &mut state, &mut effort, observer)
-                .map(|(reached, coupling)| (reached, coupling.map(|c| c.after(rough))));
+            outcome = run.finish(rough, &mut state, &mut effort, observer);
             let stats = run.stats(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
             self.stats[level] = stats;
         }
-        let (outcome, (reached, coupling)) = match outcome {
-            Ok(reached) => (Ok(()), reached),
-            Err(e) => {
-                let reached = NewtonStatus::of_failure(&e);
-                (Err(e), (reached, None))
-            }
+        let (reached, coupling) = match &outcome {
+            Ok(reached) => *reached,
+            Err(error) => (NewtonStatus::of_failure(error), None),
         };
         let adjoints = (last && outcome.is_ok()).then(|| Box::new(run.rough_adjoints(indicator)));
-        let solution = StageSolution {
-            adjoints,
-            discretisation: d,
-            state,
-            stage: *stage,
-            reached,
-            converged: outcome.is_ok(),
-            rough: false,
-            refinement_end,
-            coupling,
-        };
         Ok(StageEnd {
-            outcome,
-            solution,
-            refinement,
+            solution: StageSolution {
+                adjoints,
+                discretisation: d,
+                state,
+                stage: *stage,
+                reached,
+                converged: outcome.is_ok(),
+                rough: false,
+                refinement_end,
+                coupling,
+            },
+            outcome: outcome.map(|_| next.ok()),
         })
     }
 
@@ -322,21 +304,13 @@ impl StageSolver for MeshSolver<'_> {
         solution: &mut StageSolution,
         observer: &mut dyn Observer,
     ) -> Result<(), SolveError> {
-        let level = self.stats.len() - 1;
-        let run = StageRun::new(
-            self.problem,
-            &solution.stage,
-            level,
-            &solution.discretisation,
-        );
-        let mut effort = NewtonStats::default();
-        let (rough, mut state) = (solution.coupling, solution.state.clone());
-        match run.solve(Finish::Exact, &mut state, &mut effort, observer) {
+        let (stage, d) = (&solution.stage, &solution.discretisation);
+        let run = StageRun::new(self.problem, stage, self.stats.len() - 1, d);
+        let (mut state, mut effort) = (solution.state.clone(), NewtonStats::default());
+        match run.finish(solution.coupling, &mut state, &mut effort, observer) {
             Ok((reached, coupling)) => {
-                solution.state = state;
-                solution.adjoints = None;
-                solution.reached = reached;
-                solution.coupling = coupling.map(|c| c.after(rough));
+                (solution.state, solution.reached) = (state, reached);
+                (solution.adjoints, solution.coupling) = (None, coupling);
             }
             Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
             // What was measured stands.

@@ -1,8 +1,8 @@
 //! Stage after stage from the dry contact to the solution: meshes from coarse to fine, a diffusive start before
-//! the case's own equations, continuation strategies where one fails.
+//! the case's own equations, continuations where one fails.
 //!
 //! - `stage`: the data of one stage;
-//! - `strategies`: continuations to the case's own contact through easier ones, each on its own;
+//! - `paths`: continuations to the case's own contact through easier ones;
 //! - `driver`: which stage comes next, whatever solves it;
 //! - `mesh_solver`: a stage on its mesh, from the state before;
 //! - `stage_run`: Newton's method on it;
@@ -11,10 +11,10 @@
 
 mod driver;
 mod mesh_solver;
+mod paths;
 mod stage;
 pub mod stage_run;
 pub mod start;
-mod strategies;
 mod warm;
 
 use super::SolveError;
@@ -102,16 +102,14 @@ impl Problem {
     /// An error with what is known of its reason: stress that thins the fluid far more than it does oils.
     fn explained(&self, error: SolveError) -> SolveError {
         let share = self.plan.thinned_share;
-        let is_failure = matches!(
-            error,
+        match error {
             SolveError::NotConverged { .. } | SolveError::AllFailed { .. }
-        );
-        match is_failure && share < FAR_FROM_OILS {
-            true => SolveError::Thinned {
-                error: Box::new(error),
-                share,
-            },
-            false => error,
+                if share < FAR_FROM_OILS =>
+            {
+                let error = Box::new(error);
+                SolveError::Thinned { error, share }
+            }
+            other => other,
         }
     }
 
@@ -120,23 +118,9 @@ impl Problem {
     /// # Errors
     /// [`SolveError::TooThin`].
     pub fn check_size(&self) -> Result<(), SolveError> {
-        let (Some(first), Some(last)) = (self.plan.stages.first(), self.plan.stages.last()) else {
+        let stages = &self.plan.stages;
+        let (Some(first), Some(last)) = (stages.first(), stages.last()) else {
             return Ok(());
-        };
-        let unknowns = |stage: &Stage| {
-            let order = self
-                .plan
-                .stages
-                .iter()
-                .map(|s| s.pressure_order)
-                .max()
-                .unwrap_or(1);
-            // Refinement brings the finer outlet side where the first mesh has none.
-            let sizes = LevelSizes {
-                outlet_rim: stage.sizes.rim,
-                ..stage.sizes
-            };
-            expected_unknowns(&self.shape, &self.extents, &sizes, order)
         };
         let (stage, limit, help) = match &self.plan.adapt {
             Some(adapt) => (
@@ -151,10 +135,15 @@ impl Problem {
                 (last, MOST_UNKNOWNS[model], help)
             }
         };
-        let n = unknowns(stage);
+        // Refinement brings the finer outlet side where the first mesh has none.
+        let sizes = LevelSizes {
+            outlet_rim: stage.sizes.rim,
+            ..stage.sizes
+        };
+        let unknowns = expected_unknowns(&self.shape, &self.extents, &sizes, last.pressure_order);
         // Only where it is the rim that takes them: large areas around thick films are another matter.
         let thin = stage.sizes.rim < THIN_RIM * stage.sizes.hertz;
-        if n <= limit || !thin {
+        if unknowns <= limit || !thin {
             return Ok(());
         }
         let ratio = self.plan.mesh_film;
@@ -164,7 +153,7 @@ impl Problem {
             ratio,
             length: stage.sizes.rim_width,
             size: stage.sizes.rim,
-            unknowns: n,
+            unknowns,
             limit,
             help,
         })

@@ -3,6 +3,7 @@
 use crate::solution::Role;
 use crate::solve::discretisation::LevelSizes;
 use crate::solve::system::FilmConstants;
+use crate::solve::tuning::continuation::LOWER_ORDER;
 
 /// One stage of a solve: a mesh, a pressure order, a formulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,11 +42,13 @@ impl Stage {
         self.sizes == other.sizes && self.refinements == other.refinements
     }
 
-    /// Whether its equations are those of another stage, apart from diffusion, order and mesh.
-    pub(super) fn has_fluid_and_motion_of(&self, other: &Stage) -> bool {
-        self.constants.lambda == other.constants.lambda
-            && self.viscosity_exponent == other.viscosity_exponent
-            && self.softness == other.softness
-            && self.sliding == other.sliding
+    /// The same with quadratic pressures, unless its own are of as low an order.
+    pub(super) fn with_quadratic_pressures(&self) -> Option<Stage> {
+        (self.pressure_order > LOWER_ORDER).then_some(Stage {
+            pressure_order: LOWER_ORDER,
+            // Refined meshes keep their patience.
+            given_up_early: self.given_up_early && self.refinements > 0,
+            ..*self
+        })
     }
 }

@@ -60,7 +60,7 @@ impl<'a> StageRun<'a> {
         }
     }
 
-    /// Newton's method, through the penalty ramp if the stage is a start.
+    /// Newton's method: through the penalty ramp if the stage is a start, and with a gentle penalty first where a solution goes round in circles.
     pub fn solve(
         &self,
         finish: Finish,
@@ -68,61 +68,28 @@ impl<'a> StageRun<'a> {
         effort: &mut NewtonStats,
         observer: &mut dyn Observer,
     ) -> Result<(NewtonStatus, Option<CouplingStats>), SolveError> {
-        let leads = self.stage.role.leads();
-        let mut params = self.problem.plan.newton;
-        if finish == Finish::Rough {
-            let mut update = EXACT_ENOUGH;
-            let costly = self.discretisation.contact.surface.dim > 1;
-            if let Some(adapt) = self.problem.plan.adapt.as_ref().filter(|_| costly) {
-                update = (ROUGH_SHARE * adapt.target).sqrt().min(ROUGH_UPDATE);
-                params.film_tolerance = ROUGH_FILM_CHANGE * adapt.target;
-            }
-            params.update_tolerance = params.update_tolerance.max(update);
-            params.residual_tolerance = params.residual_tolerance.max(ROUGH_RESIDUAL);
-        }
-        if self.stage.undamped {
-            params.safe_update = f64::INFINITY;
-            params.patience = UNDAMPED_STAGNATION;
-        }
-        if self.stage.given_up_early {
-            params.patience = params.patience.min(EARLY_STAGNATION);
-            let rollers = self.problem.shape.zone.roller.is_some();
-            let most = EARLY_ITERATIONS[usize::from(rollers)];
-            params.max_iterations = params.max_iterations.min(most);
-        }
-        if leads {
-            params.update_tolerance = START_TOLERANCE;
-            params.residual_tolerance = f64::INFINITY;
-            params.film_tolerance = f64::INFINITY;
-            params.max_iterations = START_ITERATIONS;
-            params.patience = START_STAGNATION;
-            params.trusted_fall = 0.0;
-        }
-        if self.stage.role == Role::Path
-            && self.problem.fluid.is_exponential()
-            && !self.stage.newtonian
-        {
-            params.update_tolerance = EXPONENTIAL_TOLERANCE;
-            params.residual_tolerance = EXPONENTIAL_TOLERANCE;
-        }
-        let ramp: &[f64] = match self.stage.role {
+        let (stage, params) = (&self.stage, self.params(finish));
+        let from = state.clone();
+        let ramp: &[f64] = match stage.role {
             Role::Start => &PENALTY_RAMP,
             _ => &[1.0],
         };
-        let from = state.clone();
         let mut outcome = Ok((NewtonStatus::default(), None));
         for share in ramp {
             outcome = self.run(*share, &params, state, effort, observer);
-            let stalled = matches!(outcome, Err(SolveError::NotConverged { .. }));
-            let diverged = matches!(outcome, Err(SolveError::NotConverged { residual, .. }) if residual > DIVERGENCE_LIMIT);
-            if outcome.is_err() && (!(leads && stalled) || diverged) {
-                break;
+            // What has stalled may go on with more of the penalty, but not from far out.
+            let is_far = |residual: f64| residual > DIVERGENCE_LIMIT;
+            match outcome {
+                Ok(_) => {}
+                Err(SolveError::NotConverged { residual, .. }) if !is_far(residual) => {}
+                Err(_) => break,
             }
         }
         let circling = matches!(outcome, Err(SolveError::NotConverged { .. }));
         // Where a ridge is diffused and it still circles, the penalty is not the cause.
-        let diffused = self.stage.constants.ridge_diffusion > 0.0;
-        if !circling || leads || diffused || self.stage.undamped || self.stage.given_up_early {
+        let diffused = stage.constants.ridge_diffusion > 0.0;
+        let is_led_to = stage.role.leads() || stage.undamped || stage.given_up_early;
+        if !circling || diffused || is_led_to {
             return outcome;
         }
         let mut trial = from;
@@ -144,6 +111,56 @@ impl<'a> StageRun<'a> {
             *state = trial;
         }
         gentle
+    }
+
+    /// Tolerances and patience of Newton's method by the role of the stage.
+    fn params(&self, finish: Finish) -> NewtonParams {
+        let (stage, problem) = (&self.stage, self.problem);
+        let mut params = problem.plan.newton;
+        if finish == Finish::Rough {
+            let mut update = EXACT_ENOUGH;
+            let costly = self.discretisation.contact.surface.dim > 1;
+            if let Some(adapt) = problem.plan.adapt.as_ref().filter(|_| costly) {
+                update = (ROUGH_SHARE * adapt.target).sqrt().min(ROUGH_UPDATE);
+                params.film_tolerance = ROUGH_FILM_CHANGE * adapt.target;
+            }
+            params.update_tolerance = params.update_tolerance.max(update);
+            params.residual_tolerance = params.residual_tolerance.max(ROUGH_RESIDUAL);
+        }
+        if stage.undamped {
+            params.safe_update = f64::INFINITY;
+            params.patience = UNDAMPED_STAGNATION;
+        }
+        if stage.given_up_early {
+            let most = EARLY_ITERATIONS[usize::from(problem.shape.zone.roller.is_some())];
+            params.patience = params.patience.min(EARLY_STAGNATION);
+            params.max_iterations = params.max_iterations.min(most);
+        }
+        if stage.role.leads() {
+            params.update_tolerance = START_TOLERANCE;
+            params.residual_tolerance = f64::INFINITY;
+            params.film_tolerance = f64::INFINITY;
+            params.max_iterations = START_ITERATIONS;
+            params.patience = START_STAGNATION;
+            params.trusted_fall = 0.0;
+        }
+        if stage.role == Role::Path && problem.fluid.is_exponential() && !stage.newtonian {
+            params.update_tolerance = EXPONENTIAL_TOLERANCE;
+            params.residual_tolerance = EXPONENTIAL_TOLERANCE;
+        }
+        params
+    }
+
+    /// To the tolerance of the case from a state that was only measured, whose coupling with the heat counts, too.
+    pub(super) fn finish(
+        &self,
+        rough: Option<CouplingStats>,
+        state: &mut State,
+        effort: &mut NewtonStats,
+        observer: &mut dyn Observer,
+    ) -> Result<(NewtonStatus, Option<CouplingStats>), SolveError> {
+        let (reached, coupling) = self.solve(Finish::Exact, state, effort, observer)?;
+        Ok((reached, coupling.map(|c| c.after(rough))))
     }
 
     /// Newton's method with a share of the penalty, in turn with that for the temperatures where the stage is heated.

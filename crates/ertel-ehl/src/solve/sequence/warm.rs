@@ -9,7 +9,7 @@ use crate::elastic::{Accuracy, BodyModel, Elasticity, compliance};
 use crate::solution::LevelStats;
 use crate::solution::Role;
 use crate::solve::adapt::{error_bars, grading_errors};
-use crate::solve::discretisation::{Discretisation, Extents};
+use crate::solve::discretisation::Discretisation;
 use crate::solve::evaluate::{central_film, minimum_film};
 use crate::solve::points::pressure_at;
 use crate::solve::system::{FilmConstants, State};
@@ -27,44 +27,32 @@ pub struct Start {
     film: f64,
     /// Largest error bar over the target, of the last solution that did not start from another.
     miss: f64,
-    /// The same contact with more oil than it takes, where it has less.
-    flooded: Option<Box<Start>>,
 }
 
 impl Problem {
     /// Makes the contact area large enough for other problems, too, and the cells fine enough where nothing is
     /// refined by estimates; but not for those that ask for too much.
     pub fn make_room_for(&mut self, others: impl Iterator<Item = Problem>) {
-        let modest = |own: f64, wanted: f64| wanted <= MOST_ROOM * own;
-        let near = |own: f64, wanted: f64| wanted <= MOST_REACH * own;
-        let (extents, stages) = (self.extents, self.plan.stages.clone());
+        let (reach, stages) = (self.extents.reach(), self.plan.stages.clone());
         for other in others {
-            let its = &other.extents;
-            if self.shape.inlet != Inlet::Meniscus
-                && near(-extents.inlet, -its.inlet)
-                && near(extents.outlet, its.outlet)
-                && near(extents.side, its.side)
-            {
-                let own = &mut self.extents;
-                own.inlet = own.inlet.min(its.inlet);
-                own.outlet = own.outlet.max(its.outlet);
-                own.side = own.side.max(its.side);
-                own.body_width = own.body_width.max(its.body_width);
-                own.body_depth = own.body_depth.max(its.body_depth);
+            let mut its = reach.iter().zip(other.extents.reach()).take(3);
+            let is_near = its.all(|(own, wanted)| wanted <= MOST_REACH * own);
+            if self.shape.inlet != Inlet::Meniscus && is_near {
+                self.extents = self.extents.around(&other.extents);
             }
             if self.plan.adapt.is_some() || stages.len() != other.plan.stages.len() {
                 continue;
             }
-            for (i, own) in stages.iter().enumerate() {
-                let (own, its) = (&own.sizes, &other.plan.stages[i].sizes);
-                if modest(its.rim, own.rim) && modest(its.hertz, own.hertz) {
-                    let sizes = &mut self.plan.stages[i].sizes;
-                    sizes.hertz = sizes.hertz.min(its.hertz);
-                    sizes.constriction = sizes.constriction.min(its.constriction);
-                    sizes.rim = sizes.rim.min(its.rim);
-                    sizes.outlet_rim = sizes.outlet_rim.min(its.outlet_rim);
-                    sizes.rim_width = sizes.rim_width.max(its.rim_width);
-                    sizes.edge = sizes.edge.min(its.edge);
+            let own = self.plan.stages.iter_mut().zip(&stages);
+            for ((stage, first), other) in own.zip(&other.plan.stages) {
+                let (own, first, its) = (&mut stage.sizes, &first.sizes, &other.sizes);
+                if first.rim <= MOST_ROOM * its.rim && first.hertz <= MOST_ROOM * its.hertz {
+                    own.hertz = own.hertz.min(its.hertz);
+                    own.constriction = own.constriction.min(its.constriction);
+                    own.rim = own.rim.min(its.rim);
+                    own.outlet_rim = own.outlet_rim.min(its.outlet_rim);
+                    own.rim_width = own.rim_width.max(its.rim_width);
+                    own.edge = own.edge.min(its.edge);
                 }
             }
         }
@@ -72,48 +60,24 @@ impl Problem {
 }
 
 impl Start {
-    /// A start from the solution of a problem and the figures of its stages.
-    pub fn new(problem: &Problem, solution: StageSolution, stats: &[LevelStats]) -> Start {
-        let miss = miss(problem, &solution, stats);
+    /// A start from the solution of a problem and the figures of its stages; `before`: from which start that was found, if from any.
+    pub fn new(
+        problem: &Problem,
+        solution: StageSolution,
+        stats: &[LevelStats],
+        before: Option<&Start>,
+    ) -> Start {
         Start {
+            miss: before.map_or_else(|| miss(problem, &solution, stats), |start| start.miss),
             solution,
             elasticity: problem.elasticity.clone(),
             film: problem.start_film,
-            miss,
-            flooded: None,
         }
     }
 
     /// The solution that it starts from.
     pub fn solution(&self) -> &StageSolution {
         &self.solution
-    }
-
-    /// The same with the start of the flooded contact beside.
-    #[must_use]
-    pub fn beside(self, flooded: Start) -> Start {
-        Start {
-            flooded: Some(Box::new(flooded)),
-            ..self
-        }
-    }
-
-    /// The start of the flooded contact.
-    pub fn flooded(&self) -> Option<&Start> {
-        self.flooded.as_deref()
-    }
-
-    /// The same for a problem that was solved from this start.
-    pub fn followed_by(
-        &self,
-        problem: &Problem,
-        solution: StageSolution,
-        stats: &[LevelStats],
-    ) -> Start {
-        Start {
-            miss: self.miss,
-            ..Start::new(problem, solution, stats)
-        }
     }
 
     /// Whether its mesh suits a problem: the same bodies, a contact area that is large enough, cells that
@@ -137,8 +101,7 @@ impl Start {
             };
         let film = problem.start_film / self.film;
         let within = |ratio: f64, low: f64, high: f64| (low..=high).contains(&ratio);
-        let reach = |e: &Extents| [-e.inlet, e.outlet, e.side, e.body_width, e.body_depth];
-        let (here, there) = (reach(&contact.extents), reach(&problem.extents));
+        let (here, there) = (contact.extents.reach(), problem.extents.reach());
         let coarsest = match problem.plan.adapt {
             Some(_) => COARSEST_REFINED,
             None => COARSEST,
@@ -163,12 +126,22 @@ impl Start {
             && has.depth_growth <= wants.depth_growth
     }
 
-    /// The constants of a problem, with the diffusion at a ridge that its solution came with.
-    fn constants(&self, of: &FilmConstants) -> FilmConstants {
-        FilmConstants {
-            ridge_diffusion: self.solution.stage.constants.ridge_diffusion,
-            ..*of
-        }
+    /// The last stage of a problem on its mesh, with the diffusion at a ridge that its solution came with.
+    fn stage(&self, problem: &Problem, undamped: bool) -> Option<Stage> {
+        let (own, last) = (&self.solution.stage, problem.plan.stages.last()?);
+        Some(Stage {
+            sizes: own.sizes,
+            refinements: own.refinements,
+            cold: false,
+            given_up_early: false,
+            undamped,
+            role: Role::Final,
+            constants: FilmConstants {
+                ridge_diffusion: own.constants.ridge_diffusion,
+                ..last.constants
+            },
+            ..*last
+        })
     }
 
     /// Its pressures and film as they are foreseen to be in the problem.
@@ -234,39 +207,26 @@ pub fn solve_warm(
     start: &Start,
     observer: &mut dyn Observer,
 ) -> Result<Option<(StageSolution, Vec<LevelStats>)>, SolveError> {
-    let Some(last) = problem.plan.stages.last() else {
-        return Ok(None);
-    };
     let allowed = LARGEST_MISS.max(WORSE * start.miss);
     // Where whole steps fail, damped ones mostly lead there still, for less than a start from the dry contact.
     for undamped in [true, false] {
-        let stage = Stage {
-            sizes: start.solution.stage.sizes,
-            refinements: start.solution.stage.refinements,
-            cold: false,
-            given_up_early: false,
-            undamped,
-            role: Role::Final,
-            constants: start.constants(&last.constants),
-            ..*last
+        let Some(stage) = start.stage(problem, undamped) else {
+            return Ok(None);
         };
         let mut from = start.rescaled(problem);
         // Another contact has its ridge elsewhere.
         from.discretisation.at_ridge.clear();
-        match solve_from(problem, from, stage, observer) {
-            Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
-            Err(_) => {}
-            Ok((solution, stats)) => {
-                let good = miss(problem, &solution, &stats) <= allowed;
-                return Ok(good.then_some((solution, stats)));
-            }
+        if let Some((solution, stats)) = unless_failed(solve_from(problem, from, stage, observer))?
+        {
+            let good = miss(problem, &solution, &stats) <= allowed;
+            return Ok(good.then_some((solution, stats)));
         }
     }
     Ok(None)
 }
 
-/// Solves a problem, which must not ask for refinement, on the mesh of a start, whatever its own mesh would be: for differences that no change of the mesh should blur. `None`
-/// where Newton's method does not converge.
+/// Solves a problem, which must not ask for refinement, on the mesh of a start, whatever its own mesh would be: for differences that no
+/// change of the mesh should blur. `None` where Newton's method does not converge.
 ///
 /// # Errors
 /// Only [`SolveError::Interrupted`].
@@ -275,31 +235,24 @@ pub fn solve_on_mesh(
     start: &Start,
     observer: &mut dyn Observer,
 ) -> Result<Option<StageSolution>, SolveError> {
-    if !start
-        .solution
-        .discretisation
-        .contact
-        .shape
-        .is_like(&problem.shape)
-    {
+    let own = &start.solution;
+    let is_like = own.discretisation.contact.shape.is_like(&problem.shape);
+    let Some(stage) = start.stage(problem, true).filter(|_| is_like) else {
         return Ok(None);
-    }
-    let stage = Stage {
-        constants: (problem.plan.stages.last()).map_or(start.solution.stage.constants, |last| {
-            start.constants(&last.constants)
-        }),
-        undamped: true,
-        cold: false,
-        given_up_early: false,
-        role: Role::Final,
-        ..start.solution.stage
     };
-    match solve_from(problem, start.rescaled(problem), stage, observer) {
+    let stage = Stage {
+        pressure_order: own.stage.pressure_order,
+        ..stage
+    };
+    let end = solve_from(problem, start.rescaled(problem), stage, observer);
+    Ok(unless_failed(end)?.map(|(solution, _)| solution))
+}
+
+/// What a solve found, if anything.
+fn unless_failed<T>(end: Result<T, SolveError>) -> Result<Option<T>, SolveError> {
+    match end {
         Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
-        end => Ok(end
-            .ok()
-            .map(|(solution, _)| solution)
-            .filter(|s| s.converged)),
+        end => Ok(end.ok()),
     }
 }
 

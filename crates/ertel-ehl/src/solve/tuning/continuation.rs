@@ -35,11 +35,8 @@ pub const EXPONENTS: [f64; 5] = [0.4, 0.6, 0.75, 0.88, 1.0];
 /// Order to which pressures are lowered where they do not converge: those that overshoot little at a spike that the mesh does not resolve.
 pub const LOWER_ORDER: usize = 2;
 
-/// Ratio of the speeds of two steps below which the step between them is not halved.
-pub const NEAR_SPEED: f64 = 1.1;
+/// Exponent of the speed in the central film of heavily loaded contacts (Hamrock and Dowson, J. Lubr. Technol. 99 (1977), 264-276).
+pub const FILM_EXPONENT: f64 = 0.67;
 
-/// The same of softnesses.
-pub const NEAR_SOFTNESS: f64 = 1.2;
-
-/// The same of shares of sliding.
-pub const NEAR_SLIDING: f64 = 1.04;
+/// Ratio of two values below which the step between them is not halved: of the diffusion, the exponent, the softness, the sliding and the speed.
+pub const NEAR: [f64; 5] = [1.4, 1.02, 1.2, 1.04, 1.1];

@@ -1,296 +1,242 @@
-//! Which stage comes next, until the last has converged.
+//! The program of a solve: up a path of stages from the dry contact, along other paths where that fails, then on finer and finer meshes.
 //!
-//! The driver knows neither meshes nor equations: a [`StageSolver`] solves a stage, [`Driver::decide`] draws the conclusion, and
-//! the driver does as decided.
+//! ```text
+//!   for each path (the usual stages, then those of `paths`):
+//!       climb     a step that fails is halved, or goes on from what came near; the last may have its ridge diffused, or quadratic pressures
+//!       refine    where that led to the case: until the errors are small; a mesh that fails is tried in other ways, then given up
+//! ```
+//! A start from another problem is a stage in place of the path. The driver knows neither meshes nor equations: a [`StageSolver`] solves a stage.
 
-mod decision;
-#[cfg(test)]
-mod scripted;
 mod stage_solver;
 #[cfg(test)]
 mod tests;
 
 use std::collections::VecDeque;
 
-use decision::Decision;
 pub(super) use stage_solver::{StageEnd, StageSolver, Task, Trial};
 
+use super::paths::knob::halfway;
+use super::paths::{Outline, less_diffusion, paths};
 use super::stage::Stage;
-use super::strategies::{Fallback, Outline, diffusion, fallbacks};
 use crate::solution::Role;
 use crate::solve::adapt::{Refinement, RefinementTarget};
+use crate::solve::tuning::continuation::{
+    GOOD_ENOUGH, MAX_HALVED_EXPONENTIAL_STEPS, MAX_HALVED_STEPS,
+};
 use crate::solve::{Observer, SolveError};
 
 /// Where a solve stands.
-pub(super) struct Driver<S: StageSolver> {
-    pub(super) solver: S,
+pub(super) struct Driver<'a, S: StageSolver> {
+    solver: S,
     outline: Outline,
-    /// Stages to come.
-    queue: VecDeque<Stage>,
-    /// What to try if these fail.
-    fallbacks: VecDeque<Fallback>,
-    /// What was tried of it.
-    tried: Vec<&'static str>,
-    /// Why the usual stages failed: the error to report when all strategies do.
-    first_failure: Option<SolveError>,
-    /// Stages solved or given up.
-    attempts: usize,
+    observer: &'a mut dyn Observer,
     /// Where the next stage starts.
     current: Option<S::Solution>,
-    /// The last solution of a final stage, while a refined mesh is being tried.
-    before_refinement: Option<S::Solution>,
-    /// How the next mesh, or that in force, was refined.
-    refinement: Refinement,
-    /// Steps halved in the present continuation.
-    halved_steps: usize,
-    /// Refinements of the mesh that has been tried once more.
-    restarted: usize,
-    /// Whether the case's own pressures have been tried from those of lower order.
-    raised: bool,
+    /// How to refine its mesh, if its errors are too large.
+    refinement: Option<Refinement>,
+    /// How the mesh in force was refined.
+    halvings: Vec<u32>,
     /// ρ_r in force.
     ridge_diffusion: f64,
-    /// Whether it starts from the solution of another problem.
-    warm: bool,
+    /// Whether the usual stages have failed.
+    falls_back: bool,
 }
 
-impl<S: StageSolver> Driver<S> {
-    /// The usual stages, from the dry contact.
-    pub fn new(outline: Outline, solver: S) -> Driver<S> {
+impl<'a, S: StageSolver> Driver<'a, S> {
+    pub fn new(outline: Outline, solver: S, observer: &'a mut dyn Observer) -> Driver<'a, S> {
         Driver {
             solver,
-            queue: outline.usual.iter().copied().collect(),
-            fallbacks: fallbacks(&outline).into(),
-            tried: Vec::new(),
             outline,
-            first_failure: None,
-            attempts: 0,
+            observer,
             current: None,
-            before_refinement: None,
-            refinement: Refinement {
-                halvings: Vec::new(),
-                aim: RefinementTarget::Films,
-                film_bar: f64::INFINITY,
-            },
-            halved_steps: 0,
-            restarted: 0,
-            raised: false,
+            refinement: None,
+            halvings: Vec::new(),
             ridge_diffusion: 0.0,
-            warm: false,
+            falls_back: false,
         }
     }
 
-    /// One stage that starts from the solution of a similar problem on its mesh, and refinements after it.
-    pub fn warm(outline: Outline, solver: S, from: S::Solution, stage: Stage) -> Driver<S> {
-        Driver {
-            queue: VecDeque::from([stage]),
-            fallbacks: VecDeque::new(),
-            current: Some(from),
-            ridge_diffusion: stage.constants.ridge_diffusion,
-            warm: true,
-            ..Driver::new(outline, solver)
-        }
-    }
-
-    /// Runs the stages to the end; returns the solution and the solver, which keeps the records.
+    /// From the dry contact; returns the solution and the solver, which keeps the records.
     ///
     /// # Errors
-    /// That of the usual stages when all strategies fail; [`SolveError::Interrupted`]; what keeps a stage from being begun.
-    pub fn run(mut self, observer: &mut dyn Observer) -> Result<(S::Solution, S), SolveError> {
-        while let Some(mut stage) = self.queue.pop_front() {
-            if stage.role == Role::Final {
-                stage.constants.ridge_diffusion = self.ridge_diffusion;
+    /// That of the usual stages when all paths fail; [`SolveError::Interrupted`]; what keeps a stage from being begun.
+    pub fn run(mut self) -> Result<(S::Solution, S), SolveError> {
+        let Some(first) = self.climb(self.outline.usual.clone())? else {
+            return self.refine();
+        };
+        self.falls_back = true;
+        // No time is lost on what goes on from a start that failed.
+        let has_start = self.current.is_some();
+        let mut tried = Vec::new();
+        for path in paths(&self.outline) {
+            if path.needs_start && !has_start {
+                continue;
             }
-            if observer.cancelled() {
-                return Err(SolveError::Interrupted);
+            tried.push(path.name);
+            if self.climb(path.stages)?.is_none() {
+                return self.refine();
             }
-            let task = Task {
-                stage: &stage,
-                from: self.current.as_ref(),
-                halvings: &self.refinement.halvings,
-                stages_to_come: self.queue.len(),
-            };
-            let mut end = self.solver.solve(task, observer)?;
-            self.attempts += 1;
-            if matches!(end.outcome, Err(SolveError::Interrupted)) {
-                return Err(SolveError::Interrupted);
-            }
-            if self.warm && self.attempts == 1 {
-                // What it started from solves another problem: there is nothing to go back to.
-                std::mem::replace(&mut end.outcome, Ok(()))?;
-            }
-            let decision = self.decide(&stage, &end);
-            self.follow(decision, &stage, end, observer)?;
         }
-        let solution = self.current.filter(|s| s.stage().role == Role::Final);
-        match solution.filter(Trial::converged) {
-            Some(solution) => Ok((solution, self.solver)),
-            // Every queue ends with a final stage; what follows a failure may not reach its end.
-            None => Err(all_failed(self.first_failure, self.tried)),
-        }
+        let first = Box::new(first);
+        Err(SolveError::AllFailed { first, tried })
     }
 
-    /// Does as decided.
-    fn follow(
+    /// One stage from the solution of a similar problem on its mesh, and refinements after it. There is nothing to go back to.
+    ///
+    /// # Errors
+    /// As [`Self::run`].
+    pub fn run_from(
+        mut self,
+        from: S::Solution,
+        stage: Stage,
+    ) -> Result<(S::Solution, S), SolveError> {
+        self.current = Some(from);
+        self.ridge_diffusion = stage.constants.ridge_diffusion;
+        let end = self.solve(stage, 0)?;
+        (self.refinement, self.current) = (end.outcome?, Some(end.solution));
+        self.refine()
+    }
+
+    /// Solves a stage from where the solve stands.
+    fn solve(
         &mut self,
-        decision: Decision,
-        stage: &Stage,
-        end: StageEnd<S::Solution>,
-        observer: &mut dyn Observer,
-    ) -> Result<(), SolveError> {
-        let StageEnd {
-            outcome,
-            solution,
-            refinement,
-        } = end;
-        match decision {
-            Decision::Accept => self.accept(stage, solution, refinement),
-            Decision::GoOnRefined => {
-                let before = self.current.replace(solution);
-                self.before_refinement = self.before_refinement.take().or(before);
-            }
-            Decision::StopRefining => self.stop_refining(observer)?,
-            Decision::DiffuseRidge => {
-                self.ridge_diffusion = self.outline.ridge_diffusion;
-                self.queue.push_front(*stage);
-            }
-            Decision::LowerRefined(lower) => {
-                // It is not for want of a better start that the case's own fail.
-                self.raised = true;
-                self.queue.push_back(Stage {
-                    given_up_early: stage.given_up_early,
-                    ..*lower
-                });
-            }
-            Decision::RestartRefined => self.restart_refined(stage),
-            Decision::KeepLowerOrder | Decision::Skip => {}
-            Decision::GoOn => self.current = Some(solution),
-            Decision::Halve(step) => {
-                self.halved_steps += 1;
-                self.queue.push_front(*stage);
-                self.queue.push_front(*step);
-            }
-            Decision::Lower(lower) => {
-                self.keep_failure(outcome);
-                self.halved_steps = 0;
-                self.queue = VecDeque::from([*lower]);
-            }
-            Decision::ReplaceStart => {
-                self.keep_failure(outcome);
-                self.fallbacks.retain(|fallback| !fallback.needs_start);
-                self.current = Some(solution);
-                self.fall_back()?;
-            }
-            Decision::FallBack => {
-                self.keep_failure(outcome);
-                self.fall_back()?;
-            }
+        mut stage: Stage,
+        stages_to_come: usize,
+    ) -> Result<StageEnd<S::Solution>, SolveError> {
+        if self.observer.cancelled() {
+            return Err(SolveError::Interrupted);
         }
-        Ok(())
-    }
-
-    fn keep_failure(&mut self, outcome: Result<(), SolveError>) {
-        if let Err(e) = outcome {
-            self.first_failure.get_or_insert(e);
+        if stage.role == Role::Final {
+            stage.constants.ridge_diffusion = self.ridge_diffusion;
+        }
+        let task = Task {
+            stage: &stage,
+            from: self.current.as_ref(),
+            halvings: &self.halvings,
+            stages_to_come,
+        };
+        let end = self.solver.solve(task, self.observer)?;
+        match end.outcome {
+            Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
+            _ => Ok(end),
         }
     }
 
-    /// Goes on from a solved stage.
-    fn accept(&mut self, stage: &Stage, solution: S::Solution, refinement: Option<Refinement>) {
-        self.current = Some(solution);
-        self.before_refinement = None;
-        match refinement {
-            Some(refinement) => {
-                if refinement.aim != RefinementTarget::Films {
-                    self.ridge_diffusion = self.outline.ridge_diffusion;
+    /// Along a path to the case; returns why it does not lead there, if so.
+    fn climb(&mut self, path: Vec<Stage>) -> Result<Option<SolveError>, SolveError> {
+        let (mut queue, mut n_halved) = (VecDeque::from(path), 0);
+        while let Some(stage) = queue.pop_front() {
+            let StageEnd { outcome, solution } = self.solve(stage, queue.len())?;
+            let error = match outcome {
+                Ok(refinement) => {
+                    (self.refinement, self.current) = (refinement, Some(solution));
+                    continue;
                 }
+                Err(error) => error,
+            };
+            let is_first = self.current.is_none() && !self.falls_back;
+            if stage.role == Role::Final && self.diffuse_ridge() {
+                queue.push_front(stage);
+            } else if let Some(half) = self.half_step(&stage, n_halved) {
+                n_halved += 1;
+                queue.push_front(stage);
+                queue.push_front(half);
+            } else if stage.role.leads() && solution.is_usable() && !is_first {
+                self.current = Some(solution);
+            } else if let Some(lower) = self.lower(&stage) {
+                queue = VecDeque::from([lower]);
+            } else if stage.role != Role::Estimate && !stage.role.compares() {
+                // What is only compared can be done without.
+                return Ok(Some(error));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Diffusion at ridges of the pressure from now on; whether that is new.
+    fn diffuse_ridge(&mut self) -> bool {
+        let is_new = self.ridge_diffusion < self.outline.ridge_diffusion;
+        self.ridge_diffusion = self.ridge_diffusion.max(self.outline.ridge_diffusion);
+        is_new
+    }
+
+    /// Half of the step to a stage, if steps may still be halved.
+    fn half_step(&self, stage: &Stage, n_halved: usize) -> Option<Stage> {
+        let most = match self.outline.exponential {
+            _ if stage.refinements > 0 => 0,
+            true => MAX_HALVED_EXPONENTIAL_STEPS,
+            false => MAX_HALVED_STEPS,
+        };
+        let from = self.current.as_ref().filter(|_| n_halved < most)?;
+        halfway(from.stage(), stage)
+    }
+
+    /// A failed final stage with quadratic pressures: where steps on its mesh have led to it, or on a refined one with a diffused ridge.
+    fn lower(&self, stage: &Stage) -> Option<Stage> {
+        let from = self.current.as_ref()?;
+        let led = self.falls_back
+            && from.converged()
+            && from.stage().role != Role::Start
+            && from.stage().is_on_mesh_of(stage);
+        let diffused = stage.refinements > 0 && self.ridge_diffusion > 0.0;
+        let lower = stage.with_quadratic_pressures();
+        lower.filter(|_| stage.role == Role::Final && (led || diffused))
+    }
+
+    /// From a solution of the case on finer meshes until its errors are small. Where a mesh fails, once more, and that fails, too, the
+    /// solution on the mesh before stands, with an error bar that says what it is worth.
+    fn refine(mut self) -> Result<(S::Solution, S), SolveError> {
+        while let Some(by) = self.refinement.take() {
+            let for_films = by.aim == RefinementTarget::Films;
+            if !for_films {
+                self.diffuse_ridge();
+            }
+            let may_be_diffused = self.ridge_diffusion < self.outline.ridge_diffusion;
+            self.halvings = by.halvings;
+            let at = *self.current.as_ref().expect("a solution").stage();
+            let stage = Stage {
+                refinements: at.refinements + 1,
+                undamped: false,
                 // Films that are about as accurate as asked for bear no long search, nor does what can be tried with a diffused ridge.
-                let given_up_early = self.outline.impatient
-                    || refinement.aim != RefinementTarget::Films
-                    || self.ridge_diffusion < self.outline.ridge_diffusion;
-                self.refinement = refinement;
-                self.queue.push_back(Stage {
-                    refinements: stage.refinements + 1,
-                    undamped: false,
-                    given_up_early,
-                    ..*stage
-                });
+                given_up_early: self.outline.roller || !for_films || may_be_diffused,
+                ..at
+            };
+            if self.climb(vec![stage])?.is_none() {
+                continue;
             }
-            None => self.raise(stage),
-        }
-    }
-
-    /// The next strategy, or the first failure where there is none left.
-    fn fall_back(&mut self) -> Result<(), SolveError> {
-        self.halved_steps = 0;
-        match self.fallbacks.pop_front() {
-            Some(fallback) => {
-                self.tried.push(fallback.name);
-                self.queue = fallback.stages.into();
+            // Films that are as accurate as asked for need no second try.
+            let good_enough = by.aim == RefinementTarget::Pressure
+                || self.ridge_diffusion > 0.0 && by.film_bar < GOOD_ENOUGH;
+            let before = self.current.clone();
+            if !good_enough && self.climb(self.restart(&stage))?.is_none() {
+                continue;
             }
-            None => {
-                let tried = std::mem::take(&mut self.tried);
-                return Err(all_failed(self.first_failure.take(), tried));
+            self.current = before;
+            // Only measured so far.
+            if let Some(current) = &mut self.current {
+                self.solver.finish(current, self.observer)?;
             }
         }
-        Ok(())
+        let solution = self.current.expect("a path ends with a solution");
+        Ok((solution, self.solver))
     }
 
-    /// The case's own pressures next, on the finest mesh that those of lower order have come to; once.
-    fn raise(&mut self, stage: &Stage) {
-        let own = self.outline.last().pressure_order;
-        if own > stage.pressure_order && !self.raised && stage.role == Role::Final && !self.warm {
-            self.raised = true;
-            self.queue.push_back(Stage {
-                pressure_order: own,
-                // Those of lower order stand, and an exponential seldom bears the overshoots of others.
-                given_up_early: self.outline.exponential,
-                ..*stage
-            });
-        }
-    }
-
-    /// A refined mesh once more, in steps of diminishing diffusion.
-    fn restart_refined(&mut self, stage: &Stage) {
-        self.restarted = stage.refinements;
-        let restart = Stage {
+    /// To a stage on a refined mesh in steps of diminishing diffusion.
+    fn restart(&self, stage: &Stage) -> Vec<Stage> {
+        let lower = stage.with_quadratic_pressures();
+        let stage = lower
+            .filter(|_| self.ridge_diffusion > 0.0)
+            .unwrap_or(*stage);
+        let start = Stage {
             sizes: stage.sizes,
             refinements: stage.refinements,
             newtonian: stage.newtonian,
             cold: false,
             ..*self.outline.start()
         };
-        self.queue.push_back(restart);
-        self.queue.extend(diffusion::steps(&restart, stage));
-        self.queue.push_back(*stage);
-    }
-
-    /// Gives a refined mesh up: the solution on the mesh before stands.
-    fn stop_refining(&mut self, observer: &mut dyn Observer) -> Result<(), SolveError> {
-        self.queue.clear();
-        if let Some(solved) = self.before_refinement.take() {
-            self.current = Some(solved);
-        }
-        let Some(current) = &mut self.current else {
-            return Ok(());
-        };
-        // Only measured so far.
-        if current.stage().role == Role::Final {
-            self.solver.finish(current, observer)?;
-        }
-        let stage = *current.stage();
-        self.raise(&stage);
-        Ok(())
-    }
-}
-
-/// The error of a solve that failed first for a reason, and then in all that was `tried`.
-fn all_failed(first: Option<SolveError>, tried: Vec<&'static str>) -> SolveError {
-    let first = first.expect("stages that end without failure end with a solution");
-    match tried.is_empty() {
-        true => first,
-        false => SolveError::AllFailed {
-            first: Box::new(first),
-            tried,
-        },
+        let mut path = vec![start];
+        path.extend(less_diffusion(&start, &stage));
+        path.push(stage);
+        path
     }
 }

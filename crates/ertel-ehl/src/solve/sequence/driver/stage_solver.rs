@@ -31,13 +31,11 @@ pub(in super::super) trait StageSolver {
 }
 
 /// What the driver asks of the state a stage came to.
-pub(in super::super) trait Trial {
+pub(in super::super) trait Trial: Clone {
     /// The stage.
     fn stage(&self) -> &Stage;
     /// Whether it came to the tolerance of the stage.
     fn converged(&self) -> bool;
-    /// Whether there is film everywhere.
-    fn has_film(&self) -> bool;
     /// Whether an unconverged state is still near a contact.
     fn is_usable(&self) -> bool;
 }
@@ -55,8 +53,7 @@ pub(in super::super) struct Task<'a, S> {
 
 /// How a stage ended.
 pub(in super::super) struct StageEnd<S> {
-    pub outcome: Result<(), SolveError>,
+    /// How to refine its mesh, if errors are too large; or why it is not solved.
+    pub outcome: Result<Option<Refinement>, SolveError>,
     pub solution: S,
-    /// How to refine its mesh, if errors are too large.
-    pub refinement: Option<Refinement>,
 }

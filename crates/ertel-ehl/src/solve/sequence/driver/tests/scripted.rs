@@ -1,6 +1,6 @@
 //! A solver that ends stages as it is told, for tests of the driver.
 
-use super::*;
+use crate::solve::sequence::driver::*;
 
 /// How a stage ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +25,7 @@ pub const COARSE: Ending = Ending::Inaccurate {
 };
 
 /// What a stage came to.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Point {
     pub stage: Stage,
     pub ending: Ending,
@@ -38,9 +38,6 @@ impl Trial for Point {
     }
     fn converged(&self) -> bool {
         matches!(self.ending, Solved | Ending::Inaccurate { .. })
-    }
-    fn has_film(&self) -> bool {
-        self.ending != Diverged
     }
     fn is_usable(&self) -> bool {
         self.ending != Diverged
@@ -70,7 +67,12 @@ impl<F: FnMut(usize, &Stage) -> Ending> StageSolver for Scripted<'_, F> {
         self.trace.push((stage, task.from.map(|point| point.stage)));
         Ok(StageEnd {
             outcome: match ending {
-                Solved | Ending::Inaccurate { .. } => Ok(()),
+                Solved => Ok(None),
+                Ending::Inaccurate { aim } => Ok(Some(Refinement {
+                    halvings: vec![1],
+                    aim,
+                    film_bar: 0.005,
+                })),
                 Stalled | Diverged => Err(failure(number)),
                 Interrupted => Err(SolveError::Interrupted),
             },
@@ -78,14 +80,6 @@ impl<F: FnMut(usize, &Stage) -> Ending> StageSolver for Scripted<'_, F> {
                 stage,
                 ending,
                 finished: false,
-            },
-            refinement: match ending {
-                Ending::Inaccurate { aim } => Some(Refinement {
-                    halvings: vec![1],
-                    aim,
-                    film_bar: 0.005,
-                }),
-                _ => None,
             },
         })
     }
@@ -125,6 +119,7 @@ pub fn run(
         rule,
         trace: &mut trace,
     };
-    let end = Driver::new(outline, solver).run(&mut crate::solve::NoObserver);
+    let observer = &mut crate::solve::NoObserver;
+    let end = Driver::new(outline, solver, observer).run();
     (end.map(|(point, _)| point), trace)
 }

@@ -1,11 +1,11 @@
-use super::shear_law::SOFTNESS;
-use super::sliding::SLIDING;
+use super::knob::halfway;
 use super::*;
 use crate::contact::Planar;
 use crate::params::{Formulation, PenaltyScaling};
 use crate::solution::Role;
 use crate::solve::discretisation::LevelSizes;
 use crate::solve::system::FilmConstants;
+use crate::solve::tuning::continuation::SOFTNESS;
 
 /// Start and solution of an isothermal contact in a Newtonian fluid, with pressures of some order.
 pub(in super::super) fn outline(order: usize) -> Outline {
@@ -58,15 +58,14 @@ pub(in super::super) fn outline(order: usize) -> Outline {
     Outline {
         usual: vec![start, solution],
         exponential: false,
-        impatient: false,
-        has_steep_ends: false,
+        roller: false,
         ridge_diffusion: 0.0,
         slides: false,
         refined: true,
     }
 }
 
-/// The same, for each of the kinds of contact that strategies tell apart.
+/// The same, for each of the kinds of contact that paths tell apart.
 fn outlines() -> Vec<Outline> {
     let mut outlines = Vec::new();
     for (exponential, heated, slides, refined) in [
@@ -79,7 +78,6 @@ fn outlines() -> Vec<Outline> {
     ] {
         let mut outline = Outline {
             exponential,
-            impatient: false,
             slides,
             refined,
             ..outline(3)
@@ -90,7 +88,7 @@ fn outlines() -> Vec<Outline> {
         outlines.push(outline);
     }
     let mut roller = outline(3);
-    roller.has_steep_ends = true;
+    roller.roller = true;
     for stage in &mut roller.usual {
         stage.constants.film_scale = 0.005;
     }
@@ -99,19 +97,17 @@ fn outlines() -> Vec<Outline> {
 }
 
 fn names(outline: &Outline) -> Vec<&'static str> {
-    fallbacks(outline).iter().map(|f| f.name).collect()
+    paths(outline).iter().map(|f| f.name).collect()
 }
 
 /// The order in which they are tried, as docs/theory/isothermal-contact.md has it.
 #[test]
-fn strategies_stand_in_their_order() {
+fn paths_stand_in_their_order() {
     let outlines = outlines();
     let others = [
         "viscosity exponent",
         "finer rim",
         "finer rim and viscosity exponent",
-        "lower pressure order",
-        "lower pressure order",
     ];
     let first: [&[&str]; 7] = [
         &["diffusion"],
@@ -120,7 +116,6 @@ fn strategies_stand_in_their_order() {
         &["shear law"],
         &[
             "shear law, sliding, then the rest of the shear law",
-            "shear law, then sliding",
             "shear law",
         ],
         &["shear law"],
@@ -134,18 +129,20 @@ fn strategies_stand_in_their_order() {
 /// Each ends with the case itself, tried in earnest or in quadratic pressures next; what does not go on from the usual start has
 /// one of its own.
 #[test]
-fn strategies_lead_to_the_case() {
+fn paths_lead_to_the_case() {
     for outline in outlines() {
-        for Fallback {
+        for Path {
             name,
             needs_start,
             stages,
-        } in fallbacks(&outline)
+        } in paths(&outline)
         {
             let (first, last) = (&stages[0], &stages[stages.len() - 1]);
             assert!(needs_start || first.cold, "{name}");
             assert_eq!(last.role, Role::Final, "{name}");
-            assert!(last.has_fluid_and_motion_of(outline.last()), "{name}");
+            for knob in Knob::ALL {
+                assert_eq!(knob.of(last), knob.of(outline.last()), "{name}: {knob:?}");
+            }
             assert_eq!(last.heated, outline.last().heated, "{name}");
             assert_eq!(last.constants, outline.last().constants, "{name}");
             assert!(!last.newtonian && !last.cold, "{name}");
@@ -159,7 +156,7 @@ fn strategies_lead_to_the_case() {
 #[test]
 fn steps_change_one_quantity() {
     for outline in outlines() {
-        for Fallback { name, stages, .. } in fallbacks(&outline) {
+        for Path { name, stages, .. } in paths(&outline) {
             for pair in stages.windows(2) {
                 let (from, to) = (&pair[0], &pair[1]);
                 let changes = [
@@ -181,7 +178,11 @@ fn speeds_fall_to_that_of_the_case() {
     let speeds = |film_scale| {
         let mut outline = outline(3);
         outline.usual[0].constants.film_scale = film_scale;
-        let stages = speed::speed(&outline);
+        outline.roller = true;
+        let speed = paths(&outline)
+            .into_iter()
+            .find(|path| path.name == "speed");
+        let stages = speed.map_or_else(Vec::new, |path| path.stages);
         let lambdas: Vec<f64> = stages.iter().map(|s| s.constants.lambda).collect();
         lambdas
     };
@@ -228,7 +229,7 @@ fn halves_converge_to_the_step() {
         to(1.0, 1.0, 1.0, 2.0),
     ] {
         let (mut from, mut n) = (from, 0);
-        while let Some(half) = halfway::halfway(&from, &goal) {
+        while let Some(half) = halfway(&from, &goal) {
             assert!(half != from && half != goal);
             (from, n) = (half, n + 1);
         }
@@ -238,5 +239,5 @@ fn halves_converge_to_the_step() {
         role: Role::Final,
         ..goal
     };
-    assert_eq!(halfway::halfway(&start, &solution), None);
+    assert_eq!(halfway(&start, &solution), None);
 }
