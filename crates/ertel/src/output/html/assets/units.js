@@ -10,6 +10,7 @@ function unitOf(unit, size) {
     "Pa.s": [[1, 1, "Pa·s"], [0, 1e3, "mPa·s"]],
     "kg/m^3": [[0, 1, "kg/m³"]],
     "1/s": [[0, 1, "1/s"]],
+    "1/Pa": [[0, 1e9, "1/GPa"]],
     "rad/s": [[0, 30 / Math.PI, "rpm"]],
     rad: [[0, 180 / Math.PI, "°"]],
   };
