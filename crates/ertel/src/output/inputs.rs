@@ -203,17 +203,25 @@ mod tests {
         for (error, is_shown) in [(1e-5, true), (1.0, false)] {
             let mut solution = solution.clone();
             let measured = &mut solution.measured;
-            measured.figures.set(Figure::TractionCoefficient, Reading::new(1e-3));
-            let bar = Bar { value: error, place: None };
+            measured
+                .figures
+                .set(Figure::TractionCoefficient, Reading::new(1e-3));
+            let bar = Bar {
+                value: error,
+                place: None,
+            };
             measured.bars.set(Figure::TractionCoefficient, bar);
             solution.traction.coefficient = measured.estimate(Figure::TractionCoefficient);
-            let sensitivities = solution.sensitivities.as_mut().expect("computed by default");
-            sensitivities.figures.retain(|f| f.figure != Figure::TractionCoefficient);
-            let derivatives = vec![1.0; sensitivities.inputs.len()];
-            sensitivities.figures.push(FigureSensitivity {
-                figure: Figure::TractionCoefficient,
+            let of = |figure: Figure| FigureSensitivity {
+                figure,
                 value: 1e-3,
-                derivatives,
+                derivatives: Vec::new(),
+            };
+            solution.sensitivities = Some(Sensitivities {
+                inputs: Vec::new(),
+                figures: vec![of(Figure::FilmCentral), of(Figure::TractionCoefficient)],
+                left_out: Vec::new(),
+                by: SensitivityMethod::Adjoint,
             });
             let mut out = Lines::default();
             write(&mut out, &solution);
