@@ -20,6 +20,7 @@ if ldd "$program" 2> /dev/null | grep -q '=>'; then
   echo "$program is not static" >&2
   exit 1
 fi
+strip "$program"
 for shell in bash zsh fish; do "$program" completions "$shell" > "$parts/ertel.$shell"; done
 "$program" man --output "$parts/man" > /dev/null
 
@@ -30,7 +31,6 @@ cp "$program" THIRD_PARTY_NOTICES.txt README.md CHANGELOG.md LICENSE-APACHE LICE
 cp -r cases studies "$parts/man" "$parts/$name/"
 mkdir "$parts/$name/completions"
 cp "$parts"/ertel.{bash,zsh,fish} "$parts/$name/completions/"
-strip "$parts/$name/ertel"
 tar -C "$parts" --sort=name --owner=0 --group=0 --numeric-owner -czf "$out/$name.tar.gz" "$name"
 "$parts/$name/ertel" solve cases/ball-on-disc.toml --quiet --output "$parts/ball-on-disc"
 test -s "$parts/ball-on-disc/result.json"

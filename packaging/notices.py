@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes THIRD_PARTY_NOTICES.txt: what the program, the Python package and the page that solves contain of others, with their licences.
 
-Crates and their licence texts are those of Cargo.lock as they lie in cargo's registry; nothing is downloaded. Run it after a change of Cargo.lock:
+Crates and their licence texts are those of Cargo.lock; `cargo fetch` downloads what is missing of them first. Run it after a change of Cargo.lock:
 
     packaging/notices.py
 """
@@ -25,8 +25,11 @@ OTHERS = [
 ]
 
 
+CARGO = os.environ.get("CARGO", "cargo")
+
+
 def cargo(*arguments: str) -> str:
-    command = [os.environ.get("CARGO", "cargo"), *arguments, "--offline", "--locked"]
+    command = [CARGO, *arguments, "--offline", "--locked"]
     return subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout
 
 
@@ -51,6 +54,8 @@ def texts(folder: Path, licence: str) -> tuple[list[str], bool]:
 
 
 def main() -> None:
+    # Also the crates of other platforms, which a build here leaves out.
+    subprocess.run([CARGO, "fetch", "--locked", "--quiet"], cwd=ROOT, check=True)
     crates = linked()
     packages = json.loads(cargo("metadata", "--format-version", "1"))["packages"]
     mit = "Permission" + (ROOT / "LICENSE-MIT").read_text(encoding="utf-8").split("Permission", 1)[1].strip()

@@ -85,7 +85,7 @@ fn warnings_and_errors() {
     for words in [
         "composite roughness σ (rms)",
         "mixed lubrication",
-        "thins by shear",
+        "shear thinning is not in these formulas",
         "Wilson-Sheu",
     ] {
         assert!(

@@ -132,14 +132,59 @@ fn the_hosted_workflow_runs_what_is_here() {
         .lines()
         .filter_map(|line| line.trim().strip_prefix("- run: "))
         .collect();
-    assert_eq!(steps[..2], ["packaging/build.sh", "packaging/try.sh"]);
-    assert!(steps[2].starts_with("gh release create") && release.contains("needs: checks"));
-    for script in [".ci/run", "packaging/build.sh", "packaging/try.sh"] {
+    assert_eq!(
+        steps[..3],
+        [
+            "packaging/check-tag.sh \"$GITHUB_REF_NAME\"",
+            "packaging/build.sh",
+            "packaging/try.sh"
+        ]
+    );
+    assert!(steps[3].starts_with("gh release create") && release.contains("needs: checks"));
+    for script in [
+        ".ci/run",
+        "packaging/check-tag.sh",
+        "packaging/build.sh",
+        "packaging/try.sh",
+    ] {
         let checked = Command::new("bash")
             .arg("-n")
             .arg(root().join(script))
             .status();
         assert!(checked.unwrap().success(), "{script}");
+    }
+}
+
+/// A tag of another version, or a version without its date in the list of changes, stops before anything is built.
+#[test]
+fn a_release_has_its_version_and_its_date() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("packaging")).unwrap();
+    let script = folder.path().join("packaging/check-tag.sh");
+    std::fs::copy(root().join("packaging/check-tag.sh"), &script).unwrap();
+    std::fs::copy(root().join("Cargo.toml"), folder.path().join("Cargo.toml")).unwrap();
+    let version = env!("CARGO_PKG_VERSION");
+    let check = |tag: &str, heading: &str| {
+        let changes = format!("# Changelog\n\n{heading}\n\n## 0.0.1, 2026-01-01\n");
+        std::fs::write(folder.path().join("CHANGELOG.md"), changes).unwrap();
+        let output = Command::new("bash").arg(&script).arg(tag).output().unwrap();
+        let said = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+        (output.status.success(), said)
+    };
+    let tag = format!("v{version}");
+    let (passes, said) = check(&tag, &format!("## {version}, 2026-11-27"));
+    assert!(passes && said.contains("2026-11-27"), "{said}");
+    for (tag, heading, words) in [
+        (
+            tag.as_str(),
+            format!("## {version}, date to be set"),
+            "date to be set",
+        ),
+        (&tag, "## 99.0.0, 2026-11-27".into(), "99.0.0"),
+        ("v99.0.0", format!("## {version}, 2026-11-27"), "v99.0.0"),
+    ] {
+        let (passes, said) = check(tag, &heading);
+        assert!(!passes && said.contains(words), "{tag}, {heading}: {said}");
     }
 }
 

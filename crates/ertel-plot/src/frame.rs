@@ -31,6 +31,16 @@ impl Frame {
         self.top + (1.0 - axis.position(value)) * self.height
     }
 
+    /// The same with values of a y axis that rise downwards.
+    #[must_use]
+    pub fn upside_down(self) -> Frame {
+        Frame {
+            top: self.top + self.height,
+            height: -self.height,
+            ..self
+        }
+    }
+
     /// Its edge as a path of SVG.
     pub fn outline(&self) -> String {
         format!(

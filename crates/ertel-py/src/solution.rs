@@ -177,7 +177,7 @@ impl NativeTransient {
         let echo = case.echo();
         let document = output::transient_json(&echo, &found).map_err(crate::case::unwritable)?;
         Ok(Self {
-            document: json(&document)?,
+            document: crate::case::json(&document)?,
             found,
             echo,
             output: case.output.clone(),

@@ -171,6 +171,10 @@ def test_samples_of_the_program(program: str, cases: Path, tmp_path: Path) -> No
         statistics.write_text(whole.replace(old, new))
         with pytest.raises(ertel.OutputError, match=words):
             ertel.read(tmp_path / "r-monte-carlo")
+    # Statistics had no format in version 1: the reason is told, and what to do.
+    statistics.write_text(json.dumps({key: value for key, value in json.loads(whole).items() if key in ("samples", "solved", "figures")}))
+    with pytest.raises(ertel.OutputError, match=r"monte-carlo\.json: it does not tell its `format`: an older ertel wrote it"):
+        ertel.read(tmp_path / "r-monte-carlo")
     film = samples.figures["film_central"]
     pytest.importorskip("pandas")
     films = samples.to_pandas()["film_central_m"]
@@ -278,15 +282,96 @@ def test_cases_that_name_files(line: dict[str, Any], tmp_path: Path) -> None:
     assert isinstance(study, ertel.Study) and study.point(1).case.si["motion"]["entrainment_speed"] == 1.0
 
 
-def test_documents_of_version_1(solved: tuple[ertel.Result, Path], tmp_path: Path) -> None:
-    """Figures of the bodies had other names, which are read under those of now."""
-    folder = copied(solved[1], tmp_path)
-    path = folder / "result.json"
+# Keys of version 1 as the program wrote them then: part of the document, former key, key of now.
+FORMER = [
+    (("summary",), "spike", "pressure_spike"),
+    (("traction",), "coefficient", "traction_coefficient"),
+    (("traction",), "coefficient_body_2", "traction_coefficient_body_2"),
+    (("traction",), "force", "traction_force"),
+    (("checks",), "load", "load_balance_error"),
+    (("checks",), "mass", "film_balance_error"),
+    (("checks",), "heat", "heat_balance_error"),
+    (("film_reduction",), "central", "film_reduction_central"),
+    (("thermal",), "film_maximum", "film_temperature_maximum"),
+    (("thermal",), "film_lowest", "film_temperature_lowest"),
+    (("thermal",), "body_1_maximum", "temperature_body_1_maximum"),
+    (("thermal",), "body_2_mean", "temperature_body_2_mean"),
+    (("thermal", "balance"), "shear", "heat_shear"),
+    (("thermal", "balance"), "by_film", "heat_by_film"),
+    (("thermal", "balance"), "error", "heat_balance_error"),
+    (("thermal", "reduction"), "central", "thermal_reduction_central"),
+    (("thermal", "reduction"), "isothermal_traction", "isothermal_traction_coefficient"),
+    (("figures",), "body_1_temperature_maximum", "temperature_body_1_maximum"),
+    (("figures",), "body_2_temperature_mean", "temperature_body_2_mean"),
+]
+
+
+def as_version_1(content: dict[str, Any]) -> int:
+    """Gives a document the names of version 1; how many keys have another name."""
+    n = 0
+    for part, former, now in FORMER:
+        place: Any = content
+        for key in part:
+            place = (place or {}).get(key)
+        if place and now in place:
+            place[former] = place.pop(now)
+            n += 1
+    return n
+
+
+def former_columns(path: Path) -> None:
+    head, rows = path.read_text().split("\n", 1)
+    path.write_text(head.replace("temperature_body_1_m", "body_1_temperature_m").replace("temperature_body_2_m", "body_2_temperature_m") + "\n" + rows)
+
+
+@pytest.fixture(scope="module")
+def heated(cases: Path) -> ertel.Case:
+    """A ball with heat on a coarse mesh."""
+    text = (cases / "squalane-thermal.toml").read_text()
+    return ertel.Case.from_text(text).with_({"mesh.target_error": "10 %", "mesh.pressure_error": "20 %"})
+
+
+def test_results_of_version_1(heated: ertel.Case, tmp_path: Path) -> None:
+    """Every part of a document, and what Python makes of it, has the names of now."""
+    result = heated.solve()
+    assert isinstance(result, ertel.Result)
+    path = result.save(tmp_path / "heated") / "result.json"
     content = json.loads(path.read_text())
     assert content["format_version"] == 2
     content["format_version"] = 1
-    content["figures"]["body_1_temperature_maximum"] = {**content["figures"]["film_minimum"], "value": 350.0, "unit": "K"}
+    assert as_version_1(content) == len(FORMER)
     path.write_text(json.dumps(content))
+    again = ertel.read(path.parent)
+    assert isinstance(again, ertel.Result) and again.temperature_body_1_maximum == result.temperature_body_1_maximum
+    assert again.to_dict() == {**result.to_dict(), "format_version": 1}
+
+
+def test_curves_of_version_1(heated: ertel.Case, tmp_path: Path) -> None:
+    pytest.importorskip("pandas")
+    curve = ertel.Case.from_text(f'{heated.text}\n[curve]\nquantity = "motion.entrainment_speed"\nvalues = ["1.47 m/s", "1.5 m/s"]\n').solve()
+    assert isinstance(curve, ertel.Curve)
+    folder = curve.save(tmp_path / "curve")
+    content = json.loads((folder / "curve.json").read_text())
+    content["format_version"] = 1
+    assert all(as_version_1(point) > 10 for point in content["points"])
+    (folder / "curve.json").write_text(json.dumps(content))
+    former_columns(folder / "curve.csv")
+    assert "body_1_temperature_maximum_K" in (folder / "curve.csv").read_text()
     again = ertel.read(folder)
-    assert isinstance(again, ertel.Result) and again.temperature_body_1_maximum.value == 350.0
-    assert again.film_central == solved[0].film_central
+    assert isinstance(again, ertel.Curve) and again.to_dict() == {**curve.to_dict(), "format_version": 1}
+    assert again.to_pandas().equals(curve.to_pandas()) and "temperature_body_1_maximum_K" in again.to_pandas()
+
+
+def test_machines_of_version_1(cases: Path, tmp_path: Path) -> None:
+    text = (cases / "machine" / "fzg-c.toml").read_text()
+    machine = ertel.Case.from_text(text).with_({"machine.points": 3}).solve()
+    assert isinstance(machine, ertel.MachineSolution)
+    folder = machine.save(tmp_path / "gears")
+    content = json.loads((folder / "machine.json").read_text())
+    content["format_version"] = 1
+    assert sum(as_version_1(contact.get("solution", {})) for contact in content["contacts"]) > 3
+    (folder / "machine.json").write_text(json.dumps(content))
+    former_columns(folder / "machine.csv")
+    again = ertel.read(folder)
+    assert isinstance(again, ertel.MachineSolution) and again.contacts == machine.contacts
+    assert again.table == machine.table and "body_1_temperature" not in again.table

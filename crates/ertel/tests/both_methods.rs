@@ -70,7 +70,7 @@ fn both_engines_agree() {
         for figure in [
             Figure::FilmCentral,
             Figure::FilmMinimum,
-            Figure::FilmMean,
+            Figure::FilmZoneMean,
             Figure::FilmCentrelineMinimum,
             Figure::TractionCoefficientBody2,
             Figure::FrictionPower,
@@ -110,7 +110,7 @@ fn both_engines_agree_on_rollers_and_heat() {
         &[Figure::RollerMoment, Figure::FrictionPower][..],
         &[
             Figure::FilmTemperatureMean,
-            Figure::Body1TemperatureMean,
+            Figure::TemperatureBody1Mean,
             Figure::TractionCoefficient,
         ],
     ]) {
@@ -155,7 +155,7 @@ fn both_engines_agree_on_lines() {
         for figure in [
             Figure::FilmCentral,
             Figure::FilmMinimum,
-            Figure::FilmMean,
+            Figure::FilmZoneMean,
             Figure::PressureCentral,
         ] {
             let crossed = crossed(figure);
@@ -203,7 +203,7 @@ fn both_engines_agree_on_thinning() {
         for figure in [
             Figure::FilmCentral,
             Figure::FilmMinimum,
-            Figure::FilmMean,
+            Figure::FilmZoneMean,
             Figure::TractionCoefficient,
             Figure::TractionCoefficientBody2,
             Figure::FrictionPower,

@@ -39,8 +39,8 @@ fn every_figure_of_a_thermal_contact_has_its_bar() {
         (Figure::FrictionPower, t.friction_power),
         (Figure::ShearStressMaximum, t.shear_stress_maximum),
         (Figure::FilmTemperatureMean, heat.film_mean),
-        (Figure::Body1TemperatureMean, heat.body_1_mean),
-        (Figure::Body2TemperatureMean, heat.body_2_mean),
+        (Figure::TemperatureBody1Mean, heat.body_1_mean),
+        (Figure::TemperatureBody2Mean, heat.body_2_mean),
         (Figure::HeatShear, heat.balance.shear),
         (Figure::HeatCompression, heat.balance.compression),
         (Figure::HeatToBody1, heat.balance.to_body_1),
@@ -54,8 +54,8 @@ fn every_figure_of_a_thermal_contact_has_its_bar() {
         (Figure::PressureCentral, s.pressure_central),
         (Figure::FilmTemperatureMaximum, heat.film_maximum),
         (Figure::FilmTemperatureLowest, heat.film_lowest),
-        (Figure::Body1TemperatureMaximum, heat.body_1_maximum),
-        (Figure::Body2TemperatureMaximum, heat.body_2_maximum),
+        (Figure::TemperatureBody1Maximum, heat.body_1_maximum),
+        (Figure::TemperatureBody2Maximum, heat.body_2_maximum),
     ];
     let finest = solution.stats.solved().unwrap();
     let check = |figure: Figure, e: Estimate| {
@@ -257,7 +257,7 @@ fn a_figure_is_named_in_two_files() {
 
     let case = common::case(ContactKind::Line, 8e4);
     let solution = solve(&case, &mut NoObserver).unwrap();
-    let mean = solution.figure(Figure::FilmMean).unwrap();
+    let mean = solution.figure(Figure::FilmZoneMean).unwrap();
     let document = result_json(&case.echo(), &solution).unwrap();
     assert_eq!(document["figures"]["film_zone_mean"]["value"], mean.value);
     assert_eq!(document["figures"]["film_zone_mean"]["unit"], "m");

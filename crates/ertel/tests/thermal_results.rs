@@ -103,8 +103,8 @@ fn figures_of_made_up_temperatures() {
     let measured = measure(&problem, &solution, &levels);
     for (figure, value) in [
         (Figure::FilmTemperatureMaximum, found.film_maximum.value),
-        (Figure::Body1TemperatureMaximum, 346.0 + 10.0 * outlet),
-        (Figure::Body2TemperatureMaximum, 354.0 + 10.0 * outlet),
+        (Figure::TemperatureBody1Maximum, 346.0 + 10.0 * outlet),
+        (Figure::TemperatureBody2Maximum, 354.0 + 10.0 * outlet),
     ] {
         let size = measured.figures.get(figure).unwrap().size;
         assert_relative_eq!(size, value - 313.15, epsilon = 1e-9);

@@ -105,3 +105,21 @@ describe("axes", () => {
     assert.ok(withRoom(3, 3)[0] < 3 && withRoom(3, 3)[1] > 3);
   });
 });
+
+// What columns are of: of the unit in a title nothing is left in the words.
+describe("columns", () => {
+  const read = (name) => readFileSync(join(ASSETS, name), "utf8");
+  const { describeColumn, unitOf } = new Function(`${read("units.js")}${read("table.js")}; return { describeColumn, unitOf };`)();
+  for (const [title, words, unit, shown] of [
+    ["lubricant.viscosity.alpha_1_per_Pa", "alpha", "1/Pa", "1/GPa"],
+    ["lubricant.density.beta_1_per_K", "beta", "1/K", "1/K"],
+    ["lubricant.thermal_conductivity_W_per_(m_K)", "thermal conductivity", "W/(m K)", "W/(m K)"],
+    ["shear_rate_1_per_s", "shear rate", "1/s", "1/s"],
+    ["film_central_m", "central film", "m", "nm"],
+  ]) {
+    test(title, () => {
+      const column = describeColumn(title);
+      assert.deepEqual([column.words, column.unit, unitOf(column.unit, 2e-8).name], [words, unit, shown]);
+    });
+  }
+});

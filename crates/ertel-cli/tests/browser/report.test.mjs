@@ -45,6 +45,9 @@ async function lookAt(name, file) {
       // No table is cut off where the page is narrow.
       const cut = await page.$$eval(".scroll", (boxes) => boxes.filter((b) => b.scrollWidth > b.clientWidth + 1).map((b) => b.ariaLabel));
       assert.ok(width > 390 || cut.length === 0, `${name} at ${width}: ${cut}`);
+      // Nor is one of sensitivities or formulas on a wide one.
+      const inner = await page.$$eval("#sensitivities .scroll, #results .scroll, #formulas .scroll", (all) => all.filter((b) => b.scrollWidth > b.clientWidth + 1).length);
+      assert.equal(inner, 0, `${name} at ${width}: ${inner} tables are cut off`);
       const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
       assert.ok(overflow <= 0, `${name} at ${width}: ${overflow} px too wide`);
       assert.deepEqual(await violations(page), [], `${name} at ${width}, ${dark ? "dark" : "light"}`);

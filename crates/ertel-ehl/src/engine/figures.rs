@@ -36,12 +36,12 @@ pub fn note_film<Plan>(
     let scales = &problem.scales;
     let at = |value: f64, x: f64| Reading::new(value).at([x * scales.length, 0.0]);
     let [mean] = film.points().mean_in_zone(|fields| Some([fields.film]));
-    figures.note(Figure::FilmMean, Reading::new(scales.film * mean));
+    figures.note(Figure::FilmZoneMean, Reading::new(scales.film * mean));
     let (h_line, x_line) = profile.film_minimum();
     let thinnest = at(scales.film * h_line, x_line);
     figures.note(Figure::FilmCentrelineMinimum, thinnest);
     if let Some((p, x)) = profile.spike() {
-        figures.note(Figure::Spike, at(scales.pressure * p, x));
+        figures.note(Figure::PressureSpike, at(scales.pressure * p, x));
     }
     let outlet = Reading::new(scales.length * outlet);
     figures.note(Figure::OutletPosition, outlet);

@@ -44,7 +44,7 @@ pub fn summary_of(measured: &Measured) -> Summary {
         pressure_maximum: measured.located(Figure::PressureMaximum),
         pressure_central: measured.located(Figure::PressureCentral),
         pressure_ridge: measured.find_located(Figure::PressureRidge),
-        spike: measured.find_located(Figure::Spike),
+        spike: measured.find_located(Figure::PressureSpike),
         outlet_position: measured.estimate(Figure::OutletPosition),
         pressure_minimum: 0.0,
         film_balance_error: 0.0,

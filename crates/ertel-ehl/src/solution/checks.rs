@@ -38,10 +38,10 @@ pub struct Checks {
     /// Traction coefficient at body 2 less that at body 1, and −∫p ∂h_0/∂x dA over the load, for the undeformed gap h_0: over all of the
     /// contact area.
     pub rolling: Balance,
-    /// (∫p dA − load)/load.
+    /// |∫p − load|/load, that of the summary.
     #[serde(rename = "load_balance_error")]
     pub load: f64,
-    /// (inflow − side leakage − flow through the section x = 0)/inflow.
+    /// Mass balance upstream of the centre: (inflow through the inlet edge − side leakage − flow through the section x = 0)/inflow, that of the summary.
     #[serde(rename = "film_balance_error")]
     pub mass: f64,
     /// (heat made − heat carried off)/(heat of shear + size of the heat of compression); `None` in isothermal contacts.

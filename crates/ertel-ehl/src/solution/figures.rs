@@ -81,7 +81,7 @@ figures! {
     /// Smallest film thickness on the centreline.
     FilmCentrelineMinimum, "film_centreline_minimum", "", "minimum film on the centreline", Length, Film, FilmOnCentreline, Place;
     /// Mean film thickness over the Hertz zone.
-    FilmMean, "film_zone_mean", "", "mean film in the Hertz zone", Length, Film, Integral, Whole;
+    FilmZoneMean, "film_zone_mean", "", "mean film in the Hertz zone", Length, Film, Integral, Whole;
     /// Largest pressure.
     PressureMaximum, "pressure_maximum", "p_max", "largest pressure", PeakPressure, Pressure, LargestPressure, Place;
     /// Top of the smooth hill of the pressure on which the centre of the contact lies.
@@ -97,7 +97,7 @@ figures! {
     /// Distance of the resultant of the pressure from the middle of a roller.
     LoadPosition, "load_position", "", "resultant force at y", Offset, Roller, Integral, Whole;
     /// Pressure spike near the outlet on the centreline.
-    Spike, "pressure_spike", "", "pressure spike (centreline)", PeakPressure, Pressure, Spike, Place;
+    PressureSpike, "pressure_spike", "", "pressure spike (centreline)", PeakPressure, Pressure, Spike, Place;
     /// Where the film breaks on the centreline.
     OutletPosition, "outlet_position", "", "outlet boundary (centreline)", Position, Pressure, Outlet, Whole;
     /// Where the gap is full from on, on the centreline.
@@ -135,13 +135,13 @@ figures! {
     /// Mean temperature of the film over the Hertz zone.
     FilmTemperatureMean, "film_temperature_mean", "", "mean film temperature", Temperature, Temperature, MeanTemperature, Whole;
     /// Largest temperature of the surface of body 1.
-    Body1TemperatureMaximum, "temperature_body_1_maximum", "", "largest temperature of body 1", Temperature, Temperature, Body1Hottest, Place;
+    TemperatureBody1Maximum, "temperature_body_1_maximum", "", "largest temperature of body 1", Temperature, Temperature, Body1Hottest, Place;
     /// Its mean over the Hertz zone.
-    Body1TemperatureMean, "temperature_body_1_mean", "", "mean temperature of body 1", Temperature, Temperature, MeanTemperature, Whole;
+    TemperatureBody1Mean, "temperature_body_1_mean", "", "mean temperature of body 1", Temperature, Temperature, MeanTemperature, Whole;
     /// Largest temperature of the surface of body 2.
-    Body2TemperatureMaximum, "temperature_body_2_maximum", "", "largest temperature of body 2", Temperature, Temperature, Body2Hottest, Place;
+    TemperatureBody2Maximum, "temperature_body_2_maximum", "", "largest temperature of body 2", Temperature, Temperature, Body2Hottest, Place;
     /// Its mean over the Hertz zone.
-    Body2TemperatureMean, "temperature_body_2_mean", "", "mean temperature of body 2", Temperature, Temperature, MeanTemperature, Whole;
+    TemperatureBody2Mean, "temperature_body_2_mean", "", "mean temperature of body 2", Temperature, Temperature, MeanTemperature, Whole;
     /// Heat made by shear: W, or W/m.
     HeatShear, "heat_shear", "", "heat made by shear", Power, Heat, HeatShear, Whole;
     /// Heat made by compression, less what expansion takes: W, or W/m.
@@ -529,7 +529,7 @@ mod tests {
     fn figures_are_written_by_name_with_their_places() {
         let mut figures = Figures::default();
         figures.note(Figure::FilmCentral, Reading::new(2e-7));
-        figures.note(Figure::Spike, Reading::new(8e8).at([1e-4, 0.0]));
+        figures.note(Figure::PressureSpike, Reading::new(8e8).at([1e-4, 0.0]));
         figures.note(Figure::FrictionPower, Reading::new(f64::NAN));
         let json = serde_json::to_value(figures).unwrap();
         let expected = serde_json::json!({ "film_central": 2e-7, "pressure_spike": 8e8, "pressure_spike_at": [1e-4, 0.0] });

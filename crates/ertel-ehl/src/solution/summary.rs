@@ -30,7 +30,7 @@ pub struct Summary {
     pub outlet_position: Estimate,
     /// Most negative pressure left by the cavitation penalty, Pa.
     pub pressure_minimum: f64,
-    /// (inflow − outflow − side leakage)/inflow over the boundary of the contact area.
+    /// Mass balance upstream of the centre: (inflow through the inlet edge − side leakage − flow through the section x = 0)/inflow.
     pub film_balance_error: f64,
     /// |∫p − load|/load.
     pub load_balance_error: f64,

@@ -261,7 +261,12 @@ pub(super) mod tests {
             level(
                 40,
                 Role::Final,
-                &[film(1e-7), pressure(1e9), traction, (Figure::Spike, spike)],
+                &[
+                    film(1e-7),
+                    pressure(1e9),
+                    traction,
+                    (Figure::PressureSpike, spike),
+                ],
             ),
         ]
     }
@@ -284,7 +289,7 @@ pub(super) mod tests {
         );
         let traction = bar(Figure::TractionCoefficient).unwrap();
         assert_relative_eq!(traction, 8e-4, max_relative = 1e-12);
-        assert_eq!(bar(Figure::Spike), None);
+        assert_eq!(bar(Figure::PressureSpike), None);
         assert_eq!(bar(Figure::FrictionPower), None);
     }
 
@@ -342,7 +347,7 @@ pub(super) mod tests {
         let figures = |p: f64, x: f64, t: f64| {
             let spike = Reading::new(p).at([x, 0.0]);
             [
-                (Figure::Spike, spike),
+                (Figure::PressureSpike, spike),
                 (Figure::FilmTemperatureMaximum, hot(t)),
             ]
         };
@@ -351,7 +356,7 @@ pub(super) mod tests {
             level(40, Role::Final, &figures(8e8, 0.9, 350.0)),
         ];
         let bars = bars(&levels, FILMS).unwrap();
-        let spike = bars.get(Figure::Spike).unwrap();
+        let spike = bars.get(Figure::PressureSpike).unwrap();
         assert_relative_eq!(spike.place.unwrap(), 0.2, max_relative = 1e-12);
         assert_relative_eq!(spike.value, 0.02 * 8e8, max_relative = 1e-12);
         let temperature = bars.get(Figure::FilmTemperatureMaximum).unwrap();

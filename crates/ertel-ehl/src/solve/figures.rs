@@ -162,8 +162,8 @@ fn note_heat(
     for (figure, (value, place)) in [
         (Figure::FilmTemperatureMaximum, extremes.film_maximum),
         (Figure::FilmTemperatureLowest, extremes.film_lowest),
-        (Figure::Body1TemperatureMaximum, extremes.walls[0]),
-        (Figure::Body2TemperatureMaximum, extremes.walls[1]),
+        (Figure::TemperatureBody1Maximum, extremes.walls[0]),
+        (Figure::TemperatureBody2Maximum, extremes.walls[1]),
     ] {
         temperature(figure, value, place);
     }
@@ -182,8 +182,8 @@ fn note_heat(
     };
     let means = [
         Figure::FilmTemperatureMean,
-        Figure::Body1TemperatureMean,
-        Figure::Body2TemperatureMean,
+        Figure::TemperatureBody1Mean,
+        Figure::TemperatureBody2Mean,
     ];
     for (figure, value) in means
         .into_iter()

@@ -104,7 +104,7 @@ impl Indicator {
                 Some(_) => exceeding(Figure::PressureRidge),
                 None => 0.0,
             },
-            spike: around(Figure::Spike),
+            spike: around(Figure::PressureSpike),
             ends: [Figure::EdgePressureLeft, Figure::EdgePressureRight].map(around),
             shear_stress: 0.0,
             share_of_point: share_of_point(d),

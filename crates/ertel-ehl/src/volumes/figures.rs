@@ -96,7 +96,7 @@ pub fn figures<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
         0.5 * distance * scales.length,
     );
     if let Some(rise) = rise_of_spike(&profile) {
-        note_misfit(&mut figures, Figure::Spike, rise * scales.pressure);
+        note_misfit(&mut figures, Figure::PressureSpike, rise * scales.pressure);
     }
     note_roller(&mut figures, problem, finest, film.points());
     let heats = finest.warm.is_some();

@@ -42,10 +42,10 @@ const FIGURES: [Figure; 13] = [
     Figure::FrictionPower,
     Figure::FilmTemperatureMaximum,
     Figure::FilmTemperatureMean,
-    Figure::Body1TemperatureMaximum,
-    Figure::Body1TemperatureMean,
-    Figure::Body2TemperatureMaximum,
-    Figure::Body2TemperatureMean,
+    Figure::TemperatureBody1Maximum,
+    Figure::TemperatureBody1Mean,
+    Figure::TemperatureBody2Maximum,
+    Figure::TemperatureBody2Mean,
 ];
 
 /// Whether its derivatives are told where heat counts: those of films and temperatures are within 6 % of the largest of differences of whole solves, those of the traction by

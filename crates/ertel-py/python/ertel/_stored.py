@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from . import _ertel
 from ._ertel import CaseError, OutputError
+from ._former import with_new_columns, with_new_names
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -103,7 +104,7 @@ class Tabulated(Stored):
     def table(self) -> str:
         """The table as CSV: a line for each point or contact, units in the titles of the columns."""
         if self._table is None:
-            self._table = text_of(self._stored("the table") / self._table_file)
+            self._table = with_new_columns(text_of(self._stored("the table") / self._table_file))
         return self._table
 
     def to_pandas(self) -> pd.DataFrame:
@@ -145,6 +146,8 @@ def document(path: Path, format: str, needed: tuple[str, ...]) -> dict[str, Any]
         raise OutputError(f"{path}: damaged, it is no JSON: {error}") from None
     except RecursionError:
         raise OutputError(f"{path}: damaged, it is nested too deeply") from None
+    if isinstance(content, dict) and "format" not in content and set(needed) <= set(content):
+        raise OutputError(f"{path}: it does not tell its `format`: an older ertel wrote it; run the same again to write it anew")
     if not isinstance(content, dict) or content.get("format") != format:
         raise OutputError(f'{path}: it is no file of ertel with "format": "{format}"')
     if "format_version" not in content:
@@ -157,25 +160,12 @@ def document(path: Path, format: str, needed: tuple[str, ...]) -> dict[str, Any]
             f"{path}: its layout is version {version}, written by ertel {by}; ertel {_ertel.__version__} reads versions {known}"
         )
     if version == 1:
-        content = _with_new_names(content)
+        content = with_new_names(content)
     missing = [key for key in needed if key not in content]
     if missing:
         raise OutputError(
             f"{path}: it has no {', '.join(f'`{key}`' for key in missing)}; it is damaged, or from an older ertel: solve the case again"
         )
-    return content
-
-
-# Names of figures in version 1.
-_FORMER = {f"body_{n}_temperature_{what}": f"temperature_body_{n}_{what}" for n in (1, 2) for what in ("maximum", "mean")}
-
-
-def _with_new_names(content: Any) -> Any:
-    """A document of version 1 with the names of figures that hold now, wherever they are keys."""
-    if isinstance(content, dict):
-        return {_FORMER.get(key, key): _with_new_names(value) for key, value in content.items()}
-    if isinstance(content, list):
-        return [_with_new_names(value) for value in content]
     return content
 
 

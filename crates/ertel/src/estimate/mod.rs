@@ -309,8 +309,7 @@ fn warnings(case: &Case, estimate: &CaseEstimate) -> Vec<Warning> {
     if estimate.newtonian_only {
         warnings.push(Warning::new(
             WarningKind::Other,
-            "the lubricant thins by shear; all film formulas and estimates are those of a Newtonian lubricant of its \
-             low-shear viscosity, and films may be thinner",
+            "shear thinning is not in these formulas, which take the low-shear viscosity: films may be thinner",
         ));
     }
     warnings.extend(left_out::warnings(

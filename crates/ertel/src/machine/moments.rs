@@ -45,7 +45,7 @@ pub(super) fn add(
     if let Ok(moment) = skf_moment(series.skf(), &state, &params) {
         out.add(
             Section::Friction,
-            ("friction_torque_skf", "beside it: torque by SKF's model"),
+            ("friction_torque_skf", "for comparison: torque, SKF model"),
             moment.total(),
             "N m",
             match series.is_tapered() {
@@ -72,7 +72,7 @@ pub(super) fn add(
             Section::Friction,
             (
                 "friction_torque_palmgren",
-                "beside it: torque by Palmgren's model",
+                "for comparison: torque, Palmgren model",
             ),
             moment.total(),
             "N m",

@@ -60,11 +60,14 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution, thermal: &Ther
     let c = &thermal.coupling;
     let contraction = match c.rounds {
         0 | 1 => String::new(),
-        _ => format!(", changes times {} in each", digits(c.contraction, 2)),
+        _ => format!(
+            ", each changes {} times as much as the one before",
+            digits(c.contraction, 2)
+        ),
     };
     let rounds = if c.rounds == 1 { "round" } else { "rounds" };
     out.row(
-        "coupling of film and heat",
+        "film-temperature coupling",
         format!(
             "{} {rounds}{contraction}, last change {}",
             c.rounds,

@@ -29,11 +29,14 @@ pub(super) fn write(out: &mut Lines, solution: &Solution) {
         return;
     };
     out.heading("Sensitivities: per cent of the figure for one per cent of the input, for one kelvin of a temperature");
-    // A traction that is zero has no per cent; figures without a symbol are in result.json.
+    // A traction that is zero has no per cent, and one that is not resolved none that mean anything; figures without a symbol are in result.json.
     let figures: Vec<&FigureSensitivity> = sensitivities
         .figures
         .iter()
         .filter(|f| f.value != 0.0 && !f.figure.symbol().is_empty())
+        .filter(|f| {
+            solution.resolves(f.figure) && solution.figure(f.figure).is_none_or(|at| at.resolved)
+        })
         .collect();
     if figures.is_empty() {
         out.line("not computed: the mesh resolves none of the figures");
@@ -185,4 +188,46 @@ fn signed(value: f64) -> String {
         return "0".to_owned();
     }
     format!("{value:+.3}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sample;
+    use super::*;
+    use crate::solution::{Bar, Reading};
+
+    /// Traction whose sign is not known has no per cent: it would be millions. One that the mesh resolves has.
+    #[test]
+    fn only_what_is_resolved_has_sensitivities() {
+        let (_, solution) = sample::line();
+        for (error, is_shown) in [(1e-5, true), (1.0, false)] {
+            let mut solution = solution.clone();
+            let measured = &mut solution.measured;
+            measured
+                .figures
+                .set(Figure::TractionCoefficient, Reading::new(1e-3));
+            let bar = Bar {
+                value: error,
+                place: None,
+            };
+            measured.bars.set(Figure::TractionCoefficient, bar);
+            solution.traction.coefficient = measured.estimate(Figure::TractionCoefficient);
+            let of = |figure: Figure| FigureSensitivity {
+                figure,
+                value: 1e-3,
+                derivatives: Vec::new(),
+            };
+            solution.sensitivities = Some(Sensitivities {
+                inputs: Vec::new(),
+                figures: vec![of(Figure::FilmCentral), of(Figure::TractionCoefficient)],
+                left_out: Vec::new(),
+                by: SensitivityMethod::Adjoint,
+            });
+            let mut out = Lines::default();
+            write(&mut out, &solution);
+            let head = out.text();
+            let head = head.lines().find(|line| line.contains("h_c")).unwrap();
+            assert_eq!(head.contains('µ'), is_shown, "{head}");
+        }
+    }
 }

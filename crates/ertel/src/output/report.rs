@@ -65,7 +65,10 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
             out.row("radius R_x", length(case.contact.radius));
             out.row("radius R_y", length(case.contact.radius_y));
             let angle = case.contact.entrainment_angle.to_degrees();
-            out.row("entrainment to x", format!("{} deg", digits(angle, 6)));
+            out.row(
+                "angle of entrainment to x",
+                format!("{} deg", digits(angle, 6)),
+            );
         }
         ContactKind::Circular | ContactKind::Line | ContactKind::Roller => {
             out.row("radius R", length(case.contact.radius));
@@ -369,9 +372,13 @@ pub(super) fn write_effort(out: &mut Lines, solution: &Solution) {
         out.row(
             &format!("stage {}", i + 1),
             format!(
-                "{} pressure and {} displacement unknowns, {} Newton iterations, h_c {}",
+                "{} pressure{} unknowns, {} Newton iterations, h_c {}",
                 level.n_pressure_dofs,
-                level.n_displacement_dofs,
+                // A half-space has none.
+                match level.n_displacement_dofs {
+                    0 => String::new(),
+                    n => format!(" and {n} displacement"),
+                },
                 level.newton_iterations,
                 length(level.films()[0])
             ),
@@ -418,9 +425,14 @@ pub(super) fn power(value: f64) -> String {
     format!("{value:.3e}")
 }
 
+/// Shares below this are round-off.
+const ROUND_OFF: f64 = 1e-9;
+
 pub(super) fn percent_or_power(share: f64) -> String {
     if share == 0.0 {
         "0".to_owned()
+    } else if share.abs() < ROUND_OFF {
+        "below 1e-9".to_owned()
     } else if share.abs() < 1e-4 {
         power(share)
     } else {
@@ -432,6 +444,13 @@ pub(super) fn percent_or_power(share: f64) -> String {
 mod tests {
     use super::super::sample;
     use super::*;
+
+    #[test]
+    fn round_off_is_no_figure() {
+        let shown = [0.0, 2.2e-16, -3.3e-10, 6.158e-6, -0.0192].map(percent_or_power);
+        let expected = ["0", "below 1e-9", "below 1e-9", "6.158e-6", "-1.92 %"];
+        assert_eq!(shown, expected);
+    }
 
     #[test]
     fn viscosities_read_well() {

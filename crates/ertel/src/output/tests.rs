@@ -5,6 +5,7 @@ use serde_json::Value;
 use super::folder::NewFolder;
 use super::sample::Sample;
 use super::*;
+use crate::params::Method;
 use crate::solution::BodyField;
 
 fn names(folder: &Path) -> Vec<String> {
@@ -254,6 +255,27 @@ fn pictures_have_the_formats_that_are_asked_for() {
         assert_eq!(found.collect::<Vec<_>>(), suffixes);
     }
     assert_eq!(PictureFormats::named(["jpg"]), None);
+}
+
+/// Finite elements end below `solver.tolerance`; finite volumes by what a step would change, and no line is drawn that nothing has to reach.
+#[test]
+fn a_tolerance_is_drawn_where_residuals_come_below_it() {
+    let (case, solution) = sample::circle();
+    for (method, is_drawn) in [
+        (Method::FiniteElements, true),
+        (Method::FiniteVolumes, false),
+    ] {
+        let mut solution = solution.clone();
+        solution.stats.method = method;
+        let drawn = pictures::pictures("", &solution, Some(1e-8));
+        let convergence = drawn.iter().find(|p| p.name == "convergence").unwrap();
+        assert_eq!(
+            convergence.svg.contains("tolerance of the solution"),
+            is_drawn
+        );
+        let data = html::page_data(&html::report_page(case, &solution, 1e-8)).unwrap();
+        assert_eq!(data["results"][0]["tolerance"].is_number(), is_drawn);
+    }
 }
 
 /// Pictures are well-formed at least in this: every group that opens closes, no number is NaN.

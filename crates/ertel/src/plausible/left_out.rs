@@ -77,7 +77,7 @@ pub fn heat_warning(heat: &NeglectedHeat) -> Option<Warning> {
         return None;
     }
     let text = format!(
-        "the contact is computed without heat, but {}: [thermal] reckons with it",
+        "the contact is computed without heat, but {}: [thermal] includes it",
         parts.join(", and ")
     );
     let excess = (SMALLEST_FACTOR / factor).max(heat.temperature_rise / LARGEST_RISE);

@@ -31,6 +31,32 @@ fn the_table_of_figures_is_the_registry() {
     generated("docs/reference/results.md", "figures", &text);
 }
 
+/// Every name of a figure of a machine in the source is a row of the table, and no other is: what stands between quotes there, with an underscore
+/// or as kappa, are these names.
+#[test]
+fn the_table_of_machines_has_every_figure() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut names = std::collections::BTreeSet::new();
+    for file in std::fs::read_dir(root.join("src/machine")).unwrap() {
+        let text = std::fs::read_to_string(file.unwrap().path()).unwrap();
+        let quoted = text.split('"').skip(1).step_by(2);
+        let is_name = |word: &&str| {
+            let letters = word.chars().all(|c| c == '_' || c.is_ascii_lowercase());
+            *word == "kappa" || (letters && word.contains('_'))
+        };
+        names.extend(quoted.filter(is_name).map(str::to_owned));
+    }
+    let page = std::fs::read_to_string(root.join("../../docs/reference/results.md")).unwrap();
+    let (_, table) = page.split_once("### Figures of machines").unwrap();
+    let (table, _) = table.split_once("\n## ").unwrap();
+    let rows = table.lines().filter_map(|line| line.strip_prefix("| `"));
+    let listed: std::collections::BTreeSet<String> = rows
+        .map(|row| row.split('`').next().unwrap().to_owned())
+        .collect();
+    assert!(names.len() > 40, "{names:?}");
+    assert_eq!(listed, names);
+}
+
 #[test]
 fn tables_of_the_reference_are_those_of_the_keys() {
     let (contact, rollers) = split(keys::CONTACT, "length");

@@ -18,8 +18,8 @@ const N_ROWS: usize = 3;
 const LOCAL: [(Figure, usize); 4] = [
     (Figure::FilmTemperatureMaximum, 0),
     (Figure::FilmTemperatureLowest, 0),
-    (Figure::Body1TemperatureMaximum, 1),
-    (Figure::Body2TemperatureMaximum, 2),
+    (Figure::TemperatureBody1Maximum, 1),
+    (Figure::TemperatureBody2Maximum, 2),
 ];
 
 /// Deviation of the temperatures of a state; none where elements are not linear.

@@ -105,8 +105,8 @@ pub fn note_heat<Plan>(
     for (figure, (value, place)) in [
         (Figure::FilmTemperatureMaximum, hottest),
         (Figure::FilmTemperatureLowest, coldest),
-        (Figure::Body1TemperatureMaximum, surfaces[0]),
-        (Figure::Body2TemperatureMaximum, surfaces[1]),
+        (Figure::TemperatureBody1Maximum, surfaces[0]),
+        (Figure::TemperatureBody2Maximum, surfaces[1]),
     ] {
         let reading = Reading {
             place: Some(place.map(|x| (x + 0.0) * length)),
@@ -121,8 +121,8 @@ pub fn note_heat<Plan>(
     }
     let means = [
         Figure::FilmTemperatureMean,
-        Figure::Body1TemperatureMean,
-        Figure::Body2TemperatureMean,
+        Figure::TemperatureBody1Mean,
+        Figure::TemperatureBody2Mean,
     ];
     for (figure, value) in means.into_iter().zip(zone_means(film.points(), nodes)) {
         let reading = Reading {

@@ -280,8 +280,12 @@ fn rows_by_the_film_have_the_same_films() {
     }
     let films = [&slices, &film].map(|problem| {
         let measured = solved(problem).measured(problem);
-        [Figure::FilmCentral, Figure::FilmMinimum, Figure::FilmMean]
-            .map(|figure| measured.figures.value(figure).unwrap())
+        [
+            Figure::FilmCentral,
+            Figure::FilmMinimum,
+            Figure::FilmZoneMean,
+        ]
+        .map(|figure| measured.figures.value(figure).unwrap())
     });
     assert_relative_eq!(films[0][0], films[1][0], max_relative = 2e-3);
     assert_relative_eq!(films[0][1], films[1][1], max_relative = 2e-2);

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use crate::case::CaseEcho;
 use crate::contact::{Outline, Symmetry};
+use crate::output::pictures::has_one_tolerance;
 use crate::solution::{ContactFields, Field, Figure, Located, Solution};
 
 /// Value of the key `format` of the data.
@@ -65,7 +66,7 @@ pub fn data(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Value {
         "mesh": mesh(solution),
         "centreline": centreline(solution),
         "history": history,
-        "tolerance": tolerance,
+        "tolerance": has_one_tolerance(solution).then_some(tolerance),
         "heat_tolerance": solution.thermal.as_ref().map(|t| t.coupling.tolerance),
     })
 }

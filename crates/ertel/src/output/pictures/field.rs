@@ -4,41 +4,23 @@ use std::fmt::Write;
 
 use rayon::prelude::*;
 
+use super::layout::{Layout, Placed};
 use super::sampling::Sampling;
 use crate::contact::HertzZone;
 use crate::words::length;
 use ertel_plot::axis::{Axis, tick_label};
-use ertel_plot::chart::Side;
 use ertel_plot::contour::Triangulation;
 use ertel_plot::drawing::{
     Anchor, Drawing, INK, LABEL_SIZE, Stroke, TICK_SIZE, number, text_width,
 };
-use ertel_plot::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis, polyline};
-
-/// Height of the frame of a map, px, and the bounds of its width.
-const MAP_HEIGHT: f64 = 330.0;
-const WIDTHS: [f64; 2] = [220.0, 760.0];
-
-/// Width over height from which a map is that of a long roller, and the least width of its frame, px.
-const LONG: f64 = 1.0 / 12.0;
-const LEAST_WIDTH_OF_LONG: f64 = 110.0;
-
-/// Height of the frame of a map, px: that of most, but wide and slender contacts keep their shape.
-pub(super) fn map_height([[x0, x1], [y0, y1]]: [[f64; 2]; 2]) -> f64 {
-    let width_of_one = (x1 - x0) / (y1 - y0);
-    let least = match width_of_one < LONG {
-        true => LEAST_WIDTH_OF_LONG,
-        false => WIDTHS[0],
-    };
-    (MAP_HEIGHT * width_of_one).clamp(least, WIDTHS[1]) / width_of_one
-}
+use ertel_plot::frame::{Frame, polyline};
 
 /// A map of a field; lengths in Hertz half-widths.
 pub(super) struct FieldMap<'a> {
     pub title: &'a str,
     pub field: Sampling,
-    /// Lower and upper end of both axes.
-    pub window: [[f64; 2]; 2],
+    /// Where it lies.
+    pub layout: Layout,
     /// Boundaries between the colours, rising.
     pub levels: Vec<f64>,
     /// One colour more than levels.
@@ -88,13 +70,12 @@ const LEAST_BAR_HEIGHT: f64 = 180.0;
 impl FieldMap<'_> {
     /// The map as a picture.
     pub fn drawing(&self) -> Drawing {
-        let [[x0, x1], [y0, y1]] = self.window;
-        let height = map_height(self.window);
+        let [width, height] = self.layout.size();
         let beyond = 0.5 * (LEAST_BAR_HEIGHT - height).max(0.0);
         let frame = Frame {
             left: 62.0,
             top: if self.other.is_some() { 26.0 } else { 16.0 } + beyond,
-            width: height * (x1 - x0) / (y1 - y0),
+            width,
             height,
         };
         let ticks = self.bar_ticks();
@@ -118,8 +99,8 @@ impl FieldMap<'_> {
         };
         let foot = frame.top + height + 39.0;
         let notes = [
-            format!("*a* = {}; line: rim of", length(self.half_width)),
-            "the Hertzian contact".to_owned(),
+            format!("*a* = {}; line: rim of the", length(self.half_width)),
+            "Hertzian contact; arrow: motion".to_owned(),
         ];
         let notes = match frame.width >= ONE_LINE {
             true => vec![notes.join(" ")],
@@ -137,13 +118,10 @@ impl FieldMap<'_> {
             ];
             drawing.text(at, note, NOTE_SIZE, Anchor::Middle, GREY);
         }
-        let x = Axis::linear("*x*/*a*", x0, x1);
-        let y = Axis::linear("*y*/*a*", y0, y1);
-        self.draw_field(&mut drawing, frame, &x, &y);
-        drawing.stroke(&frame.outline(), Stroke::solid(INK, FRAME_WIDTH));
-        label_x_axis(&mut drawing, frame, &x, false);
-        draw_ticks(&mut drawing, frame, &x, &y);
-        label_y_axis(&mut drawing, frame, &y, Side::Left, INK);
+        let placed = self.layout.within(frame);
+        self.draw_field(&mut drawing, frame, &placed);
+        placed.draw_motion(&mut drawing);
+        placed.draw_axes(&mut drawing);
         self.draw_bar(&mut drawing, bar, &ticks);
         if let Some(other) = &self.other {
             draw_other(&mut drawing, bar, other, &others);
@@ -156,17 +134,14 @@ impl FieldMap<'_> {
         drawing
     }
 
-    fn draw_field(&self, drawing: &mut Drawing, frame: Frame, x: &Axis, y: &Axis) {
+    fn draw_field(&self, drawing: &mut Drawing, frame: Frame, placed: &Placed) {
         drawing.begin_clip(frame.left, frame.top, frame.width, frame.height);
         let Sampling {
             points,
             triangles,
             values,
         } = &self.field;
-        let pixels: Vec<[f64; 2]> = points
-            .iter()
-            .map(|p| [frame.x(x, p[0]), frame.y(y, p[1])])
-            .collect();
+        let pixels: Vec<[f64; 2]> = points.iter().map(|p| placed.at(*p)).collect();
         let mesh = Triangulation::new(&pixels, triangles);
         drawing.fill(&closed(&mesh.whole(values).loops), &self.colours[0]);
         let mut regions = mesh.regions(values, &self.levels);
@@ -186,20 +161,17 @@ impl FieldMap<'_> {
             drawing.stroke(&lines, Stroke::solid("#262626", 0.45));
         }
         if let Some(roller) = &self.zone.roller {
-            let rim = roller.rim().into_iter();
-            let rim: Vec<[f64; 2]> = rim.map(|p| [frame.x(x, p[0]), frame.y(y, p[1])]).collect();
+            let rim: Vec<[f64; 2]> = roller.rim().into_iter().map(|p| placed.at(p)).collect();
             drawing.stroke(&polyline(&rim), Stroke::solid(self.rim, 0.9));
             drawing.end_clip();
             return;
         }
-        let radius = frame.x(x, 1.0) - frame.x(x, 0.0);
-        let (cx, cy) = (frame.x(x, 0.0), frame.y(y, 0.0));
+        let (centre, end) = (placed.at([0.0; 2]), placed.at([1.0, 0.0]));
+        let radius = (end[0] - centre[0]).hypot(end[1] - centre[1]);
         let stroke = Stroke::solid(self.rim, 0.9);
         let radii = [radius, radius * self.zone.axis_ratio];
-        // Down is y < 0 in a picture.
-        let [c, s] = self.zone.turn.to_motion([1.0, 0.0]);
-        let turn = (-s).atan2(c).to_degrees();
-        drawing.ellipse([cx, cy], radii, turn, stroke);
+        let turn = placed.direction(self.zone.turn.to_motion([1.0, 0.0]));
+        drawing.ellipse(centre, radii, turn, stroke);
         drawing.end_clip();
     }
 
@@ -275,15 +247,20 @@ fn draw_other(drawing: &mut Drawing, bar: Frame, other: &OtherScale, ticks: &[(f
     drawing.text([edge, y], right, TICK_SIZE, Anchor::Start, INK);
 }
 
-/// Ticks that point outwards, for they would be lost on the colours.
-pub(in crate::output) fn draw_ticks(drawing: &mut Drawing, frame: Frame, x: &Axis, y: &Axis) {
+/// Ticks that point outwards, for they would be lost on the colours; `upright` is the frame, upside down where y rises downwards.
+pub(in crate::output) fn draw_ticks(
+    drawing: &mut Drawing,
+    [frame, upright]: [Frame; 2],
+    x: &Axis,
+    y: &Axis,
+) {
     let mut d = String::new();
     let (bottom, left) = (frame.top + frame.height, frame.left);
     for (value, _) in x.ticks() {
         let _ = write!(d, "M{} {}v4", number(frame.x(x, value)), number(bottom));
     }
     for (value, _) in y.ticks() {
-        let _ = write!(d, "M{} {}h-4", number(left), number(frame.y(y, value)));
+        let _ = write!(d, "M{} {}h-4", number(left), number(upright.y(y, value)));
     }
     drawing.stroke(&d, Stroke::solid(INK, 0.8));
 }

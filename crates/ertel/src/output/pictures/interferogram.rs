@@ -5,16 +5,14 @@ use base64::engine::general_purpose::STANDARD;
 use ertel_fem::element::Lagrange;
 use rayon::prelude::*;
 
-use super::field::{draw_ticks, map_height};
+use super::layout::Layout;
 use super::maps::window_map;
 use super::sampling::value;
 use crate::contact::Symmetry;
 use crate::interference::Interferometer;
 use crate::solution::Solution;
-use ertel_plot::axis::Axis;
-use ertel_plot::chart::Side;
-use ertel_plot::drawing::{Drawing, DrawingError, INK, Raster, Stroke};
-use ertel_plot::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis};
+use ertel_plot::drawing::{Drawing, DrawingError, Raster};
+use ertel_plot::frame::Frame;
 use ertel_plot::png::encode;
 
 /// Pixels of the image per unit of the picture.
@@ -29,8 +27,8 @@ pub struct Image {
     width: usize,
     height: usize,
     pixels: Vec<u8>,
-    /// Lower and upper end of both axes, in Hertz half-widths.
-    window: [[f64; 2]; 2],
+    /// How it lies.
+    layout: Layout,
 }
 
 impl Image {
@@ -38,9 +36,13 @@ impl Image {
     pub fn new(solution: &Solution, light: &Interferometer, density: f64) -> Image {
         let window = window_map(solution);
         let [[x0, x1], [y0, y1]] = window;
-        let height = (SCALE * map_height(window)).round().max(1.0) as usize;
-        let width = (height as f64 * (x1 - x0) / (y1 - y0)).round().max(1.0) as usize;
-        let fine = [POINTS * width, POINTS * height];
+        let layout = Layout::of(window);
+        let [width, height] = layout.size().map(|s| (SCALE * s).round().max(1.0) as usize);
+        // Points along x and y.
+        let fine = match layout.is_turned {
+            true => [POINTS * height, POINTS * width],
+            false => [POINTS * width, POINTS * height],
+        };
         let grid = Grid {
             n: fine,
             origin: [x0, y0],
@@ -56,9 +58,13 @@ impl Image {
             .map(|row| {
                 let pixel = |column: usize| {
                     let points = (0..POINTS * POINTS).map(|k| {
-                        // The first row of the image is the top, the last of the grid.
-                        let i = POINTS * column + k % POINTS;
-                        let j = fine[1] - 1 - (POINTS * row + k / POINTS);
+                        let (right, down) =
+                            (POINTS * column + k % POINTS, POINTS * row + k / POINTS);
+                        // The first row of the image is the top: the inlet, or the last of the grid.
+                        let (i, j) = match layout.is_turned {
+                            true => (down, right),
+                            false => (right, fine[1] - 1 - down),
+                        };
                         (film[j * fine[0] + i], ratio[j * fine[0] + i])
                     });
                     colour(light, &points.collect::<Vec<_>>())
@@ -70,7 +76,7 @@ impl Image {
             width,
             height,
             pixels: rows.concat(),
-            window,
+            layout,
         }
     }
 
@@ -84,12 +90,11 @@ impl Image {
 
     /// The image, whose PNG file is `png`, with axes around it.
     pub fn drawing(&self, title: &str, png: &[u8]) -> Drawing {
-        let [[x0, x1], [y0, y1]] = self.window;
-        let height = map_height(self.window);
+        let [width, height] = self.layout.size();
         let frame = Frame {
             left: 62.0,
             top: 16.0,
-            width: height * (x1 - x0) / (y1 - y0),
+            width,
             height,
         };
         let mut drawing = Drawing::new(
@@ -97,8 +102,7 @@ impl Image {
             frame.top + height + 52.0,
             title,
         );
-        let x = Axis::linear("*x*/*a*", x0, x1);
-        let y = Axis::linear("*y*/*a*", y0, y1);
+        let placed = self.layout.within(frame);
         drawing.image(
             [frame.left, frame.top, frame.width, frame.height],
             Raster {
@@ -108,10 +112,8 @@ impl Image {
                 png: STANDARD.encode(png),
             },
         );
-        drawing.stroke(&frame.outline(), Stroke::solid(INK, FRAME_WIDTH));
-        label_x_axis(&mut drawing, frame, &x, false);
-        draw_ticks(&mut drawing, frame, &x, &y);
-        label_y_axis(&mut drawing, frame, &y, Side::Left, INK);
+        placed.draw_motion(&mut drawing);
+        placed.draw_axes(&mut drawing);
         drawing
     }
 }

@@ -1,7 +1,8 @@
 //! Maps of pressure and film thickness over the whole contact.
 
-use super::field::{Bar, FieldMap, OtherScale, map_height};
+use super::field::{Bar, FieldMap, OtherScale};
 use super::film_unit;
+use super::layout::Layout;
 use super::sampling::{Sampling, View};
 use crate::contact::Symmetry;
 use crate::solution::{Polynomials, Solution};
@@ -76,7 +77,7 @@ fn sampled(
     let view = View {
         unit: solution.hertz.half_width,
         window,
-        pixel: (window[1][1] - window[1][0]) / map_height(window),
+        pixel: Layout::of(window).pixel(),
         factor,
         levels,
     };
@@ -110,7 +111,7 @@ pub fn pressure_map(title: &str, solution: &Solution) -> Drawing {
             window,
             &levels,
         ),
-        window,
+        layout: Layout::of(window),
         levels,
         colours,
         bar: Bar::Continuous([0.0, top]),
@@ -141,7 +142,7 @@ pub fn temperature_map(
     FieldMap {
         title,
         field: sampled(solution, temperature, 1.0, window, &levels),
-        window,
+        layout: Layout::of(window),
         levels,
         colours,
         bar: Bar::Continuous(shown),
@@ -174,7 +175,7 @@ pub fn film_map(title: &str, solution: &Solution) -> Drawing {
     FieldMap {
         title,
         field: sampled(solution, film, factor, window, &levels),
-        window,
+        layout: Layout::of(window),
         levels,
         colours,
         bar: Bar::Steps,

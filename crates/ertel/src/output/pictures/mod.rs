@@ -5,6 +5,7 @@ mod field;
 mod fluid;
 mod heat;
 mod interferogram;
+mod layout;
 mod maps;
 mod profile;
 mod sampling;
@@ -20,6 +21,7 @@ pub use profile::{profile, profile_across};
 use ertel_plot::{Axis, Chart, Drawing, Look, PALETTE, Series, Side, side_by_side};
 use rayon::prelude::*;
 
+use crate::params::Method;
 use crate::solution::Solution;
 use crate::words::TemperatureScale;
 
@@ -50,6 +52,11 @@ impl Picture {
     }
 }
 
+/// Whether residuals and updates come below `solver.tolerance`; finite volumes end by what a step would change of films and pressures.
+pub(super) fn has_one_tolerance(solution: &Solution) -> bool {
+    solution.stats.method == Method::FiniteElements
+}
+
 /// Every picture of a solution, temperatures in Kelvin first; the convergence target is drawn where given.
 pub fn pictures(title: &str, solution: &Solution, tolerance: Option<f64>) -> Vec<Picture> {
     pictures_in(title, solution, tolerance, TemperatureScale::default())
@@ -62,6 +69,7 @@ pub fn pictures_in(
     tolerance: Option<f64>,
     scale: TemperatureScale,
 ) -> Vec<Picture> {
+    let tolerance = tolerance.filter(|_| has_one_tolerance(solution));
     let mut tasks: Vec<Task> = vec![(
         "centreline",
         Box::new(|| centreline(title, solution).drawing()),

@@ -150,7 +150,7 @@ pub fn map_of_film(title: &str, found: &TransientSolution) -> Result<Option<Draw
     let t = Axis::linear(&format!("Time *t* ({unit})"), 0.0, per_second * last);
     drawing.stroke(&frame.outline(), Stroke::solid(INK, FRAME_WIDTH));
     label_x_axis(&mut drawing, frame, &x, false);
-    draw_ticks(&mut drawing, frame, &x, &t);
+    draw_ticks(&mut drawing, [frame; 2], &x, &t);
     label_y_axis(&mut drawing, frame, &t, Side::Left, INK);
     for i in 0..ROWS {
         let share = (ROWS - i) as f64 / ROWS as f64;

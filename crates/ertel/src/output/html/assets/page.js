@@ -75,12 +75,11 @@ function showIterations(result) {
   const { tolerance, heat_tolerance: heatTolerance } = result.data;
   if (heatTolerance) {
     // Film and heat are solved in turn, each only to a share of what the other still changes: that change is what converges.
-    series.push({ label: "change from round to round of film and heat", ink: 3, points: true, data: history.map((r) => r.heat_change ?? NaN) });
+    series.push({ label: "change from round to round of film and heat", ink: 5, points: true, data: history.map((r) => r.heat_change ?? NaN) });
   }
-  series.push({
-    label: heatTolerance ? "tolerance of that change" : "tolerance", ink: 4, dash: [6, 4],
-    data: history.map(() => heatTolerance ?? tolerance),
-  });
+  const end = heatTolerance ?? tolerance;
+  // Finite volumes end by what a step would change: no residual has to come below a tolerance.
+  if (end) series.push({ label: heatTolerance ? "tolerance of that change" : "tolerance", ink: 4, dash: [6, 4], data: history.map(() => end) });
   lineChart("iterations", {
     x: { label: "Newton iteration", data: count }, y: { label: "Residual", log: true }, series, height: 280,
     describe: `Residual over ${history.length} Newton iterations on ${stages.length} meshes`,

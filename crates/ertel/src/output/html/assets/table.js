@@ -14,7 +14,7 @@ function parseCsv(text) {
   return rows;
 }
 
-const SUFFIXES = [["_kg_per_m3", "kg/m^3"], ["_m_per_s", "m/s"], ["_N_per_m", "N/m"], ["_W_per_m", "W/m"], ["_N_m", "N m"], ["_million_revolutions", "million revolutions"], ["_Pa_s", "Pa.s"], ["_rad_per_s", "rad/s"], ["_per_s", "1/s"], ["_J", "N m"], ["_degC", "°C"], ["_Pa", "Pa"], ["_rad", "rad"], ["_m", "m"], ["_N", "N"], ["_W", "W"], ["_K", "K"], ["_s", "s"]];
+const SUFFIXES = [["_kg_per_m3", "kg/m^3"], ["_m_per_s", "m/s"], ["_N_per_m", "N/m"], ["_W_per_m", "W/m"], ["_N_m", "N m"], ["_million_revolutions", "million revolutions"], ["_Pa_s", "Pa.s"], ["_rad_per_s", "rad/s"], ["_1_per_s", "1/s"], ["_per_s", "1/s"], ["_1_per_Pa", "1/Pa"], ["_1_per_K", "1/K"], ["_W_per_(m_K)", "W/(m K)"], ["_J_per_(kg_K)", "J/(kg K)"], ["_J", "N m"], ["_degC", "°C"], ["_Pa", "Pa"], ["_rad", "rad"], ["_m", "m"], ["_N", "N"], ["_W", "W"], ["_K", "K"], ["_s", "s"]];
 const PLAIN = ["film_central_m", "film_minimum_m", "pressure_central_Pa", "traction_coefficient", "friction_total", "lambda_minimum", "film_temperature_maximum_K", "friction_torque_N_m", "friction_power_W", "friction_power_W_per_m", "mesh_loss", "scuffing_safety", "micropitting_safety", "static_safety_factor", "modified_rating_life_million_revolutions", "converged"];
 // What is shown first of the contacts of a machine.
 const OF_MACHINES = ["name", "load_N", "load_N_per_m", "hertz_pressure_Pa", "entrainment_speed_m_per_s", "slide_to_roll_ratio", "film_central_m", "film_minimum_m", "lambda_minimum", "traction_coefficient", "friction_total", "friction_power_W", "friction_power_W_per_m", "film_temperature_maximum_K"];

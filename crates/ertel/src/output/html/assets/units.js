@@ -11,6 +11,7 @@ function unitOf(unit, size) {
     "kg/m^3": [[0, 1, "kg/m³"]],
     "1/s": [[0, 1, "1/s"]],
     s: [[1, 1, "s"], [1e-3, 1e3, "ms"], [0, 1e6, "µs"]],
+    "1/Pa": [[0, 1e9, "1/GPa"]],
     "rad/s": [[0, 30 / Math.PI, "rpm"]],
     rad: [[0, 180 / Math.PI, "°"]],
   };
