@@ -20,6 +20,8 @@ struct Given {
     viscosity: f64,
     speed: f64,
     target: f64,
+    /// Film of the start, in a²/R.
+    start_film: f64,
 }
 
 /// Steel on steel at 0.5 m/s, with an oil of 0.04 Pa s and 22 1/GPa.
@@ -30,6 +32,7 @@ fn line() -> Given {
         viscosity: 0.04,
         speed: 0.5,
         target: 1e-3,
+        start_film: 0.12,
     }
 }
 
@@ -62,7 +65,7 @@ impl Given {
                 .with_shear(None, &sliding, &scales),
             entrainment: motion.entrainment(scales.length),
             load: scales.load,
-            start_film: 0.12,
+            start_film: self.start_film,
             heat: None,
             scales,
             plan: Plan {
@@ -218,6 +221,8 @@ fn waves_keep_the_amplitude_of_venner() {
     let given = Given {
         contact: Contact::line(0.01, 1.083_32e6),
         speed: 0.635_7,
+        target: 5e-3,
+        start_film: 0.02,
         ..line()
     };
     let (ratio, mass) = amplitude_ratio(&given, 0.5);
@@ -259,6 +264,7 @@ fn a_dent_passes_through_a_circular_contact() {
         viscosity: 0.25,
         speed: 0.09,
         target: 2e-2,
+        start_film: 0.12,
     };
     let mut problem = given.problem();
     let scales = problem.scales;
