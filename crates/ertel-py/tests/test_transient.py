@@ -34,10 +34,12 @@ def test_instants_follow_the_load(case: ertel.Case, solved: ertel.Transient) -> 
     first, last = solved[0], solved[len(solved) - 1]
     assert first.time == 0 and last.time == pytest.approx(0.5e-3, rel=1e-12)
     assert last.load == pytest.approx(50e3, rel=1e-12)
-    assert last["pressure_central"].value < 0.8 * first["pressure_central"].value
     assert last.film_central.error is not None and 0 < last.film_central.error < 0.01 * last.film_central.value
     assert np.all(np.diff(solved.time) > 0)
     assert [profile["time"] for profile in solved.profiles] == pytest.approx([0, 0.3e-3])
+    # Half the load has the pressure of its root in the middle.
+    middle = [float(np.interp(0, profile["x"], profile["pressure"])) for profile in solved.profiles]
+    assert middle[1] == pytest.approx(np.sqrt(0.5) * middle[0], rel=0.05)
     # The integral of the pressure is the load.
     profile = solved.profiles[1]
     carried = np.trapezoid(profile["pressure"], profile["x"]) if hasattr(np, "trapezoid") else np.trapz(profile["pressure"], profile["x"])

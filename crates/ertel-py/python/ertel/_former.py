@@ -67,8 +67,8 @@ def with_new_names(content: Any, part: str = "") -> Any:
         return [with_new_names(value, part) for value in content]
     if not isinstance(content, dict) or part in _LEFT:
         return content
-    names = _WITHIN.get(part, {})
-    return {_TEMPERATURE.sub(r"temperature_body_\1_\2", names.get(key, key)): with_new_names(value, key) for key, value in content.items()}
+    names: dict[str, str] = _WITHIN.get(part, {})
+    return {_TEMPERATURE.sub(r"temperature_body_\1_\2", names.get(key, str(key))): with_new_names(value, key) for key, value in content.items()}
 
 
 def with_new_columns(table: str) -> str:

@@ -20,6 +20,8 @@ _SECTIONS = (
     "mesh",
     "solver",
     "output",
+    "transient",
+    "surface",
     "curve",
     "compare",
     "correlation",
