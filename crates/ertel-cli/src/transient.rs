@@ -7,7 +7,6 @@ use ertel::case::Case;
 use ertel::output;
 use ertel::run::transient::TransientSolution;
 use ertel::solution::Figure;
-use ertel::solve::SolveError;
 use ertel::transient::TransientError;
 use ertel::words::length;
 use serde_json::{Value, json};
@@ -26,10 +25,7 @@ pub fn write(
     arguments: &SolveArgs,
     events: &Events,
 ) -> Result<String, Failure> {
-    let is_interrupted = matches!(
-        found.failure,
-        Some(TransientError::Start(SolveError::Interrupted))
-    );
+    let is_interrupted = matches!(found.failure, Some(TransientError::Interrupted));
     let Some(last) = found.instants.last() else {
         return Err(match &found.failure {
             Some(_) if is_interrupted => Failure::Interrupted,

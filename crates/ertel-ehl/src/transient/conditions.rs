@@ -69,6 +69,9 @@ const GAUSS: [[f64; 2]; 5] = [
     [0.953_089_922_969_332, 0.118_463_442_528_095],
 ];
 
+/// Instants at which the speed is looked at, beside kinks.
+const SAMPLES: u32 = 2000;
+
 impl Conditions {
     /// How far both bodies move between two instants without a kink between them.
     pub fn way(&self, from: f64, to: f64) -> [f64; 2] {
@@ -76,6 +79,18 @@ impl Conditions {
             let speeds = self.speeds.at(from + share * (to - from));
             [0, 1].map(|i: usize| sum[i] + weight * (to - from) * speeds[i])
         })
+    }
+
+    /// Smallest size of the entrainment speed over time.
+    pub fn slowest(&self) -> f64 {
+        let even = (0..=SAMPLES).map(|i| self.duration * f64::from(i) / f64::from(SAMPLES));
+        let stops = self.stops().into_iter().map(|(stop, _)| stop);
+        even.chain(stops)
+            .map(|time| {
+                let [first, second] = self.speeds.at(time);
+                (0.5 * (first + second)).abs()
+            })
+            .fold(f64::INFINITY, f64::min)
     }
 
     /// Whether an instant was asked for.
@@ -130,6 +145,7 @@ mod tests {
         let [first, second] = conditions.way(0.0, 2.0);
         assert_relative_eq!(first, 3.0, max_relative = 1e-12);
         assert_relative_eq!(second, 5.0, max_relative = 1e-12);
+        assert_relative_eq!(conditions.slowest(), 1.0);
         assert_eq!(
             conditions.stops(),
             vec![(1.5, true), (2.0, true), (4.0, false), (5.0, false)]

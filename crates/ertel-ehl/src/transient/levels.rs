@@ -109,11 +109,6 @@ impl Levels {
         &self.levels
     }
 
-    /// Number of instants that are known.
-    pub fn n_instants(&self) -> usize {
-        self.times.len()
-    }
-
     /// Forgets what was before the newest instant, where something has a kink.
     pub fn forget(&mut self) {
         self.times.truncate(1);

@@ -113,7 +113,10 @@ pub struct Info {
 pub enum TransientError {
     /// No steady contact to begin with.
     #[error("the steady contact at the start: {0}")]
-    Start(#[from] SolveError),
+    Start(SolveError),
+    /// The observer asked to stop.
+    #[error("interrupted")]
+    Interrupted,
     /// The grids do not resolve a relief.
     #[error(
         "the shortest length of a relief needs cells of {needed:.1e} half-widths, and [mesh] max_unknowns allows {cell:.1e}"
@@ -141,6 +144,15 @@ pub enum TransientError {
         /// How it went so far.
         info: Info,
     },
+}
+
+impl From<SolveError> for TransientError {
+    fn from(error: SolveError) -> TransientError {
+        match error {
+            SolveError::Interrupted => TransientError::Interrupted,
+            error => TransientError::Start(error),
+        }
+    }
 }
 
 impl TransientError {
@@ -179,10 +191,10 @@ impl Present<'_> {
 
     fn set(&self, problem: &mut Problem<Plan>, time: f64, moved: [f64; 2]) {
         let [first, second] = self.conditions.speeds.at(time);
+        problem.scales.lambda = self.lambda;
         problem.entrainment = Planar::along_x(0.5 * (first + second));
         let sliding = Planar::along_x(second - first);
         problem.fluid = problem.fluid.sliding_by(&sliding, &problem.scales);
-        problem.scales.lambda = self.lambda;
         problem.load = self.load * self.conditions.load.at(time);
         // What friction is measured by.
         problem.scales.load = problem.load;
@@ -235,6 +247,8 @@ pub fn march(
         lambda: problem.scales.lambda,
     };
     let mut moved = [0.0; 2];
+    present.set(&mut problem, 0.0, moved);
+    refine_for_thinnest(&mut problem, conditions, &present, observer.start())?;
     present.set(&mut problem, 0.0, moved);
     let found = FiniteVolumes.solve(&problem, observer.start())?;
     problem.plan.newton.ends = Ends {
@@ -318,7 +332,7 @@ pub fn march(
             Present::in_own_scales(&mut problem);
             observer.instant(&instant(&levels, &problem, conditions, params, at));
             if observer.cancelled() {
-                return Err(SolveError::Interrupted.into());
+                return Err(TransientError::Interrupted);
             }
         }
         if is_kink {
@@ -329,6 +343,44 @@ pub fn march(
     Ok(info)
 }
 
+/// Slowest speed over that of reference for whose steady film there are grids: below, films are those that came before.
+const SLOWEST: f64 = 0.1;
+
+/// Share of the speed at the start below which a slower one needs grids of its own.
+const SLOWER: f64 = 0.9;
+
+/// Lets grids be as fine as the steady film needs them under the largest load at the slowest speed, which is thinner than that of the start.
+fn refine_for_thinnest(
+    problem: &mut Problem<Plan>,
+    conditions: &Conditions,
+    present: &Present<'_>,
+    observer: &mut dyn Observer,
+) -> Result<(), TransientError> {
+    let slowest = conditions.slowest().max(SLOWEST);
+    if slowest > SLOWER * problem.entrainment.centre[0] {
+        return Ok(());
+    }
+    problem.entrainment = Planar::along_x(slowest);
+    problem.load = present.load;
+    match FiniteVolumes.solve(problem, observer) {
+        Ok(found) => {
+            let finest = found
+                .levels
+                .last()
+                .map(|level| level.system.grid.spacing[0]);
+            let cell = &mut problem.plan.largest_cell;
+            *cell = finest.map_or(*cell, |finest| cell.min(finest));
+            Ok(())
+        }
+        Err(SolveError::Interrupted) => Err(TransientError::Interrupted),
+        // Time may never come to such a steady state.
+        Err(_) => Ok(()),
+    }
+}
+
+/// Speed over that of reference as which slower ones count for the length of steps.
+const SLOW: f64 = 1e-3;
+
 /// Longest step that the motion at an instant allows.
 fn longest_step(
     problem: &Problem<Plan>,
@@ -338,15 +390,14 @@ fn longest_step(
 ) -> f64 {
     let speeds = conditions.speeds.at(time);
     let fastest = speeds.iter().fold(0.0_f64, |m, u| m.max(u.abs()));
-    let slow = 1e-3;
-    let of_motion = params.largest_step / fastest.max(slow);
+    let of_motion = params.largest_step / fastest.max(SLOW);
     let about = reliefs(&problem.shape).filter(|relief| relief.is_within(ABOUT));
     about.fold(of_motion, |step, relief| {
         let speed = speeds[match relief.body {
             Body::First => 0,
             Body::Second => 1,
         }];
-        step.min(STEP_OVER_RELIEF * relief.form.finest() / speed.abs().max(slow))
+        step.min(STEP_OVER_RELIEF * relief.form.finest() / speed.abs().max(SLOW))
     })
 }
 

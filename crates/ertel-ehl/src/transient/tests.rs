@@ -111,12 +111,15 @@ fn run(problem: Problem<Plan>, conditions: &Conditions, params: &Params) -> (Fil
     (films, info)
 }
 
-/// From half of the speed of reference to all of it between T = 1 and 4.
+/// Slide-to-roll ratio of the ramp, and of steady contacts beside it.
+const SLIDE: f64 = 0.1;
+
+/// From the speed of reference to half of it between T = 1 and 4.
 fn ramp(duration: f64) -> Conditions {
     Conditions {
         speeds: Speeds::Mean {
-            entrainment: Course::Table(vec![[1.0, 0.5], [4.0, 1.0]]),
-            slide_to_roll_ratio: Course::Constant(0.0),
+            entrainment: Course::Table(vec![[1.0, 1.0], [4.0, 0.5]]),
+            slide_to_roll_ratio: Course::Constant(SLIDE),
         },
         load: Course::Constant(1.0),
         duration,
@@ -191,8 +194,8 @@ fn films_of_a_ramp_hold_their_tolerance() {
         ..Params::default()
     };
     let [(films, info), (fine, _)] =
-        [3e-3, 3e-4].map(|tolerance| run(line().problem(), &ramp(8.0), &params(tolerance)));
-    for time in ramp(8.0).instants {
+        [3e-3, 3e-4].map(|tolerance| run(line().problem(), &ramp(14.0), &params(tolerance)));
+    for time in ramp(14.0).instants {
         for which in [1, 2] {
             let ratio = films.at(time, which) / fine.at(time, which);
             assert!((ratio - 1.0).abs() < 3e-3, "{ratio} at {time}");
@@ -200,14 +203,19 @@ fn films_of_a_ramp_hold_their_tolerance() {
     }
     assert!(info.steps < 150, "{info:?}");
     assert!(mass_error(&films) < 1e-2);
-    // Half of the speed of reference at first; friction is that of the speed, too.
+    // Half of the speed of reference at the end; friction is that of the speed, too.
     let slow = Given {
         speed: 0.25,
         ..line()
     };
-    for (given, row) in [(slow, films.0[0]), (line(), *films.0.last().unwrap())] {
-        let (steady, _) = run(given.problem(), &steady(0.01), &Params::default());
-        assert_relative_eq!(row[1], steady.0[0][1], max_relative = 1e-3);
+    for (given, row) in [(line(), films.0[0]), (slow, *films.0.last().unwrap())] {
+        let mut constant = steady(0.01);
+        constant.speeds = Speeds::Mean {
+            entrainment: Course::Constant(1.0),
+            slide_to_roll_ratio: Course::Constant(SLIDE),
+        };
+        let (steady, _) = run(given.problem(), &constant, &Params::default());
+        assert_relative_eq!(row[1], steady.0[0][1], max_relative = 2e-3);
         assert_relative_eq!(row[4], steady.0[0][4], max_relative = 5e-3);
         // On the grids of the start, whose smallest film errs by 0.2 %.
         assert_relative_eq!(row[2], steady.0[0][2], max_relative = 4e-3);
