@@ -12,7 +12,7 @@
 //! | [`scheme`] | derivatives in time from instants at uneven distances |
 //! | [`course`] | a quantity over time |
 //! | [`conditions`] | what changes |
-//! | [`march`] | steps, their errors and lengths |
+//! | [`march`](mod@march) | steps, their errors and lengths |
 //! | [`levels`] | one step on all grids |
 //!
 //! Theory: Time.
