@@ -337,6 +337,7 @@ impl Case {
         }
         case.origin = Some(Arc::new(Origin::new(document, folder, inputs)?));
         case.transient = transient::read(&mut document.root(), &case, folder)?.map(Arc::new);
+        case.warnings.extend(transient::warnings(&case));
         let mut unusual = usual::warnings(case.inputs(), document);
         unusual.extend(usual::of_data(&case, &unusual));
         case.warnings.extend(unusual);

@@ -11,8 +11,9 @@ use super::Case;
 use super::motion::MAX_SPEED;
 use crate::contact::gap::{Body, Form};
 use crate::contact::{Hertz, Motion, Supply};
-use crate::params::{ElasticModel, Method};
+use crate::params::{ElasticModel, Method, SensitivityDemand};
 use crate::transient::{Course, Speeds};
+use crate::warning::Warning;
 use crate::words::length;
 
 /// How a contact changes in time, SI; t = 0 is its steady state.
@@ -136,8 +137,24 @@ fn check(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
             "finite-element bodies: time is solved between half-spaces",
         ),
         (
-            case.solver.method == Some(Method::FiniteElements) || case.has_key_of_elements(),
+            case.solver.method == Some(Method::FiniteElements),
             "finite elements: time is solved by finite volumes; leave [solver] method out",
+        ),
+        (
+            case.has_key_of_elements(),
+            "keys of [mesh] or [solver] that finite elements alone have",
+        ),
+        (
+            case.output.netcdf,
+            "[output] netcdf: fields at instants are in profiles.csv",
+        ),
+        (
+            case.output.interferogram.is_some(),
+            "[output] interferogram: pictures at instants are not made",
+        ),
+        (
+            case.output.sensitivities == SensitivityDemand::Always,
+            "[output] sensitivities: derivatives of instants are not computed",
         ),
     ];
     match refused.iter().find(|(is_refused, _)| *is_refused) {
@@ -146,6 +163,16 @@ fn check(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
             Err(table.error_here(format!("[transient] does not go together with {reason}")))
         }
     }
+}
+
+/// What the results leave out that the case describes.
+pub(super) fn warnings(case: &Case) -> Option<Warning> {
+    let is_rough = case.transient.is_some() && case.roughness.is_some();
+    is_rough.then(|| {
+        Warning::from(
+            "the roughness counts for nothing in time: films over it give the lambda ratio at each instant".to_owned(),
+        )
+    })
 }
 
 fn output_times(table: &mut Table<'_>, duration: f64) -> Result<Vec<f64>, InputError> {
