@@ -153,7 +153,7 @@ fn check(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
             "[output] interferogram: pictures at instants are not made",
         ),
         (
-            case.output.sensitivities == SensitivityDemand::Always,
+            case.output.sensitivities == SensitivityDemand::All,
             "[output] sensitivities: derivatives of instants are not computed",
         ),
     ];
