@@ -242,7 +242,7 @@ fn a_figure_is_named_in_two_files() {
     let mut found: Vec<String> = (files.iter())
         .filter(|file| {
             let text = std::fs::read_to_string(file).unwrap();
-            ["FilmMean", "film_zone_mean\"", "mean film in"]
+            ["FilmZoneMean", "film_zone_mean\"", "mean film in"]
                 .iter()
                 .any(|name| text.contains(name))
         })
