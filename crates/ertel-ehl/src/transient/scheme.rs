@@ -1,11 +1,11 @@
 //! Derivatives in time from values at instants at uneven distances.
 //!
 //! ```text
-//!   ∂q/∂T at T_n+1 = Σ c_k q^(n+1−k),   c = (1 − β) BDF2 + β BDF3        of the second order, stable for any step
+//!   ∂q/∂T at T_n+1 = Σ c_k q^(n+1−k),   c = (1 − β) BDF2 + β BDF3        of the second order
 //!   e = (1 − β) k/(1 + k) (q − q*),   k = 1/(c_0 (T_n+1 − T_n−2))            q*: parabola through the three instants before
 //! ```
 //! BDFk is the slope at T_n+1 of the polynomial through k + 1 instants. With β = 0.48 the error constant is half of that of BDF2, and up to β = 0.5 the scheme
-//! is stable for all slopes (Nyukhtikov et al. 2003, for equal steps). Fewer instants: BDF2, BDF1.
+//! is stable for all slopes in equal steps (Nyukhtikov et al. 2003). Fewer instants: BDF2, BDF1.
 
 /// β.
 const BLEND: f64 = 0.48;

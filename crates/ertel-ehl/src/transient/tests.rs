@@ -173,7 +173,7 @@ fn amplitude_ratio(given: &Given, wavelength: f64) -> (f64, f64) {
     (0.5 * (high - low) / (0.1 * h_c), mass_error(&films))
 }
 
-/// Under constant conditions the steady film stays, with a relief far away, too; a step takes an iteration on each grid.
+/// Under constant conditions the steady film stays, and no step is refused.
 #[test]
 fn constant_conditions_stay() {
     let (films, info) = run(line().problem(), &steady(3.0), &Params::default());
@@ -239,7 +239,7 @@ fn waves_keep_the_amplitude_of_venner() {
     assert!(mass < 5e-2, "{mass}");
 }
 
-/// The speed stops within 0.4 ms of the line's time and turns: the film stays where it is, as nothing flows, and then comes back from the other side. Courses of both bodies.
+/// The speed falls to zero within T = 0.5, rests for T = 1 and turns: the film stays where it is, as nothing flows, and then comes back from the other side. Courses of both bodies.
 #[test]
 fn a_film_is_entrapped_and_turns() {
     let mut problem = line().problem();

@@ -108,7 +108,7 @@ pub struct TransientSolution {
     pub wall_seconds: f64,
 }
 
-/// Cells across the shortest length of a relief: a wavelength on 16 of them has its amplitude to half a per cent.
+/// Cells across the shortest length of a relief: with 16 and with 32 of them waves of half a half-width keep the amplitude of a published table to 3 %.
 const CELLS_OVER_RELIEF: f64 = 16.0;
 
 /// Half-widths about the centre of the map of films, and places in it at most.
