@@ -83,14 +83,23 @@ impl Conditions {
 
     /// Smallest size of the entrainment speed over time.
     pub fn slowest(&self) -> f64 {
+        let sizes = self.entrainment().map(f64::abs);
+        sizes.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether the entrainment turns at some time.
+    pub fn turns(&self) -> bool {
+        self.entrainment().any(|speed| speed < 0.0)
+    }
+
+    /// The entrainment speed at kinks and between them.
+    fn entrainment(&self) -> impl Iterator<Item = f64> {
         let even = (0..=SAMPLES).map(|i| self.duration * f64::from(i) / f64::from(SAMPLES));
         let stops = self.stops().into_iter().map(|(stop, _)| stop);
-        even.chain(stops)
-            .map(|time| {
-                let [first, second] = self.speeds.at(time);
-                (0.5 * (first + second)).abs()
-            })
-            .fold(f64::INFINITY, f64::min)
+        even.chain(stops).map(|time| {
+            let [first, second] = self.speeds.at(time);
+            0.5 * (first + second)
+        })
     }
 
     /// Whether an instant was asked for.
@@ -146,6 +155,7 @@ mod tests {
         assert_relative_eq!(first, 3.0, max_relative = 1e-12);
         assert_relative_eq!(second, 5.0, max_relative = 1e-12);
         assert_relative_eq!(conditions.slowest(), 1.0);
+        assert!(!conditions.turns());
         assert_eq!(
             conditions.stops(),
             vec![(1.5, true), (2.0, true), (4.0, false), (5.0, false)]

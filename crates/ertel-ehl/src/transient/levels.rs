@@ -3,8 +3,6 @@
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-use ertel_fem::linear::lu::LuError;
-
 use super::scheme::{MEMORY, Weights, extrapolation};
 use crate::contact::Shape;
 use crate::contact::gap::{GapTerm, Relief};
@@ -12,7 +10,7 @@ use crate::engine::{Observer, Problem};
 use crate::solve::SolveError;
 use crate::volumes::Plan;
 use crate::volumes::deflection::Deflection;
-use crate::volumes::engine::newton_params;
+use crate::volumes::engine::{newton_params, pattern};
 use crate::volumes::level::{Level, first_system, refined};
 use crate::volumes::newton::{NewtonInfo, newton};
 use crate::volumes::preconditioner::Pattern;
@@ -79,17 +77,9 @@ impl Levels {
     pub fn new(levels: Vec<Level>, time: f64) -> Result<Levels, SolveError> {
         let fixed = (levels.iter())
             .map(|level| {
-                let system = &level.system;
-                let pattern =
-                    Pattern::new(&system.grid, system.convolution.stencils()).map_err(|error| {
-                        SolveError::Factorisation(LuError {
-                            n: system.grid.n_nodes(),
-                            reason: error.to_string(),
-                        })
-                    })?;
                 Ok(Fixed {
-                    pattern,
-                    deflection: system.convolution.clone(),
+                    pattern: pattern(&level.system)?,
+                    deflection: level.system.convolution.clone(),
                 })
             })
             .collect::<Result<_, SolveError>>()?;

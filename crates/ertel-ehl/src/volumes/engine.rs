@@ -118,6 +118,19 @@ fn largest_change(problem: &Problem<Plan>) -> f64 {
     usual.min(STEEP / viscosity.ln().max(1.0))
 }
 
+/// What preconditioners of a grid share.
+///
+/// # Errors
+/// When no order of elimination is found.
+pub fn pattern(system: &System) -> Result<Pattern, SolveError> {
+    Pattern::new(&system.grid, system.convolution.stencils()).map_err(|error| {
+        SolveError::Factorisation(LuError {
+            n: system.grid.n_nodes(),
+            reason: error.to_string(),
+        })
+    })
+}
+
 /// How Newton's method goes about a problem on any grid.
 pub fn newton_params(problem: &Problem<Plan>) -> NewtonParams {
     NewtonParams {
@@ -138,12 +151,7 @@ fn solve_on(
     level: usize,
     observer: &mut dyn Observer,
 ) -> Result<NewtonInfo, SolveError> {
-    let pattern = Pattern::new(&system.grid, system.convolution.stencils()).map_err(|error| {
-        SolveError::Factorisation(LuError {
-            n: system.grid.n_nodes(),
-            reason: error.to_string(),
-        })
-    })?;
+    let pattern = pattern(system)?;
     let about = (level, problem.scales.film);
     let params = &newton_params(problem);
     let start = state.clone();

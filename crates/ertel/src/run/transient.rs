@@ -143,12 +143,7 @@ fn solve_here(
     let (length, film) = (problem.scales.length, problem.scales.film);
     let unit = length / speed;
     let conditions = conditions(transient, [speed, load], unit);
-    if (0..=SAMPLES).any(|i| {
-        let [first, second] = conditions
-            .speeds
-            .at(conditions.duration * f64::from(i) / f64::from(SAMPLES));
-        first + second < 0.0
-    }) {
+    if conditions.turns() {
         // What was the outlet becomes the inlet.
         problem.extents.outlet = problem.extents.outlet.max(-problem.extents.inlet);
     }
@@ -218,9 +213,6 @@ fn solve_here(
     found.wall_seconds = clock.elapsed().as_secs_f64();
     found
 }
-
-/// Instants at which the direction of the entrainment is looked at.
-const SAMPLES: u32 = 2000;
 
 /// How finite volumes go about a case in time: films of each instant need no finer grids than those of a steady contact, and nothing is read off the spike of a line.
 fn plan(case: &Case) -> Plan {
