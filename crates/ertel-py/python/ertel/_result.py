@@ -333,7 +333,7 @@ class Result(Stored):
         return pd.DataFrame.from_dict(rows, orient="index", columns=columns)
 
     def to_pyvista(self) -> pv.UnstructuredGrid:
-        """The contact area with its fields as point data, names with units as in ``surface.vtu``."""
+        """The contact area with its fields as point data; their units as JSON in the field data ``units``, as in ``surface.vtu``."""
         import pyvista as pv
 
         points, cells, fields = self._fields()
@@ -345,6 +345,8 @@ class Result(Stored):
         grid = pv.UnstructuredGrid(flat, np.full(len(cells), kind), spatial)
         for name, values in fields.items():
             grid.point_data[name] = values
+        units = {"points": "m"} | {name: _FIELD_NAMES[name][0] for name in fields}
+        grid.field_data["units"] = np.frombuffer(json.dumps(units).encode(), dtype=np.uint8)
         return grid
 
     def plot(self, field: str | None = None) -> Figure:

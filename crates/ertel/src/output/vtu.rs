@@ -1,7 +1,8 @@
 //! VTK XML unstructured grids, binary data inline in base64.
 //!
 //! Each array is the base64 text of an 8-byte length in bytes followed by the little-endian data
-//! (`header_type="UInt64"`), as ParaView, PyVista and meshio read it.
+//! (`header_type="UInt64"`), as ParaView, PyVista and meshio read it. The units of all arrays are told once more in the field data, as the
+//! bytes of a JSON text: meshio reads numbers there and no strings.
 
 mod whole;
 
@@ -24,12 +25,16 @@ const QUADRATIC_TRIANGLE: u8 = 22;
 const QUADRATIC_TETRAHEDRON: u8 = 24;
 
 /// An array of a grid.
+#[derive(Clone)]
 struct Array<'a> {
     name: &'a str,
+    /// SI unit, as `Pa.s`; empty for a number without one.
+    unit: &'static str,
     n_components: usize,
     data: Data,
 }
 
+#[derive(Clone)]
 enum Data {
     Float64(Vec<f64>),
     Int64(Vec<i64>),
@@ -42,6 +47,14 @@ impl Data {
             Data::Float64(_) => "Float64",
             Data::Int64(_) => "Int64",
             Data::UInt8(_) => "UInt8",
+        }
+    }
+
+    fn len(&self) -> usize {
+        match self {
+            Data::Float64(values) => values.len(),
+            Data::Int64(values) => values.len(),
+            Data::UInt8(values) => values.len(),
         }
     }
 
@@ -72,6 +85,7 @@ pub fn write_surface(
     let fields: Vec<Array> = (whole.fields.into_iter())
         .map(|(field, values)| Array {
             name: field.column(),
+            unit: field.unit(),
             n_components: 1,
             data: Data::Float64(values),
         })
@@ -97,8 +111,9 @@ pub fn write_temperature(
 ) -> io::Result<()> {
     let whole = Whole::new(shape.symmetry, &field.points, &field.cells);
     let cells: Vec<&[u32]> = whole.cells.iter().map(Vec::as_slice).collect();
-    let array = |name, data| Array {
+    let array = |name, unit, data| Array {
         name,
+        unit,
         n_components: 1,
         data,
     };
@@ -108,11 +123,13 @@ pub fn write_temperature(
         dimension: shape.dim + 1,
         point_data: &[array(
             "temperature_K",
+            "K",
             Data::Float64(whole.scalar(&field.temperature)),
         )],
-        cell_data: &[array("region", Data::UInt8(whole.per_cell(&field.region)))],
+        cell_data: &[array("region", "", Data::UInt8(whole.per_cell(&field.region)))],
         field_data: &[array(
             "film_magnification",
+            "",
             Data::Float64(vec![field.film_magnification]),
         )],
     };
@@ -128,6 +145,7 @@ pub fn write_body(out: impl Write, shape: &Shape, body: &BodyField) -> io::Resul
     let cells: Vec<&[u32]> = whole.cells.iter().map(Vec::as_slice).collect();
     let displacement = Array {
         name: "displacement_m",
+        unit: "m",
         n_components: 3,
         data: Data::Float64(whole.vector(&body.displacement).concat()),
     };
@@ -173,6 +191,18 @@ impl Grid<'_> {
     fn write(&self, out: impl Write) -> io::Result<()> {
         write_grid(out, self)
     }
+
+    /// `{"points":"m","pressure_Pa":"Pa"}`: the units of points and arrays.
+    fn units(&self) -> String {
+        let arrays = [self.point_data, self.cell_data, self.field_data];
+        let of_arrays = arrays.into_iter().flatten();
+        let units: serde_json::Map<_, _> = std::iter::once(("points", "m"))
+            .chain(of_arrays.map(|array| (array.name, array.unit)))
+            .filter(|(_, unit)| !unit.is_empty())
+            .map(|(name, unit)| (name.to_owned(), unit.into()))
+            .collect();
+        serde_json::Value::Object(units).to_string()
+    }
 }
 
 fn write_grid(mut out: impl Write, grid: &Grid) -> io::Result<()> {
@@ -197,9 +227,13 @@ fn write_grid(mut out: impl Write, grid: &Grid) -> io::Result<()> {
         "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">"
     )?;
     writeln!(out, "<UnstructuredGrid>")?;
-    if !grid.field_data.is_empty() {
-        section(&mut out, "FieldData", grid.field_data)?;
-    }
+    let units = Array {
+        name: "units",
+        unit: "",
+        n_components: 1,
+        data: Data::UInt8(grid.units().into_bytes()),
+    };
+    section(&mut out, "FieldData", &[grid.field_data, &[units]].concat())?;
     writeln!(
         out,
         "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">",
@@ -211,12 +245,14 @@ fn write_grid(mut out: impl Write, grid: &Grid) -> io::Result<()> {
         "Points",
         &[Array {
             name: "Points",
+            unit: "m",
             n_components: 3,
             data: Data::Float64(points.concat()),
         }],
     )?;
     let integers = |name, values| Array {
         name,
+        unit: "",
         n_components: 1,
         data: Data::Int64(values),
     };
@@ -228,6 +264,7 @@ fn write_grid(mut out: impl Write, grid: &Grid) -> io::Result<()> {
             integers("offsets", offsets.collect()),
             Array {
                 name: "types",
+            unit: "",
                 n_components: 1,
                 data: Data::UInt8(types),
             },
@@ -247,13 +284,18 @@ fn section(out: &mut impl Write, name: &str, arrays: &[Array]) -> io::Result<()>
         let mut bytes = (data.len() as u64).to_le_bytes().to_vec();
         bytes.extend(data);
         // Scalars without the attribute are one-dimensional arrays to every reader
-        let components = match array.n_components {
+        let mut size = match array.n_components {
             1 => String::new(),
             n => format!(" NumberOfComponents=\"{n}\""),
         };
+        // Of arrays that belong to no points or cells VTK reads as many tuples as it is told
+        if name == "FieldData" {
+            let n_tuples = array.data.len() / array.n_components;
+            size += &format!(" NumberOfTuples=\"{n_tuples}\"");
+        }
         writeln!(
             out,
-            "<DataArray type=\"{}\" Name=\"{}\"{components} format=\"binary\">",
+            "<DataArray type=\"{}\" Name=\"{}\"{size} format=\"binary\">",
             array.data.type_name(),
             array.name,
         )?;
@@ -302,6 +344,11 @@ mod tests {
         assert_eq!(payload(&file, "offsets"), OFFSETS);
         assert_eq!(payload(&file, "types"), TYPES);
         assert_eq!(payload(&file, "Points"), POINTS);
+        let (_, units) = file.split_once("<FieldData>").unwrap();
+        let bytes = STANDARD.decode(payload(units, "units")).unwrap();
+        let text = std::str::from_utf8(&bytes[8..]).unwrap();
+        assert!(text.starts_with(r#"{"points":"m","pressure_Pa":"Pa","film_thickness_m":"m","#));
+        assert!(units.contains(&format!("NumberOfTuples=\"{}\"", text.len())));
     }
 
     #[test]
