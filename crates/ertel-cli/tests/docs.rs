@@ -185,6 +185,7 @@ fn every_command_of_the_guides_runs() {
                 "{page}: ertel {command}: {code}\n{errors}"
             );
         }
+        crate::held::check(page, &text, folder.path());
     }
 }
 

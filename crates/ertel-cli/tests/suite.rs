@@ -13,6 +13,7 @@ mod docs;
 mod estimate;
 mod files;
 mod fit;
+mod held;
 mod interferogram;
 mod keys;
 mod machine;

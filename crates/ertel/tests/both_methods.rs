@@ -274,7 +274,10 @@ fn pressures_have_no_false_extremum() {
 #[test]
 fn what_elements_do_not_solve_is_left_to_volumes() {
     let motion = "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.0";
-    let mut case = case(BALL, motion, "[mesh]\ntarget_error = 0.02");
+    // Thinned by a power of the stress: elements are tried first.
+    let law = "law = \"rabinowitsch\", tau_0 = \"5 MPa\", n = 0.5";
+    let text = text_of(BALL, motion, "[mesh]\ntarget_error = 0.02", "22");
+    let mut case = parsed(thinned_by(law, &text));
     case.solver.max_iterations = 1;
     let solution = solved(&case);
     assert_eq!(solution.stats.method, Method::FiniteVolumes);
@@ -376,7 +379,14 @@ fn the_method_that_takes_less_time() {
             thinned("law = \"rabinowitsch\", tau_0 = \"5 MPa\", n = 0.5"),
             elements,
         ),
-        (case(BALL, motion, ""), elements),
+        (
+            parsed(thinned_by(
+                "law = \"rabinowitsch\", tau_0 = \"5 MPa\", n = 0.5",
+                &text_of(BALL, motion, "", "40"),
+            )),
+            volumes,
+        ),
+        (case(BALL, motion, ""), volumes),
         (case(line, motion, ""), elements),
         (case(ellipse, motion, "[mesh]\ngrowth = 1.5"), elements),
         (

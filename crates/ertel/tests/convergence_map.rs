@@ -10,7 +10,7 @@ mod sliding;
 use std::collections::HashSet;
 
 use ertel::contact::ContactKind;
-use ertel::params::{MeshParams, MeshPreset};
+use ertel::params::{MeshParams, MeshPreset, Method};
 use ertel::run::{groups, solve};
 use ertel::solution::Role;
 use ertel::solution::{LevelStats, Solution};
@@ -25,7 +25,7 @@ fn find(name: &str) -> MapCase {
         .unwrap_or_else(|| panic!("no case {name} in the map"))
 }
 
-/// Solves a case and checks what every solution must hold.
+/// Solves a case, on a preset mesh by finite elements, and checks what every solution must hold.
 fn solved(name: &str, preset: Option<MeshPreset>) -> Solution {
     let map_case = find(name);
     let mut case = map_case.read().unwrap();
@@ -34,6 +34,7 @@ fn solved(name: &str, preset: Option<MeshPreset>) -> Solution {
     case.mesh.max_unknowns = Some(12_000);
     if let Some(preset) = preset {
         case.mesh = MeshParams::preset(preset, map_case.kind);
+        case.solver.method = Some(Method::FiniteElements);
     }
     let solution = solve(&case, &mut NoObserver).unwrap_or_else(|e| panic!("{name}: {e}"));
     let s = &solution.summary;

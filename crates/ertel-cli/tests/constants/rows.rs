@@ -934,7 +934,7 @@ pub const ROWS: &[Row] = &[
     ),
     (
         VOLUMES,
-        "with M above {} or L above {}, with a flooded film above {} a²/R",
+        "only with M above {} or L above {}, or with a film above {} a²/R",
         &[
             ("crates/ertel/src/run/mod.rs", "ELEMENTS_UP_TO", 0, 1.0),
             ("crates/ertel/src/run/mod.rs", "ELEMENTS_UP_TO", 1, 1.0),

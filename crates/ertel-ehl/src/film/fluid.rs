@@ -93,7 +93,7 @@ impl FilmFluid {
         FilmFluid {
             shear_thinning: shear_thinning.map(|law| match &self.shear_thinning {
                 Some(own) if own.law == *law => own.clone(),
-                _ => Arc::new(Thinning::untabled(law)),
+                _ => Arc::new(Thinning::new(law)),
             }),
             ..fluid.with_shear(None, sliding, scales)
         }

@@ -2,11 +2,11 @@
 //!
 //! ```text
 //!   R_l(q_l; q_(l−1), θ) = 0  on grid l, inside grid l − 1:      ∂R_l/∂q_l q̇_l = −(∂R_l/∂q_(l−1) q̇_(l−1) + ∂R_l/∂θ)
-//!   j(q_0 … q_n; θ):      dj/dθ = (j(q + s q̇; θ + s) − j(q − s q̇; θ − s))/2s
+//!   j(q_0 … q_n; θ):      dj/dθ = (j(q + s q̇; θ + s) − j(q; θ))/s
 //! ```
-//! The right sides are central differences of the equation with the pressures of the solution, so that all that an input moves is in them:
-//! scales, gap, fluid, the shape of the ellipse and with it the cells. One linear solve for each input and grid; any figure then takes two
-//! evaluations. The finest grids are left out: relative derivatives change with the error of the grid, which is far below what they are asked to.
+//! The right sides are differences of the equation with the pressures of the solution, so that all that an input moves is in them:
+//! scales, gap, fluid, the shape of the ellipse and with it the cells. One linear solve for each input and grid; any figure then takes one
+//! evaluation. The finest grids are left out: relative derivatives change with the error of the grid, which is far below what they are asked to.
 
 use std::sync::Arc;
 
@@ -129,28 +129,26 @@ impl<'a, Plan: Sync> Tangents<'a, Plan> {
     }
 
     /// What keeps derivatives by an input from being known.
-    fn obstacle(&self, sides: &Perturbed<Plan>) -> Option<NoDerivative> {
+    fn obstacle(&self, problem: &Problem<Plan>) -> Option<NoDerivative> {
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs();
         let own = self.problem;
-        sides.problems.iter().find_map(|problem| {
-            let moves = own.shape.inlet == Inlet::Meniscus
-                && !close(own.extents.inlet, problem.extents.inlet);
-            match problem.shape.symmetry == own.shape.symmetry {
-                _ if moves => Some(NoDerivative::Edge),
-                true => None,
-                false => Some(NoDerivative::Mesh),
-            }
-        })
+        let moves = own.shape.inlet == Inlet::Meniscus
+            && !close(own.extents.inlet, problem.extents.inlet);
+        match problem.shape.symmetry == own.shape.symmetry {
+            _ if moves => Some(NoDerivative::Edge),
+            true => None,
+            false => Some(NoDerivative::Mesh),
+        }
     }
 }
 
 impl<Plan: Sync> Tangents<'_, Plan> {
-    /// Moves the sides above all inputs on to the next grid, with their heat.
+    /// Moves all sides on to the next grid, with their heat.
     fn heated(
         &self,
         (level, warm): (&Level, &Warm),
         (at, equation, inverse): (&Linearised, &Equation, Inverse),
-        (sides, moving): (&mut [BothSides<Plan>], &mut [bool]),
+        (sides, moving): (&mut [MovedSide<Plan>], &mut [bool]),
     ) {
         let params = Params {
             depth: warm.bodies.depth,
@@ -170,9 +168,9 @@ impl<Plan: Sync> Tangents<'_, Plan> {
             bodies: warm.bodies.clone(),
             temperatures: warm.temperatures.clone(),
         };
-        let inputs = sides.iter_mut().zip(&*moving).map(|(sides, moves)| {
-            let [_, above] = sides.as_mut().ok().filter(|_| *moves)?;
-            above.next_warm((level, warm), params)
+        let inputs = sides.iter_mut().zip(&*moving).map(|(side, moves)| {
+            let side = side.as_mut().ok().filter(|_| *moves)?;
+            side.next_warm((level, warm), params)
         });
         let solved = tangents::solve(
             (&own, warm),
@@ -183,7 +181,7 @@ impl<Plan: Sync> Tangents<'_, Plan> {
         for ((end, moves), solved) in sides.iter_mut().zip(moving).zip(solved) {
             *moves = solved.is_some();
             match (solved, end.as_mut()) {
-                (Some(Ok(level)), Ok([_, above])) => above.levels.push(level),
+                (Some(Ok(level)), Ok(side)) => side.levels.push(level),
                 (Some(Err(reason)), _) => *end = Err(reason),
                 _ => {}
             }
@@ -191,7 +189,7 @@ impl<Plan: Sync> Tangents<'_, Plan> {
     }
 }
 
-/// The grids of the solution for a problem on one side of it; none where the input does not move the equation.
+/// The grids of the solution for a problem beside it; none where the input does not move the equation.
 struct Side<'a, Plan> {
     problem: &'a Problem<Plan>,
     levels: Vec<Level>,
@@ -249,10 +247,18 @@ impl<Plan> Side<'_, Plan> {
     }
 }
 
-/// The sides of an input, or why it has no derivative.
-type BothSides<'a, Plan> = Result<[Side<'a, Plan>; 2], NoDerivative>;
+/// The problem that an input was moved to, or why the input has no derivative.
+type MovedSide<'a, Plan> = Result<Side<'a, Plan>, NoDerivative>;
 
 impl<'a, Plan> Side<'a, Plan> {
+    /// Of a problem.
+    fn new(problem: &'a Problem<Plan>) -> Side<'a, Plan> {
+        Side {
+            problem,
+            levels: Vec::new(),
+        }
+    }
+
     /// The same with heat.
     fn next_warm(&mut self, own: (&Level, &Warm), params: Params) -> Option<WarmSide<'a>> {
         let rounds = Rounds::new(self.problem, params)?;
@@ -261,55 +267,55 @@ impl<'a, Plan> Side<'a, Plan> {
     }
 }
 
-/// A grid of the solution for both sides of an input, and how the equation there differs between them.
+/// A grid of the solution for a problem beside it, and the equation there with the pressures of the solution.
 struct Moved {
-    grids: [(System, State); 2],
-    right: Vec<f64>,
+    system: System,
+    state: State,
+    equation: Linearised,
 }
 
 impl<Plan: Sync> Side<'_, Plan> {
-    /// Both sides on the next grid; `None` where the input moves nothing.
-    fn both(
-        sides: &mut [Self; 2],
-        own: &Level,
-        at: &Linearised,
-        equation: &Equation,
-    ) -> Option<Moved> {
-        let mut next = sides.each_mut().map(|side| side.next(own));
-        let equations = (next.each_ref()).map(|(system, state)| system.linearise(state));
-        let [below, above] = &equations;
-        let rows: Vec<f64> = (at.wetted.iter().enumerate())
-            .map(|(k, wetted)| match wetted {
-                true => -0.5 * (above.outflow[k] - below.outflow[k]),
+    /// On the next grid.
+    fn moved(&mut self, own: &Level) -> Moved {
+        let (system, mut state) = self.next(own);
+        let mut equation = system.linearise(&state);
+        state.contents = std::mem::take(&mut equation.contents);
+        Moved {
+            system,
+            state,
+            equation,
+        }
+    }
+
+    /// Moves on to the next grid by the derivatives of its pressures and of its separation.
+    fn advance(&mut self, moved: Moved, at: &Linearised, by: Option<&[f64]>) {
+        let Moved {
+            system, mut state, ..
+        } = moved;
+        if let Some(by) = by {
+            state.moved(by, 1.0, &at.wetted);
+        }
+        self.levels.push(Level {
+            films: system.films(&state),
+            system,
+            state,
+            patch: None,
+            warm: None,
+        });
+    }
+}
+
+impl Moved {
+    /// The right side of the equation of the derivatives, a difference from the solution's own problem.
+    fn right(&self, own: &Moved, at: &Linearised, equation: &Equation) -> Vec<f64> {
+        let (side, own) = (&self.equation, &own.equation);
+        let rows: Vec<f64> = (at.wetted.iter().zip(side.outflow.iter().zip(&own.outflow)))
+            .map(|(wetted, (side, own))| match wetted {
+                true => own - side,
                 false => 0.0,
             })
             .collect();
-        let missing = 0.5 * (above.missing_load - below.missing_load);
-        let right = equation.right(&rows, missing);
-        // What does not move the first grid moves none.
-        if sides[0].levels.is_empty() && dot(&right, &right) < ROUNDING * ROUNDING {
-            return None;
-        }
-        for ((_, state), equation) in next.iter_mut().zip(equations) {
-            state.contents = equation.contents;
-        }
-        Some(Moved { grids: next, right })
-    }
-
-    /// Moves both sides on to the next grid by the derivatives of its pressures and of its separation.
-    fn advance(sides: &mut [Self; 2], moved: Moved, at: &Linearised, by: &[f64]) {
-        for ((side, (system, mut state)), sign) in
-            sides.iter_mut().zip(moved.grids).zip([-1.0, 1.0])
-        {
-            state.moved(by, sign, &at.wetted);
-            side.levels.push(Level {
-                films: system.films(&state),
-                system,
-                state,
-                patch: None,
-                warm: None,
-            });
-        }
+        equation.right(&rows, side.missing_load - own.missing_load)
     }
 }
 
@@ -323,15 +329,16 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
     }
 
     fn derivatives(&self, inputs: &[Perturbed<Plan>]) -> Vec<Result<Vec<f64>, NoDerivative>> {
-        let mut sides: Vec<BothSides<Plan>> = (inputs.iter())
-            .map(|input| match self.obstacle(input) {
-                Some(obstacle) => Err(obstacle),
-                None => Ok(input.problems.each_ref().map(|problem| Side {
-                    problem,
-                    levels: Vec::new(),
-                })),
+        let mut sides: Vec<MovedSide<Plan>> = (inputs.iter())
+            .map(|input| {
+                let [_, problem] = &input.problems;
+                match self.obstacle(problem) {
+                    Some(obstacle) => Err(obstacle),
+                    None => Ok(Side::new(problem)),
+                }
             })
             .collect();
+        let mut own = Side::new(self.problem);
         let mut moving = vec![true; sides.len()];
         for level in self.levels {
             let at = level.system.linearise(&level.state);
@@ -353,12 +360,19 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
                 );
                 continue;
             }
-            let moved: Vec<Option<Moved>> = (sides.par_iter_mut().zip(&moving))
-                .map(|(sides, moves)| match sides {
-                    Ok(sides) if *moves => Side::both(sides, level, &at, &equation),
-                    _ => None,
+            let here = own.moved(level);
+            let is_first = own.levels.is_empty();
+            let moved: Vec<Option<(Moved, Vec<f64>)>> = (sides.par_iter_mut().zip(&moving))
+                .map(|(side, moves)| {
+                    let side = side.as_mut().ok().filter(|_| *moves)?;
+                    let moved = side.moved(level);
+                    let right = moved.right(&here, &at, &equation);
+                    // What does not move the first grid moves none.
+                    let moves = !is_first || dot(&right, &right) >= ROUNDING * ROUNDING;
+                    moves.then_some((moved, right))
                 })
                 .collect();
+            own.advance(here, &at, None);
             let mut inverse = Inverse::new(&equation, &mut preconditioner);
             // Inputs move the equation in few ways, as speed and viscosity do: what serves one of them serves the others.
             let mut recycled = Recycled::default();
@@ -369,42 +383,40 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
                 solved.map(|_| x).map_err(|_| NoDerivative::LinearSolver)
             };
             let solved: Vec<_> = (moved.iter())
-                .map(|moved| moved.as_ref().map(|moved| solve(&moved.right)))
+                .map(|moved| moved.as_ref().map(|(_, right)| solve(right)))
                 .collect();
             for (moves, moved) in moving.iter_mut().zip(&moved) {
                 *moves = moved.is_some();
             }
             let all = sides.par_iter_mut().zip(moved).zip(solved);
             all.for_each(|((end, moved), solved)| {
-                let (Ok(sides), Some(moved), Some(solved)) = (end.as_mut(), moved, solved) else {
+                let (Ok(side), Some((moved, _)), Some(solved)) = (end.as_mut(), moved, solved)
+                else {
                     return;
                 };
                 match solved {
-                    Ok(by) => Side::advance(sides, moved, &at, &by),
+                    Ok(by) => side.advance(moved, &at, Some(&by)),
                     Err(reason) => *end = Err(reason),
                 }
             });
         }
+        let moved_from = match self.problem.heat {
+            Some(_) => self.coarser,
+            None => figures(self.problem, &own.levels),
+        };
         (sides.into_par_iter().zip(inputs))
-            .map(|(sides, input)| {
-                let of_side = |side: &Side<Plan>| {
-                    let moved = !side.levels.is_empty();
-                    let levels: &[Level] = if moved { &side.levels } else { self.levels };
-                    figures(side.problem, levels)
+            .map(|(side, input)| {
+                let side = side?;
+                let [here, there] = match side.levels.is_empty() {
+                    true if self.problem.heat.is_some() => [self.coarser; 2],
+                    true => [self.coarser, figures(side.problem, self.levels)],
+                    false => [moved_from, figures(side.problem, &side.levels)],
                 };
-                let sides = sides?;
-                // Where heat counts, a difference from the solution.
-                let (ends, distance) = match self.problem.heat {
-                    Some(_) if sides[1].levels.is_empty() => ([self.coarser; 2], input.above),
-                    Some(_) => ([self.coarser, of_side(&sides[1])], input.above),
-                    None => (sides.each_ref().map(of_side), input.distance),
-                };
-                let [below, above] = ends;
                 let derivative = |figure: &Figure| {
                     let of = |figures: &Figures| figures.value(*figure).unwrap_or(f64::NAN);
                     // Relative to the value on the same grids.
                     let ratio = self.value(*figure) / of(&self.coarser);
-                    ratio * (of(&above) - of(&below)) / distance
+                    ratio * (of(&there) - of(&here)) / input.above
                 };
                 Ok(self.figures.iter().map(derivative).collect())
             })

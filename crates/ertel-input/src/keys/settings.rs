@@ -59,8 +59,8 @@ rows! {
     pub SOLVER {
         method: Choice(&["finite-elements", "finite-volumes"]) => r#"`"finite-elements"`, as in Habchi's thesis, or `"finite-volumes"`
             ([theory](../theory/finite-volumes.md)), for line, circular and elliptical contacts of half-spaces and rollers of finite length, flooded or starved, with a
-            lubricant of one temperature. If absent: finite volumes for rollers of finite length, elliptical and starved contacts that they solve, and for circular ones with M above 1500 or L above 11,
-            with thick films, or with `ree-eyring` or a limiting stress; finite elements for all others and where a key is given that only they have. What one does not solve is left to the other; a note says so. With
+            lubricant of one temperature. If absent: finite volumes for rollers of finite length, elliptical and circular contacts that they solve, but of flooded circles
+            that are thinned by a power of the stress only those with M above 1500 or L above 11, or with thick films; finite elements for all others and where a key is given that only they have. What one does not solve is left to the other; a note says so. With
             `"finite-volumes"` the keys of finite elements are errors"#;
         formulation: Choice(&["gls", "supg", "galerkin"]), default "gls" => "weak form of the Reynolds equation";
         isotropic_diffusion: Number, bounds [0.0, 10.0], default "0" => "coefficient ρ_id of the isotropic diffusion";

@@ -26,7 +26,6 @@ use crate::solution::{HeatRound, IterationRecord, Solution};
 use crate::solve::sequence;
 use crate::solve::{Observer, SolveError};
 use crate::warning::{Warning, WarningKind};
-use ertel_rheology::shear::ShearThinning;
 
 /// Version of the numerics: raised whenever the figures of some case move by more than rounding, so that points of studies that
 /// were solved before are solved anew.
@@ -158,12 +157,12 @@ fn solve_here(
     }
 }
 
-/// Moes' groups M and L up to which finite elements take less time for a circular contact, measured by `benches/methods.rs`.
+/// Moes' groups M and L up to which finite elements take less time for a circular contact that is thinned by a power of the stress.
 const ELEMENTS_UP_TO: [f64; 2] = [1500.0, 11.0];
 
-/// The method that a case asks for, or else the one that takes less time: finite volumes for rollers of finite length, elliptical and starved contacts that they solve, and
-/// for circular ones with thin films, with films so thick that pressures far away count, with steep viscosities, or with shear rates that grow
-/// exponentially with the stress.
+/// The method that a case asks for, or else the one that takes less time: finite volumes for circular and elliptical contacts and rollers of finite length that they
+/// solve. Finite elements for lines, for what has heat, and for circles that are thinned by a power of the stress, unless their films are thin, or so thick that
+/// pressures far away count, or their viscosities steep.
 pub fn first_method(case: &Case) -> Method {
     if let Some(method) = case.solver.method {
         return method;
@@ -174,19 +173,18 @@ pub fn first_method(case: &Case) -> Method {
     if asks_for_elements(case) || is_left || case.contact.kind.is_line() {
         return Method::FiniteElements;
     }
+    // Finite volumes find the flow of a thinned film at each node again for each derivative.
+    let thins_gently =
+        || (case.shear_thinning()).is_some_and(|thinning| !thinning.is_exponential());
     let is_easy = || {
         let lubricant = &case.lubricant;
         let slope = (lubricant.viscosity).pressure_viscosity_slope(lubricant.temperature);
         let groups = groups(case, slope);
         let [load, material] = ELEMENTS_UP_TO;
-        let thins_steeply = (case.shear_thinning()).is_some_and(ShearThinning::is_exponential);
-        groups.moes_load <= load
-            && groups.moes_material <= material
-            && !thins_steeply
-            && !has_thick_film(case)
+        groups.moes_load <= load && groups.moes_material <= material && !has_thick_film(case)
     };
     let is_flooded_circle = case.contact.kind == ContactKind::Circular && !case.supply.is_limited();
-    match is_flooded_circle && is_easy() {
+    match is_flooded_circle && thins_gently() && is_easy() {
         true => Method::FiniteElements,
         false => Method::FiniteVolumes,
     }
