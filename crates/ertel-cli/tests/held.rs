@@ -42,10 +42,8 @@ const GEAR_CELLS: &[(usize, &str, f64)] = &[
 const SPEEDS: &str = "results/speeds/curve.csv";
 const FILMS: &[(usize, &str, f64)] = &[(0, "film_central_m", 1e9), (1, "film_minimum_m", 1e9)];
 const TRACTION: &str = "results/traction/curve.csv";
-const TRACTION_CELLS: &[(usize, &str, f64)] = &[
-    (0, "traction_coefficient", 1.0),
-    (1, "film_central_m", 1e9),
-];
+const TRACTION_CELLS: &[(usize, &str, f64)] =
+    &[(0, "traction_coefficient", 1.0), (1, "film_central_m", 1e9)];
 const CAM: &str = "results/cam-turn-speeds/results.csv";
 
 const HELD: &[Held] = &[

@@ -132,8 +132,8 @@ impl<'a, Plan: Sync> Tangents<'a, Plan> {
     fn obstacle(&self, problem: &Problem<Plan>) -> Option<NoDerivative> {
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs();
         let own = self.problem;
-        let moves = own.shape.inlet == Inlet::Meniscus
-            && !close(own.extents.inlet, problem.extents.inlet);
+        let moves =
+            own.shape.inlet == Inlet::Meniscus && !close(own.extents.inlet, problem.extents.inlet);
         match problem.shape.symmetry == own.shape.symmetry {
             _ if moves => Some(NoDerivative::Edge),
             true => None,

@@ -126,7 +126,11 @@ pub fn write_temperature(
             "K",
             Data::Float64(whole.scalar(&field.temperature)),
         )],
-        cell_data: &[array("region", "", Data::UInt8(whole.per_cell(&field.region)))],
+        cell_data: &[array(
+            "region",
+            "",
+            Data::UInt8(whole.per_cell(&field.region)),
+        )],
         field_data: &[array(
             "film_magnification",
             "",
@@ -264,7 +268,7 @@ fn write_grid(mut out: impl Write, grid: &Grid) -> io::Result<()> {
             integers("offsets", offsets.collect()),
             Array {
                 name: "types",
-            unit: "",
+                unit: "",
                 n_components: 1,
                 data: Data::UInt8(types),
             },
