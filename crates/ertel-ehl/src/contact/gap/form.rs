@@ -251,7 +251,7 @@ impl Form {
                     gradient: turned(-direction, gradient).map(|slope| slope * height / length),
                 };
             }
-            Form::Repeated { form, .. } => return form.at(self.from_nearest(place)),
+            Form::Repeated { form, .. } => return form.at(self.beside_nearest(place)),
         };
         Height {
             value,
@@ -260,7 +260,7 @@ impl Form {
     }
 
     /// A place from the origin of the nearest one, where it is repeated.
-    fn from_nearest(&self, place: [f64; 2]) -> [f64; 2] {
+    fn beside_nearest(&self, place: [f64; 2]) -> [f64; 2] {
         let Form::Repeated {
             form,
             along: first,
@@ -305,13 +305,12 @@ impl Form {
                 ..
             } => {
                 let centre = turned(*direction, [-x, -y]);
-                let [dx, dy] = [0, 1].map(|d: usize| {
-                    (centre[d].abs() - 0.5 * map.sides()[d] * units[0]).max(0.0)
-                });
+                let [dx, dy] = [0, 1]
+                    .map(|d: usize| (centre[d].abs() - 0.5 * map.sides()[d] * units[0]).max(0.0));
                 dx.hypot(dy) < distance
             }
             Form::Repeated { form, .. } => {
-                let nearest = self.from_nearest([-x, -y]).map(|x| -x);
+                let nearest = self.beside_nearest([-x, -y]).map(|x| -x);
                 form.is_within(nearest, distance)
             }
         }
@@ -341,7 +340,7 @@ impl Form {
                 let own = turned(*direction, place);
                 (0..2).all(|d| own[d].abs() < 0.5 * map.sides()[d] * units[0])
             }
-            Form::Repeated { form, .. } => form.covers(self.from_nearest(place)),
+            Form::Repeated { form, .. } => form.covers(self.beside_nearest(place)),
         }
     }
 

@@ -85,7 +85,8 @@ impl HeightMap {
                 continue;
             }
             let own = &self.coefficients[row * width + i..][..4];
-            let sum = |weights: &[f64; 4]| -> f64 { own.iter().zip(weights).map(|(c, w)| c * w).sum() };
+            let sum =
+                |weights: &[f64; 4]| -> f64 { own.iter().zip(weights).map(|(c, w)| c * w).sum() };
             let value = sum(&x);
             height.value += w * value;
             height.gradient[0] += w * sum(&dx);
@@ -112,12 +113,7 @@ impl HeightMap {
             (3.0 * r - 6.0) * r * r + 4.0,
             t * t * t,
         ];
-        let slopes = [
-            -r * r,
-            (3.0 * t - 4.0) * t,
-            (4.0 - 3.0 * r) * r,
-            t * t,
-        ];
+        let slopes = [-r * r, (3.0 * t - 4.0) * t, (4.0 - 3.0 * r) * r, t * t];
         let spacing = self.spacing[d];
         Some((
             (first + RIM as f64) as usize - 1,
@@ -157,11 +153,13 @@ mod tests {
         let map = HeightMap::new(counts, [0.2, 0.3], &heights);
         assert_eq!(map.sides().map(|l| (l * 10.0).round()), [12.0, 12.0]);
         for (k, h) in heights.iter().enumerate() {
-            let place = [
-                0.2 * ((k % 7) as f64 - 3.0),
-                0.3 * ((k / 7) as f64 - 2.0),
-            ];
-            assert_relative_eq!(map.at(place).value, *h, max_relative = 1e-12, epsilon = 1e-13);
+            let place = [0.2 * ((k % 7) as f64 - 3.0), 0.3 * ((k / 7) as f64 - 2.0)];
+            assert_relative_eq!(
+                map.at(place).value,
+                *h,
+                max_relative = 1e-12,
+                epsilon = 1e-13
+            );
         }
         for place in [[0.03, -0.11], [-0.55, 0.59], [0.71, 0.2], [-0.7, -0.8]] {
             for d in 0..2 {

@@ -92,12 +92,12 @@ mod tests {
         let (n, cutoff) = (240, 40.0);
         let alpha = (LN_2 / PI).sqrt();
         for (lambda, angle, share) in [
-            (40.0, 0.0_f64, 0.5),
+            (40.0_f64, 0.0_f64, 0.5),
             (40.0, 0.7, 0.5),
             (20.0, 1.5, 1.0 / 16.0),
             (80.0, 0.3, 0.840_896_415),
         ] {
-            let law = (-PI * (alpha * cutoff / lambda as f64).powi(2)).exp();
+            let law = (-PI * (alpha * cutoff / lambda).powi(2)).exp();
             assert_relative_eq!(law, share, max_relative = 1e-8);
             let wave = |k: usize| {
                 let (x, y) = ((k % n) as f64 - 120.0, (k / n) as f64 - 120.0);

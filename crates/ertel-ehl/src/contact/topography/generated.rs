@@ -90,7 +90,9 @@ impl Generated {
         }
         let mut planner = FftPlanner::new();
         let along = planner.plan_fft_inverse(nx);
-        waves.chunks_exact_mut(nx).for_each(|row| along.process(row));
+        waves
+            .chunks_exact_mut(nx)
+            .for_each(|row| along.process(row));
         if ny > 1 {
             let across = planner.plan_fft_inverse(ny);
             let mut column = vec![Complex::default(); ny];
@@ -118,7 +120,9 @@ mod tests {
     fn random() -> impl FnMut() -> f64 {
         let mut state = 7_u64;
         move || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695);
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695);
             (state >> 33) as f64 / f64::from(1_u32 << 31)
         }
     }

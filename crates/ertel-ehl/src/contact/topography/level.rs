@@ -11,7 +11,7 @@ use super::Topography;
 
 /// What is subtracted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
+pub enum Levelling {
     /// The mean height.
     Mean,
     /// The least-squares plane, of a profile a line.
@@ -20,14 +20,14 @@ pub enum Form {
     Quadratic,
 }
 
-impl Form {
+impl Levelling {
     fn basis(self, [x, y]: [f64; 2], is_profile: bool) -> Vec<f64> {
         let all: &[f64] = match self {
-            Form::Mean => &[1.0],
-            Form::Plane if is_profile => &[1.0, x],
-            Form::Plane => &[1.0, x, y],
-            Form::Quadratic if is_profile => &[1.0, x, x * x - 1.0 / 3.0],
-            Form::Quadratic => &[1.0, x, y, x * x - 1.0 / 3.0, x * y, y * y - 1.0 / 3.0],
+            Levelling::Mean => &[1.0],
+            Levelling::Plane if is_profile => &[1.0, x],
+            Levelling::Plane => &[1.0, x, y],
+            Levelling::Quadratic if is_profile => &[1.0, x, x * x - 1.0 / 3.0],
+            Levelling::Quadratic => &[1.0, x, y, x * x - 1.0 / 3.0, x * y, y * y - 1.0 / 3.0],
         };
         all.to_vec()
     }
@@ -35,7 +35,7 @@ impl Form {
 
 impl Topography {
     /// Subtracts a form. Where too few points have heights to tell it, nothing is subtracted and `false` comes back.
-    pub fn level(&mut self, form: Form) -> bool {
+    pub fn level(&mut self, form: Levelling) -> bool {
         let [nx, ny] = self.counts;
         let place = |k: usize| {
             let of = |i: usize, n: usize| match n {
@@ -93,7 +93,7 @@ mod tests {
                 *h += 5.0 - 0.3 * x + 0.02 * x * x + 0.1 * y - 0.01 * x * y + 0.03 * y * y;
             }
             for map in [&mut bare, &mut full] {
-                assert!(map.level(Form::Quadratic));
+                assert!(map.level(Levelling::Quadratic));
             }
             let far = (bare.heights.iter().zip(&full.heights))
                 .filter(|(a, _)| !a.is_nan())
@@ -101,7 +101,7 @@ mod tests {
                 .fold(0.0, f64::max);
             assert!(far < 1e-10, "{far}");
             let kept = full.clone();
-            assert!(full.level(Form::Plane) && full.level(Form::Mean));
+            assert!(full.level(Levelling::Plane) && full.level(Levelling::Mean));
             let moved = (kept.heights.iter().zip(&full.heights))
                 .filter(|(a, _)| !a.is_nan())
                 .map(|(a, b)| (a - b).abs())

@@ -11,7 +11,7 @@ mod spectrum;
 
 pub use filter::Pass;
 pub use generated::{Generated, SelfAffine};
-pub use level::Form;
+pub use level::Levelling;
 pub use parameters::Parameters;
 pub use spectrum::{Spectrum, spectrum};
 

@@ -69,7 +69,13 @@ mod tests {
             .map(|i| 3.0 * (f64::from(i) * std::f64::consts::PI / 400.0 + 1e-3).sin())
             .collect();
         let p = map.parameters();
-        let expected = [6.0 / std::f64::consts::PI, 3.0 / 2.0_f64.sqrt(), 0.0, 1.5, 6.0];
+        let expected = [
+            6.0 / std::f64::consts::PI,
+            3.0 / 2.0_f64.sqrt(),
+            0.0,
+            1.5,
+            6.0,
+        ];
         for (own, expected) in [p.sa, p.sq, p.ssk, p.sku, p.sz].into_iter().zip(expected) {
             assert_relative_eq!(own, expected, max_relative = 1e-4, epsilon = 1e-9);
         }

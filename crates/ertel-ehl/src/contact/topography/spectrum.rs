@@ -62,7 +62,8 @@ pub fn spectrum(map: &Topography, direction: usize) -> Spectrum {
     let mut found = Spectrum::default();
     let mut k = 1;
     while k <= n / 2 {
-        let next = ((k as f64 * 2.0_f64.powf(1.0 / BANDS)).round() as usize).clamp(k + 1, n / 2 + 1);
+        let next =
+            ((k as f64 * 2.0_f64.powf(1.0 / BANDS)).round() as usize).clamp(k + 1, n / 2 + 1);
         let mean = power[k..next].iter().sum::<f64>() / (next - k) as f64;
         let middle = (k as f64 * (next - 1) as f64).sqrt();
         found.wavelength.push(length / middle);
@@ -82,7 +83,9 @@ mod tests {
     fn densities_of_noise_and_of_a_wave() {
         let mut state = 1_u64;
         let mut noise = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
             ((state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5) * 12.0_f64.sqrt()
         };
         let white = Topography {
