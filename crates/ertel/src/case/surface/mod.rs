@@ -249,3 +249,6 @@ fn refusals(case: &Case) -> Vec<(bool, &'static str)> {
         ),
     ]
 }
+
+#[cfg(test)]
+mod tests;
