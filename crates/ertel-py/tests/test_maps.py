@@ -23,7 +23,7 @@ class Topography:
         return self._heights
 
 
-def _case(folder: Path, file: str, **more: object) -> ertel.Case:
+def _case(folder: Path, file: str) -> ertel.Case:
     return ertel.Case(
         folder=folder,
         contact={"kind": "circular", "radius": "12.5 mm", "load": "15 N"},
@@ -31,7 +31,7 @@ def _case(folder: Path, file: str, **more: object) -> ertel.Case:
         motion={"body_1_speed": "0.18 m/s", "body_2_speed": "0 m/s"},
         lubricant="squalane-pip",
         temperature="40 degC",
-        surface=[{"kind": "map", "body": "body_2", "x": "0 m", "file": file, "level": "none", **more}],
+        surface=[{"kind": "map", "body": "body_2", "x": "0 m", "file": file, "level": "none"}],
     )
 
 
@@ -50,7 +50,7 @@ def test_objects_and_arrays_are_written_for_a_case(tmp_path: Path) -> None:
     assert told[1]["levelled"]["sq"] == pytest.approx(1e-6 * np.std(heights))
     assert told[0]["hash"] != told[1]["hash"]
     profile = ertel.write_map(tmp_path / "profile.sdf", [1.0, 2.0, 0.0, 1.5, 3.0, 1.0], sizes=60, unit="nm")
-    assert _case(tmp_path, profile.name, taper="20 nm").si["surfaces"][0]["points"] == [6, 1]
+    assert _case(tmp_path, profile.name).si["surfaces"][0]["points"] == [6, 1]
 
 
 @pytest.mark.parametrize(

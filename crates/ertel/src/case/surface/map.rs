@@ -271,15 +271,17 @@ fn finished(
             "no wave passes both filters: `low_pass` must be shorter than `high_pass`",
         ));
     }
-    let taper = taper.unwrap_or(TAPER * side);
-    if taper < SHORTEST * spacing || taper > 0.5 * side {
+    // Two distances of points at least, where the surface has as many.
+    let [least, most] = [(SHORTEST * spacing).min(0.5 * side), 0.5 * side];
+    let taper = taper.unwrap_or((TAPER * side).max(least));
+    if taper < least || taper > most {
         return Err(table.error(
             "taper",
             format!(
-                "a taper of {} over a side of {} with points {} apart: from two of these distances to half of the side",
+                "a taper of {}: from {}, two distances of points, to {}, half of the shorter side",
                 length(taper),
-                length(side),
-                length(spacing)
+                length(least),
+                length(most)
             ),
         ));
     }
