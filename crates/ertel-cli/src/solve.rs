@@ -454,6 +454,7 @@ impl From<SolveError> for Failure {
             SolveError::NotConverged { .. }
             | SolveError::GridNotConverged { .. }
             | SolveError::EndCarries { .. }
+            | SolveError::ReliefNotResolved { .. }
             | SolveError::NotCoupled { .. }
             | SolveError::Thinned { .. }
             | SolveError::AllFailed { .. }

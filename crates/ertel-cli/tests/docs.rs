@@ -7,13 +7,14 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Pages whose commands are run, each in one folder from the first to the last.
-const RUN: [&str; 10] = [
+const RUN: [&str; 11] = [
     "guide/tutorial.md",
     "guide/bearing.md",
     "guide/gear.md",
     "guide/cam.md",
     "guide/rig.md",
     "guide/own-oil.md",
+    "guide/surfaces.md",
     "guide/refrigerant.md",
     "guide/pages.md",
     "gallery.md",

@@ -91,6 +91,9 @@ impl CrossCheck {
 /// Why a case cannot be solved by the method that is not its own; `None` where it can.
 pub fn why_not(case: &Case) -> Option<String> {
     match case.solver.method {
+        _ if !case.standing_reliefs().is_empty() => {
+            Some("reliefs are solved by finite volumes alone".to_owned())
+        }
         Some(Method::FiniteVolumes) => None,
         _ => finite_volumes_refuse(case)
             .map(|reason| format!("{} {reason}", Method::FiniteVolumes.words())),

@@ -2,6 +2,7 @@
 
 mod area;
 mod outlet;
+mod reliefs;
 mod thinning;
 
 use crate::case::{Case, SolidHeat};
@@ -27,6 +28,7 @@ use crate::solve::heat::coupling::CouplingParams;
 use crate::solve::newton::NewtonParams;
 use crate::solve::sequence::{HeatPlan, Plan, Problem, Stage};
 use crate::solve::system::FilmConstants;
+pub use reliefs::{largest_cell, with_reliefs};
 
 /// Dimensionless problem of a case.
 pub fn problem(case: &Case) -> Problem {
@@ -58,7 +60,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
     let contact = case.contact.along_motion();
     let hertz = Hertz::new(&contact, case.reduced_modulus());
     let lubricant = &case.lubricant;
-    let scales = scales(case, &contact, &hertz);
+    let mut scales = scales(case, &contact, &hertz);
     let shape = Shape::new(&contact, &hertz, &case.motion).with_inlet(match case.supply {
         Supply::Flooded => Inlet::Flooded,
         Supply::Meniscus { .. } => Inlet::Meniscus,
@@ -67,6 +69,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
             lambda: scales.lambda,
         }),
     });
+    let shape = reliefs::with_reliefs(shape, case.standing_reliefs(), &mut scales);
     let flooded_film = predicted_film(case) / scales.film;
     let start_film = starved_film(
         contact.kind.family(),

@@ -20,6 +20,7 @@ mod limiting_stress;
 mod machines;
 mod main_case;
 mod plausible;
+mod reliefs;
 mod rollers;
 mod rolling_resistance;
 mod sensitivities;

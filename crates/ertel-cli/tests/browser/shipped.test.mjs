@@ -36,8 +36,8 @@ function coarse(own) {
   const base = /^case = "([^"]+)"/m.exec(own);
   const text = base ? `${own}\n${readFileSync(join(cases, base[1]), "utf8")}` : own;
   if (/^preset/m.test(text)) return COARSE.slice(2);
-  // Finite volumes alone solve for time, and know no error of the pressure.
-  if (/^\[transient\]/m.test(text)) return [COARSE[0], COARSE[2]];
+  // Finite volumes alone solve for time and reliefs, and know no error of the pressure.
+  if (/^\[transient\]|^\[\[surface\]\]/m.test(text)) return [COARSE[0], COARSE[2]];
   return /^key = "mesh\.target_error"/m.test(text) ? COARSE.slice(1) : COARSE;
 }
 

@@ -14,6 +14,7 @@ pub mod roller;
 pub mod scales;
 pub mod shape;
 pub mod starvation;
+pub mod topography;
 pub mod turn;
 pub mod zone;
 

@@ -120,6 +120,16 @@ pub enum SolveError {
         /// Film there, m; negative where the mesh does not keep the bodies apart.
         film: f64,
     },
+    /// No grid that is allowed resolves the reliefs of the surfaces.
+    #[error(
+        "the shortest length of a relief needs cells of {needed:.1e} half-widths, and [mesh] max_unknowns allows {cell:.1e}"
+    )]
+    ReliefNotResolved {
+        /// Cell of the finest grid, in half-widths.
+        cell: f64,
+        /// Cell that resolves them.
+        needed: f64,
+    },
     /// The usual stages failed, and so did all that leads to the solution through easier contacts.
     #[error("{first}; nor by what leads there step by step ({})", .tried.join("; "))]
     AllFailed {
@@ -203,6 +213,9 @@ impl SolveError {
             SolveError::EndCarries { .. } => Some(
                 "more relief at the ends of the profile (kind = \"logarithmic\" with a design_load of this load or more falls off \
                  steeply enough without a tilt), less load or less misalignment; real ends are rounded, which a table can describe",
+            ),
+            SolveError::ReliefNotResolved { .. } => Some(
+                "a larger [mesh] max_unknowns, or a longer low_pass, shortest_wavelength, wavelength or width in [[surface]]",
             ),
             SolveError::TooThin { help, .. } => Some(help),
             SolveError::AllFailed { first, .. } => first.advice(),
@@ -312,6 +325,13 @@ mod tests {
                     film: 0.0,
                 },
                 "relief",
+            ),
+            (
+                SolveError::ReliefNotResolved {
+                    cell: 0.02,
+                    needed: 0.01,
+                },
+                "low_pass",
             ),
         ];
         let mut seen = std::collections::BTreeSet::new();

@@ -42,7 +42,7 @@ impl Zones {
     /// Of a contact at an instant.
     pub fn of(shape: &Shape) -> Zones {
         let about = (shape.gap.terms.iter()).filter_map(|term| match term {
-            GapTerm::Relief(relief) if relief.is_within(1.0) => Some(*relief),
+            GapTerm::Relief(relief) if relief.is_within(1.0) => Some(relief.clone()),
             _ => None,
         });
         Zones {

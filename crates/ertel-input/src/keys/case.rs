@@ -33,7 +33,7 @@ rows! {
         solver: Table(SOLVER) => "optional: numerical method, tolerances and limits";
         output: Table(OUTPUT) => "optional: folder, formats and additional files of the results";
         transient: Table(TRANSIENT) => "optional: time; what changes in it, from the steady contact on";
-        surface: Tables(SURFACE) => "optional: dents, bumps, grooves, ridges and waves that move with a body, in a case with `[transient]`";
+        surface: Tables(SURFACE) => "optional: dents, bumps, grooves, ridges, waves and maps of heights on a body, with which they move";
         curve: Table(CURVE) => "optional: a list or range of one quantity; the case is solved at each value in turn";
         compare: Table(COMPARE) => "optional: how the table of `ertel compare` is read";
         correlation: Tables(CORRELATION) => "optional: correlations between uncertain inputs";
@@ -153,7 +153,8 @@ rows! {
     }
     /// `[[surface]]`.
     pub SURFACE {
-        kind: Choice(&["dent", "bump", "groove", "ridge", "waves"]) => r"round, straight, or waves behind a first crest that fade out before it over a wavelength";
+        kind: Choice(&["dent", "bump", "groove", "ridge", "waves", "map", "generated"]) => r"round; straight; waves behind a first crest that fade out before it
+            over a wavelength; heights of a file; a self-affine surface with random phases";
         body: Choice(&["body_1", "body_2"]) => "the body that it moves with";
         radius: LENGTH => "r_0 of a dent or a bump, whose height falls to zero at 1.2 r_0";
         half_width: LENGTH => "the same of a groove or a ridge, across it";
@@ -161,8 +162,31 @@ rows! {
         height: LENGTH => "height of a bump or a ridge in its middle";
         wavelength: LENGTH => "length of the waves";
         amplitude: LENGTH => "amplitude of the waves";
-        direction: ANGLE, default "0 deg" => r"direction across a groove or a ridge, or in which waves follow each other, from the motion: -90 to 90 degrees; 0 where they lie across
-            the motion";
+        pitch: LENGTH => r"distance at which a dent or bump is repeated against the motion behind the first one, a groove or ridge across itself (to both sides if it lies
+            along the motion); not less than its whole width, 2.4 r_0; optional";
+        count: Count, bounds [1.0, 1e6] => "how many there are with `pitch`; without it there is no end of them";
+        pitch_across: LENGTH => "the same of dents and bumps across the motion, half of them on either side of `y`";
+        count_across: Count, bounds [1.0, 1e6] => "how many there are with `pitch_across`";
+        file: Text => "a file with the heights of a map: rows of heights, points, CSV, SDF or X3P ([formats](#maps))";
+        layout: Choice(&["rows", "points"]), default "rows" => "what a plain text has in a line: a row of heights, or x, y and z of a point";
+        spacing, row_spacing: LENGTH => "distances of the points in a row, and of the rows, of a text in rows; `row_spacing` is `spacing` if absent";
+        height_unit: Text => "what the heights of a plain text are in, such as `\"um\"`";
+        length_unit: Text => "what the places of points in a plain text are in";
+        missing_share: Number, bounds [0.0, 0.5], default "0.05" => "share of the points of a map that may have no height{}; they are filled by a membrane through those about them";
+        level: Choice(&["none", "mean", "plane", "quadratic"]), default "plane" => "form that is subtracted from a map, by least squares";
+        high_pass: LENGTH => "cutoff of a Gaussian filter that takes longer waves out of a map, half of those of this length; optional";
+        low_pass: LENGTH => r"cutoff of a Gaussian filter that takes shorter waves out of a map; the grids resolve waves of this length, without it waves of two distances of
+            points";
+        length, width: LENGTH => "sides of a generated surface, along its rows and across them; line contacts have no width";
+        rolloff_wavelength: LENGTH => "wavelength above which the spectral density of a generated surface is constant";
+        shortest_wavelength: LENGTH => "wavelength below which it is zero";
+        hurst_exponent: Number, bounds [0.0, 1.0] => "Hurst exponent between both";
+        rms_height: LENGTH => "root mean square height Sq of a generated surface";
+        anisotropy: Number, bounds [0.01, 100.0], default "1" => "how much longer its hills are along the rows than across them";
+        seed: Count, bounds [0.0, 4294967295.0] => "number of the surface: the same one gives the same heights";
+        taper: LENGTH => "width over which the heights of a map or a generated surface fall to zero along the rim, by a cosine; a tenth of the shorter side if absent";
+        direction: ANGLE, default "0 deg" => r"direction across a groove or a ridge, in which waves follow each other, or of the rows of a map, from the motion: -90 to 90
+            degrees, of maps -180 to 180; 0 where grooves and waves lie across the motion";
         x: LENGTH => "where its middle, or its first crest, lies at t = 0; negative before the contact";
         y: LENGTH, default "0 m" => "the same across the motion";
     }

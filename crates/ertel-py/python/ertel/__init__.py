@@ -33,6 +33,7 @@ from ._ertel import CaseError, ConvergenceError, OutputError, __version__
 from ._laws import ErtelWarning, TabulatedLaw
 from ._machine import MachineContact, MachineFigure, MachineSolution
 from ._machines import Bearing, Cam, GearPair
+from ._maps import write_map
 from ._quantity import Quantity
 from ._read import read
 from ._result import Result
@@ -84,4 +85,5 @@ __all__ = [
     "solve",
     "sweep",
     "viscosity",
+    "write_map",
 ]

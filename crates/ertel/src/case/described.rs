@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::SurfaceEcho;
 use crate::contact::{Contact, Material, Motion, Supply};
 use crate::mixed::Asperities;
 use crate::params::{MeshParams, SolverParams, ThermalParams};
@@ -138,6 +139,9 @@ pub struct CaseEcho {
     /// Heat, in a thermal contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thermal: Option<ThermalEcho>,
+    /// Maps of the surfaces, in their order.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub surfaces: Vec<SurfaceEcho>,
 }
 
 impl CaseEcho {

@@ -55,6 +55,9 @@ impl Case {
             mesh: self.mesh.clone(),
             solver: self.solver.clone(),
             thermal: self.thermal_echo(),
+            surfaces: (self.reliefs.iter())
+                .filter_map(|relief| relief.echo.clone())
+                .collect(),
         }
     }
 

@@ -128,6 +128,8 @@ impl Case {
         // Where heat counts each input takes two solves: estimates alone do not ask for them.
         let is_cheap = self.thermal().is_none();
         match self.output.sensitivities {
+            // With the load a relief changes in half-widths, and with it what is solved.
+            _ if !self.reliefs.is_empty() => false,
             SensitivityDemand::Off => false,
             SensitivityDemand::WhereUncertain => uncertain(is_cheap),
             SensitivityDemand::WhereCheap => {

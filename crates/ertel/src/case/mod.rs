@@ -28,7 +28,7 @@
 //!
 //! `lubricant = "squalane-pip"` with a top-level `temperature = "40 degC"` is short for a `[lubricant]`
 //! table with `name` and `temperature`. `[thermal]` switches heat on, `[inlet]` limits the oil that arrives. `[mesh]`, `[solver]` and `[output]` are optional; everything
-//! physical is required. `[transient]` tells what changes in time, `[[surface]]` what stands on a surface. `[curve]` asks for a list or range of one quantity ([`curve`]). Numbers carry units. Unknown keys are errors.
+//! physical is required. `[transient]` tells what changes in time, `[[surface]]` what stands on a surface or was measured of it. `[curve]` asks for a list or range of one quantity ([`curve`]). Numbers carry units. Unknown keys are errors.
 
 mod bodies;
 mod builder;
@@ -51,6 +51,7 @@ mod roughness;
 mod sections;
 mod set;
 pub mod study;
+mod surface;
 mod thermal;
 mod transient;
 mod usual;
@@ -89,9 +90,10 @@ pub use machine::{
 pub use params::{read_mesh, read_solver};
 pub use study::Study;
 pub use study::read_named;
+pub use surface::{SurfaceEcho, SurfaceRelief};
 pub use thermal::read as read_thermal;
 pub use thermal::{Heat, SolidHeat};
-pub use transient::{SurfaceRelief, Transient};
+pub use transient::Transient;
 pub(crate) use usual::question_of_state;
 
 /// Everything a solve needs, in SI.
@@ -137,6 +139,8 @@ pub struct Case {
     pub given: serde_json::Value,
     /// Where its quantities come from; `None` for a case made in code.
     pub origin: Option<Arc<Origin>>,
+    /// Reliefs of the surfaces, m.
+    pub reliefs: Vec<SurfaceRelief>,
     /// How it changes in time, if the file says so; [`crate::run::transient`] solves that, [`crate::run::solve`] the case without it.
     pub transient: Option<Arc<Transient>>,
     /// The points of `[curve]`, each a case of its own; [`crate::run`] solves the case without them.
@@ -311,6 +315,7 @@ impl Case {
             source: document.text().to_owned(),
             given: echo::json_of(document.tree()),
             origin: None,
+            reliefs: Vec::new(),
             transient: None,
             curve: None,
             whole: whole.map(Arc::new),
@@ -336,7 +341,10 @@ impl Case {
             case.warnings.extend(thermal::check(&case, table)?);
         }
         case.origin = Some(Arc::new(Origin::new(document, folder, inputs)?));
+        case.reliefs = surface::read(&mut document.root(), &case, folder)?;
         case.transient = transient::read(&mut document.root(), &case, folder)?.map(Arc::new);
+        case.warnings
+            .extend(surface::check(&case, &mut document.root())?);
         case.warnings.extend(transient::warnings(&case));
         let mut unusual = usual::warnings(case.inputs(), document);
         unusual.extend(usual::of_data(&case, &unusual));
@@ -372,6 +380,14 @@ impl Case {
     /// Reduced modulus E' of both bodies, Pa.
     pub fn reduced_modulus(&self) -> f64 {
         reduced_modulus(self.body_1.elasticity, self.body_2.elasticity)
+    }
+
+    /// Reliefs of a contact that does not change in time.
+    pub fn standing_reliefs(&self) -> &[SurfaceRelief] {
+        match self.transient {
+            None => &self.reliefs,
+            Some(_) => &[],
+        }
     }
 
     /// Density of the lubricant at the Hertz pressure over that at ambient pressure.

@@ -1,4 +1,4 @@
-//! `[transient]`, what changes in time, and `[[surface]]`, what stands on a surface and moves with it.
+//! `[transient]`, what changes in time.
 
 use std::path::Path;
 
@@ -9,12 +9,10 @@ use ertel_quantity::Dimension;
 
 use super::Case;
 use super::motion::MAX_SPEED;
-use crate::contact::gap::{Body, Form};
 use crate::contact::{Hertz, Motion, Supply};
 use crate::params::{ElasticModel, Method, SensitivityDemand};
 use crate::transient::{Course, Speeds};
 use crate::warning::Warning;
-use crate::words::length;
 
 /// How a contact changes in time, SI; t = 0 is its steady state.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,53 +27,26 @@ pub struct Transient {
     pub speeds: Speeds,
     /// Load, N, of line contacts N/m.
     pub load: Course,
-    /// Reliefs of the surfaces, m.
-    pub reliefs: Vec<SurfaceRelief>,
-}
-
-/// A relief of a surface, m.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SurfaceRelief {
-    /// What it looks like.
-    pub form: Form,
-    /// Whose surface.
-    pub body: Body,
-    /// Where its middle, or first crest, lies at t = 0.
-    pub place: [f64; 2],
 }
 
 /// Tolerances that steps of a reasonable number reach, and beyond which no film means anything.
 const TOLERANCE: Bounds = Bounds::closed(1e-4, 0.05);
 /// Durations, s.
 const DURATION: Bounds = Bounds::closed(1e-9, 1e6);
-/// Sizes of reliefs, m: below, the film is no continuum; above, it is the body.
-const SIZE: Bounds = Bounds::closed(1e-8, 0.1);
-const HEIGHT: Bounds = Bounds::closed(1e-12, 1e-3);
-/// Half-widths of the dry contact beyond which a relief is a shape of the body.
-const LARGEST: f64 = 9.0;
-const PLACE: Bounds = Bounds::closed(-1.0, 1.0);
 const RATIO: Bounds = Bounds::closed(-1e6, 1e6);
 /// Output times where the case gives none.
 const DEFAULT_OUTPUTS: u32 = 10;
 /// Output times and rows of a table at most.
 const MOST_TIMES: usize = 100_000;
 
-/// Reads both, for a case that is read otherwise.
+/// Reads it, for a case that is read otherwise.
 pub(super) fn read(
     root: &mut Table<'_>,
     case: &Case,
     folder: &Path,
 ) -> Result<Option<Transient>, InputError> {
-    let surfaces = root.tables("surface")?;
     let Some(mut table) = root.optional_table("transient")? else {
-        return match surfaces.into_iter().next() {
-            None => Ok(None),
-            Some(surface) => Err(surface
-                .error_here("reliefs move with their bodies: [[surface]] needs a [transient] block")
-                .with_help(
-                    "give the time that is solved, such as [transient] with duration = \"5 ms\"",
-                )),
-        };
+        return Ok(None);
     };
     check(case, &table)?;
     if root.contains("curve") {
@@ -98,16 +69,12 @@ pub(super) fn read(
     };
     let load = reader.course("load", case.contact.load, dimension, Bounds::POSITIVE)?;
     table.finish()?;
-    let reliefs = (surfaces.into_iter())
-        .map(|surface| relief(surface, case))
-        .collect::<Result<_, _>>()?;
     let transient = Transient {
         duration,
         tolerance,
         output_times,
         speeds,
         load: load.unwrap_or(Course::Constant(case.contact.load)),
-        reliefs,
     };
     transient.check(case, root)?;
     Ok(Some(transient))
@@ -424,94 +391,6 @@ fn quantity(
         true => table.required_number(key, bounds),
         false => table.required_quantity(key, dimension, bounds),
     }
-}
-
-/// The kinds of reliefs.
-#[derive(Clone, Copy)]
-enum ReliefKind {
-    Round(f64),
-    Ridge(f64),
-    Waves,
-}
-
-fn relief(mut table: Table<'_>, case: &Case) -> Result<SurfaceRelief, InputError> {
-    let kinds = [
-        ("dent", ReliefKind::Round(-1.0)),
-        ("bump", ReliefKind::Round(1.0)),
-        ("groove", ReliefKind::Ridge(-1.0)),
-        ("ridge", ReliefKind::Ridge(1.0)),
-        ("waves", ReliefKind::Waves),
-    ];
-    let kind = table.required_choice("kind", &kinds)?;
-    let bodies = [("body_1", Body::First), ("body_2", Body::Second)];
-    let body = table.required_choice("body", &bodies)?;
-    let is_line = case.contact.kind.is_line();
-    let size = |table: &mut Table<'_>, key| table.required_quantity(key, Dimension::LENGTH, SIZE);
-    let height = |table: &mut Table<'_>, sign: f64| {
-        let key = if sign < 0.0 { "depth" } else { "height" };
-        (table.required_quantity(key, Dimension::LENGTH, HEIGHT)).map(|height| sign * height)
-    };
-    let direction = |table: &mut Table<'_>| -> Result<f64, InputError> {
-        let right = std::f64::consts::FRAC_PI_2;
-        let bounds = Bounds::closed(-right, right);
-        let angle = table.optional_quantity("direction", Dimension::ANGLE, bounds)?;
-        match angle {
-            Some(angle) if is_line && angle != 0.0 => {
-                Err(table.error("direction", "all is the same along a line contact"))
-            }
-            angle => Ok(angle.unwrap_or(0.0)),
-        }
-    };
-    let form = match kind {
-        ReliefKind::Round(_) if is_line => {
-            return Err(table
-                .error(
-                    "kind",
-                    "a line contact has no round relief: all is the same along it",
-                )
-                .with_help("`groove`, `ridge` or `waves`"));
-        }
-        ReliefKind::Round(sign) => Form::Round {
-            radius: size(&mut table, "radius")?,
-            height: height(&mut table, sign)?,
-        },
-        ReliefKind::Ridge(sign) => Form::Ridge {
-            half_width: size(&mut table, "half_width")?,
-            height: height(&mut table, sign)?,
-            direction: direction(&mut table)?,
-        },
-        ReliefKind::Waves => Form::Waves {
-            wavelength: size(&mut table, "wavelength")?,
-            amplitude: table.required_quantity("amplitude", Dimension::LENGTH, HEIGHT)?,
-            direction: direction(&mut table)?,
-        },
-    };
-    let half_width = case.hertz().half_width;
-    if form.finest() > LARGEST * half_width {
-        let key = ["radius", "half_width", "wavelength"]
-            .into_iter()
-            .find(|key| table.contains(key))
-            .unwrap_or("kind");
-        return Err(table.error(
-            key,
-            format!(
-                "the relief is larger than the contact area: {} across, where the half-width of the dry contact is {}",
-                length(form.finest()),
-                length(half_width)
-            ),
-        ));
-    }
-    let x = table.required_quantity("x", Dimension::LENGTH, PLACE)?;
-    let y = table.optional_quantity("y", Dimension::LENGTH, PLACE)?;
-    if is_line && y.is_some_and(|y| y != 0.0) {
-        return Err(table.error("y", "all is the same along a line contact"));
-    }
-    table.finish()?;
-    Ok(SurfaceRelief {
-        form,
-        body,
-        place: [x, y.unwrap_or(0.0)],
-    })
 }
 
 impl Transient {

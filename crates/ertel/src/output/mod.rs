@@ -24,6 +24,7 @@ mod report;
 mod result_json;
 mod results;
 mod study;
+mod surfaces;
 mod target;
 pub mod transient;
 pub mod vtu;

@@ -6,7 +6,7 @@ use super::BODIES;
 use super::figure::{estimate, number, percent};
 use super::lines::{Lines, NAME_WIDTH, Table};
 use super::results::write_section;
-use super::{heat, inputs, mixed};
+use super::{heat, inputs, mixed, surfaces};
 use crate::case::CaseEcho;
 use crate::contact::{ContactKind, Groups, Hertz, Supply};
 use crate::plausible::left_out::words;
@@ -113,6 +113,7 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
     if let Some(asperities) = &case.asperities {
         out.row("asperities", mixed::describe(asperities));
     }
+    surfaces::write(out, &case.surfaces);
     let motion = &case.motion;
     out.row(
         "entrainment speed u_m",

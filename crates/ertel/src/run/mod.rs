@@ -40,6 +40,7 @@ pub fn check(case: &Case) -> Result<(), SolveError> {
     match case.solver.method {
         // A first grid is always small enough.
         Some(Method::FiniteVolumes) => Ok(()),
+        None if !case.standing_reliefs().is_empty() => Ok(()),
         _ => elements::may_begin(case).map(drop),
     }
 }
@@ -167,6 +168,9 @@ pub fn first_method(case: &Case) -> Method {
     if let Some(method) = case.solver.method {
         return method;
     }
+    if !case.standing_reliefs().is_empty() {
+        return Method::FiniteVolumes;
+    }
     // Where heat counts, both take as long for contacts that both solve.
     let is_left = case.thermal().is_some() || finite_volumes_refuse(case).is_some();
     // Elements of high order that are small at the spike alone take less time for a line.
@@ -217,7 +221,7 @@ fn may_be_tried_again(case: &Case, first: Method, error: &SolveError) -> bool {
     let is_left_open = case.solver.method.is_none() && !asks_for_elements(case);
     let other_solves = match first {
         Method::FiniteElements => finite_volumes_refuse(case).is_none(),
-        Method::FiniteVolumes => true,
+        Method::FiniteVolumes => case.standing_reliefs().is_empty(),
     };
     did_not_converge && is_left_open && other_solves
 }

@@ -5,11 +5,10 @@ use std::sync::Arc;
 use ertel_fem::platform::Instant as Clock;
 
 use crate::case::{Case, Transient};
-use crate::contact::gap::{Form, GapTerm, Relief};
-use crate::contact::{Motion, Symmetry};
+use crate::contact::Motion;
 use crate::engine::Observer;
 use crate::params::Method;
-use crate::problem::problem_by_slices;
+use crate::problem::{largest_cell, problem_by_slices, with_reliefs};
 use crate::solution::{Figure, Measured};
 use crate::transient::{
     Conditions, Course, Info, Instant, Params, Speeds, TransientError, TransientObserver, march,
@@ -108,9 +107,6 @@ pub struct TransientSolution {
     pub wall_seconds: f64,
 }
 
-/// Cells across the shortest length of a relief: with 16 and with 32 of them waves of half a half-width keep the amplitude of a published table to 3 %.
-const CELLS_OVER_RELIEF: f64 = 16.0;
-
 /// Half-widths about the centre of the map of films, and places in it at most.
 const MAP: f64 = 1.5;
 const MAP_PLACES: usize = 240;
@@ -153,28 +149,9 @@ fn solve_here(
     extents.inlet = extents.inlet.max(-widest);
     extents.outlet = extents.outlet.min(widest);
     extents.side = extents.side.min(widest);
-    let turn = problem.shape.gap.turn;
-    let reliefs: Vec<Relief> = (transient.reliefs.iter())
-        .map(|relief| Relief {
-            form: scaled(&relief.form, length, film),
-            body: relief.body,
-            place: relief.place.map(|x| x / length),
-            moved: 0.0,
-            turn,
-        })
-        .collect();
-    if problem.shape.symmetry == Symmetry::Half && !reliefs.iter().all(Relief::is_symmetric) {
-        problem.shape.symmetry = Symmetry::Full;
-        problem.load *= 2.0;
-        problem.scales.load *= 2.0;
-    }
-    let finest = reliefs
-        .iter()
-        .map(|relief| relief.form.finest())
-        .fold(f64::INFINITY, f64::min);
-    problem.plan.largest_cell = finest / CELLS_OVER_RELIEF / problem.shape.zone.axis_ratio.max(1.0);
-    let terms = reliefs.into_iter().map(GapTerm::Relief);
-    problem.shape.gap.terms.extend(terms);
+    problem.shape = with_reliefs(problem.shape, &case.reliefs, &mut problem.scales);
+    problem.load = problem.scales.load;
+    problem.plan.largest_cell = largest_cell(&problem.shape);
     let mut collector = Collector {
         observer,
         clock,
@@ -239,34 +216,6 @@ fn conditions(transient: &Transient, [speed, load]: [f64; 2], unit: f64) -> Cond
         load: over(&transient.load, load),
         duration: transient.duration / unit,
         instants: transient.output_times.iter().map(|t| t / unit).collect(),
-    }
-}
-
-/// A form in half-widths and a²/R.
-fn scaled(form: &Form, length: f64, film: f64) -> Form {
-    match *form {
-        Form::Round { radius, height } => Form::Round {
-            radius: radius / length,
-            height: height / film,
-        },
-        Form::Ridge {
-            half_width,
-            height,
-            direction,
-        } => Form::Ridge {
-            half_width: half_width / length,
-            height: height / film,
-            direction,
-        },
-        Form::Waves {
-            wavelength,
-            amplitude,
-            direction,
-        } => Form::Waves {
-            wavelength: wavelength / length,
-            amplitude: amplitude / film,
-            direction,
-        },
     }
 }
 

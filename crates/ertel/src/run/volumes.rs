@@ -5,11 +5,11 @@ use ertel_fem::platform::Instant;
 use super::describe::{Found, describe, note_sensitivities};
 use super::{Recorder, peak_memory};
 use crate::case::Case;
-use crate::engine::{Engine, Solved};
+use crate::engine::{Engine, Problem, Solved};
 use crate::params::{DEFAULT_TARGET_ERROR, MeshPreset, Method};
 use crate::post;
 use crate::post::fields::centreline_of;
-use crate::problem::problem_by_slices;
+use crate::problem::{largest_cell, problem_by_slices};
 use crate::sensitivity::by_derivatives;
 use crate::solution::{SensitivityMethod, Solution, Stats};
 use crate::solve::{Observer, SolveError};
@@ -28,12 +28,19 @@ const MAX_UNKNOWNS: usize = 400_000;
 /// As [`super::solve`].
 pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
     let clock = Instant::now();
-    let problem = with_rows_by_film(problem_by_slices(case).with_plan(plan(case)), observer)?;
+    let problem = with_rows_by_film(own_problem(case), observer)?;
     let mut recorder = Recorder {
         observer,
         history: Vec::new(),
     };
     let solved = FiniteVolumes.solve(&problem, &mut recorder)?;
+    let cell = (solved.levels.last()).map_or(0.0, |level| level.system.grid.spacing[0]);
+    if cell > problem.plan.largest_cell {
+        return Err(SolveError::ReliefNotResolved {
+            cell,
+            needed: problem.plan.largest_cell,
+        });
+    }
     let stats = Stats {
         method: Method::FiniteVolumes,
         warm: false,
@@ -44,7 +51,7 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
     let isothermal = match &problem.heat {
         None => None,
         Some(_) => {
-            let beside = problem_by_slices(case).with_plan(plan(case));
+            let beside = own_problem(case);
             output::isothermal(beside, solved.levels.len(), recorder.observer)?
         }
     };
@@ -53,7 +60,7 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
         (Some(_), thinned, _) => {
             let mut newtonian = case.clone();
             newtonian.solver.newtonian = true;
-            let mut newtonian = problem_by_slices(&newtonian).with_plan(plan(case));
+            let mut newtonian = own_problem(&newtonian);
             newtonian.heat = None;
             // On the same grids.
             newtonian.shape.zone = problem.shape.zone.clone();
@@ -120,6 +127,13 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
     solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
     solution.stats.peak_memory = peak_memory();
     Ok(solution)
+}
+
+/// A case with cells that resolve its reliefs.
+fn own_problem(case: &Case) -> Problem<Plan> {
+    let mut problem = problem_by_slices(case).with_plan(plan(case));
+    problem.plan.largest_cell = largest_cell(&problem.shape);
+    problem
 }
 
 /// Target and limit of a case.

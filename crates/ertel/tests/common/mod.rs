@@ -74,6 +74,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
         warnings: Vec::new(),
         source: String::new(),
         given: serde_json::Value::Null,
+        reliefs: Vec::new(),
         transient: None,
         curve: None,
         whole: None,

@@ -8,10 +8,14 @@
 //!
 //! A term is a file of its own here and a variant of [`GapTerm`]; nothing else changes for a new one.
 
+mod form;
+mod map;
 mod relief;
 mod roller;
 
-pub use relief::{Form, Relief};
+pub use form::{Form, Repeat};
+pub use map::HeightMap;
+pub use relief::Relief;
 pub use roller::RollerGap;
 
 use super::Turn;

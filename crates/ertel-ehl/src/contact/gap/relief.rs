@@ -1,49 +1,10 @@
 //! What stands out of a surface or is missing from it, and moves with its body.
-//!
-//! ```text
-//!   round: s = d cos(½π r/ρ) exp(−2 (r/ρ)²) within ρ = 1.2 r_0        a dent where d < 0 (Mourier et al. 2006)
-//!   ridge: the same over the distance from a line
-//!   waves: s = A cos(2π ξ/λ) e(ξ),   e = 10^(−10 (ξ/λ)²) before the first crest, ξ > 0, else 1        (Venner et al. 1997)
-//! ```
-//! s is the height out of the surface, ξ the distance from the first crest along the direction of the waves; the gap is smaller by s.
 
-use std::f64::consts::{FRAC_PI_2, PI};
-
-use super::{Body, Height};
+use super::{Body, Form, Height};
 use crate::contact::Turn;
 
-/// Form of a relief; lengths in half-widths, heights in a²/R.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Form {
-    /// A bump or a dent.
-    Round {
-        /// r_0.
-        radius: f64,
-        /// d, negative for a dent.
-        height: f64,
-    },
-    /// A ridge or a groove.
-    Ridge {
-        /// r_0, half of its width.
-        half_width: f64,
-        /// d, negative for a groove.
-        height: f64,
-        /// Direction across it, against the motion, rad: 0 where it lies across the motion.
-        direction: f64,
-    },
-    /// Waves behind a first crest.
-    Waves {
-        /// λ.
-        wavelength: f64,
-        /// A.
-        amplitude: f64,
-        /// Direction in which they follow each other, against the motion, rad.
-        direction: f64,
-    },
-}
-
 /// A relief of one of the bodies, along and across the motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Relief {
     /// What it looks like.
     pub form: Form,
@@ -55,92 +16,6 @@ pub struct Relief {
     pub moved: f64,
     /// From the motion to the principal directions.
     pub turn: Turn,
-}
-
-/// Share of r_0 to which a round or a ridge goes.
-const REACH: f64 = 1.2;
-
-/// Half-widths of a first crest before which waves are as good as gone: 10^(−10·0.6²) = 2.5e-4.
-const HEAD: f64 = 0.6;
-
-impl Form {
-    /// Shortest length over which it rises and falls, in half-widths: a wavelength, the whole width of others.
-    pub fn finest(&self) -> f64 {
-        match self {
-            Form::Round { radius, .. } => 2.0 * REACH * radius,
-            Form::Ridge { half_width, .. } => 2.0 * REACH * half_width,
-            Form::Waves { wavelength, .. } => *wavelength,
-        }
-    }
-
-    /// Largest height or depth.
-    pub fn size(&self) -> f64 {
-        match self {
-            Form::Round { height, .. } | Form::Ridge { height, .. } => height.abs(),
-            Form::Waves { amplitude, .. } => amplitude.abs(),
-        }
-    }
-
-    /// Height and slopes at a place from its own origin.
-    pub fn at(&self, [x, y]: [f64; 2]) -> Height {
-        let along = |direction: f64| {
-            let (sin, cos) = direction.sin_cos();
-            (x * cos + y * sin, [cos, sin])
-        };
-        let (value, slope, direction) = match self {
-            Form::Round { radius, height } => {
-                let r = x.hypot(y);
-                let (value, slope) = hill(r / (REACH * radius));
-                let direction = if r > 0.0 { [x / r, y / r] } else { [0.0; 2] };
-                (height * value, height * slope / (REACH * radius), direction)
-            }
-            Form::Ridge {
-                half_width,
-                height,
-                direction,
-            } => {
-                let (s, direction) = along(*direction);
-                let (value, slope) = hill(s.abs() / (REACH * half_width));
-                let slope = slope.copysign(-s);
-                (
-                    height * value,
-                    height * slope / (REACH * half_width),
-                    direction,
-                )
-            }
-            Form::Waves {
-                wavelength,
-                amplitude,
-                direction,
-            } => {
-                let (s, direction) = along(*direction);
-                let s = s / wavelength;
-                let (sin, cos) = (2.0 * PI * s).sin_cos();
-                let ahead = s.max(0.0);
-                let head = 10.0_f64.powf(-10.0 * ahead * ahead);
-                let by_head = -20.0 * std::f64::consts::LN_10 * ahead * head;
-                (
-                    amplitude * cos * head,
-                    amplitude * (cos * by_head - 2.0 * PI * sin * head) / wavelength,
-                    direction,
-                )
-            }
-        };
-        Height {
-            value,
-            gradient: direction.map(|d| d * slope),
-        }
-    }
-}
-
-/// cos(½π t) exp(−2 t²) and its slope for t from 0 to 1.
-fn hill(t: f64) -> (f64, f64) {
-    if t >= 1.0 {
-        return (0.0, 0.0);
-    }
-    let (sin, cos) = (FRAC_PI_2 * t).sin_cos();
-    let exp = (-2.0 * t * t).exp();
-    (cos * exp, -(FRAC_PI_2 * sin + 4.0 * t * cos) * exp)
 }
 
 impl Relief {
@@ -157,60 +32,38 @@ impl Relief {
 
     /// Whether it lies within a distance from the centre.
     pub fn is_within(&self, distance: f64) -> bool {
-        let x = self.place[0] + self.moved;
-        let half = 0.5 * self.form.finest();
-        match self.form {
-            Form::Round { .. } => x.hypot(self.place[1]) < distance + half,
-            Form::Ridge { direction, .. } => {
-                let (sin, cos) = direction.sin_cos();
-                (x * cos + self.place[1] * sin).abs() < distance + half
-            }
-            Form::Waves {
-                wavelength,
-                direction,
-                ..
-            } => {
-                let (sin, cos) = direction.sin_cos();
-                x * cos + self.place[1] * sin > -distance - HEAD * wavelength
-            }
-        }
+        let [x, y] = self.place;
+        self.form.is_within([x + self.moved, y], distance)
     }
 
     /// Whether it reaches a place along and across the motion.
     pub fn covers(&self, [x, y]: [f64; 2]) -> bool {
-        let [x, y] = [x - self.place[0] - self.moved, y - self.place[1]];
-        let along = |direction: f64| x * direction.cos() + y * direction.sin();
-        match self.form {
-            Form::Round { radius, .. } => x.hypot(y) < REACH * radius,
-            Form::Ridge {
-                half_width,
-                direction,
-                ..
-            } => along(direction).abs() < REACH * half_width,
-            Form::Waves {
-                wavelength,
-                direction,
-                ..
-            } => along(direction) < HEAD * wavelength,
-        }
+        let from = [x - self.place[0] - self.moved, y - self.place[1]];
+        self.form.covers(from)
     }
 
     /// Whether the halves y < 0 and y > 0 are alike.
     pub fn is_symmetric(&self) -> bool {
-        match self.form {
-            Form::Round { .. } => self.place[1] == 0.0,
-            Form::Ridge { direction, .. } => {
-                direction == 0.0 || (self.place[1] == 0.0 && direction.cos().abs() < 1e-12)
-            }
-            Form::Waves { direction, .. } => direction == 0.0,
-        }
+        self.form.is_symmetric(self.place)
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::*;
+    use crate::contact::gap::{HeightMap, Repeat};
     use approx::assert_relative_eq;
+
+    fn repeated(form: &Form, pitch: f64, count: Option<u32>) -> Form {
+        let repeat = Some(Repeat { pitch, count });
+        Form::Repeated {
+            form: Box::new(form.clone()),
+            along: repeat,
+            across: repeat,
+        }
+    }
 
     /// Depth in the middle and at r_0 by hand, cos(75°) e^(−2/1.44); slopes by differences, moved and turned, of all forms.
     #[test]
@@ -238,15 +91,25 @@ mod tests {
             height: 0.2,
             direction: 0.7,
         };
+        let heights: Vec<f64> = (0..80).map(|k| 0.1 * (0.9 * f64::from(k)).sin()).collect();
+        let map = Form::Map {
+            map: Arc::new(HeightMap::new([10, 8], [1.0, 1.5], &heights)),
+            units: [0.1, 2.0],
+            finest: 2.0,
+            direction: 0.4,
+        };
         for (form, offset) in [
-            (dent, [0.05, -0.02]),
-            (waves, [-0.3, 0.2]),
+            (dent.clone(), [0.05, -0.02]),
+            (waves.clone(), [-0.3, 0.2]),
             (waves, [0.07, 0.2]),
-            (ridge, [-0.1, 0.05]),
-            (ridge, [0.15, 0.05]),
+            (ridge.clone(), [-0.1, 0.05]),
+            (ridge.clone(), [0.15, 0.05]),
+            (map, [0.11, -0.23]),
+            (repeated(&dent, 0.5, Some(3)), [-1.07, 0.6]),
+            (repeated(&ridge, 0.8, None), [-6.1, 0.4]),
         ] {
             let relief = Relief {
-                form,
+                form: form.clone(),
                 body: Body::First,
                 place: [-1.0, 0.25],
                 moved: 0.4,
@@ -275,8 +138,8 @@ mod tests {
     /// A dent on its way enters and leaves; waves stay once they have come.
     #[test]
     fn arrivals() {
-        let at = |form, x: f64| Relief {
-            form,
+        let at = |form: &Form, x: f64| Relief {
+            form: form.clone(),
             body: Body::Second,
             place: [x, 0.0],
             moved: 0.0,
@@ -286,14 +149,67 @@ mod tests {
             radius: 0.1,
             height: -1.0,
         };
-        let inside = [-1.2, -1.1, 0.0, 1.1, 1.2].map(|x| at(dent, x).is_within(1.0));
+        let inside = [-1.2, -1.1, 0.0, 1.1, 1.2].map(|x| at(&dent, x).is_within(1.0));
         assert_eq!(inside, [false, true, true, true, false]);
         let waves = Form::Waves {
             wavelength: 0.5,
             amplitude: 1.0,
             direction: 0.0,
         };
-        let inside = [-1.4, -1.2, 0.0, 9.0].map(|x| at(waves, x).is_within(1.0));
+        let inside = [-1.4, -1.2, 0.0, 9.0].map(|x| at(&waves, x).is_within(1.0));
         assert_eq!(inside, [false, true, true, true]);
+    }
+
+    /// Dents one behind the other and ridges side by side: which ones there are, which one is near, what is alike.
+    #[test]
+    fn rows_of_reliefs() {
+        let dent = Form::Round {
+            radius: 0.1,
+            height: -1.0,
+        };
+        let three = repeated(&dent, 0.5, Some(3));
+        // Across they lie at -0.5, 0 and 0.5, along at 0, -0.5 and -1.
+        for (place, depth) in [
+            ([0.0, 0.0], -1.0),
+            ([-1.0, -0.5], -1.0),
+            ([-0.5, 0.5], -1.0),
+            ([0.5, 0.0], 0.0),
+            ([-1.5, 0.0], 0.0),
+            ([0.0, 1.0], 0.0),
+            ([-0.25, 0.0], 0.0),
+        ] {
+            assert_relative_eq!(three.at(place).value, depth, epsilon = 1e-12);
+        }
+        // Two: at -0.25 and 0.25.
+        let two = repeated(&dent, 0.5, Some(2));
+        assert_eq!(two.at([0.0, 0.0]).value, 0.0);
+        assert_relative_eq!(two.at([-0.5, 0.25]).value, -1.0, epsilon = 1e-12);
+        let endless = repeated(&dent, 0.5, None);
+        assert_relative_eq!(endless.at([-50.0, 7.5]).value, -1.0, epsilon = 1e-9);
+        let ridge = |direction: f64| {
+            let ridge = Form::Ridge {
+                half_width: 0.1,
+                height: 1.0,
+                direction,
+            };
+            repeated(&ridge, 0.3, None)
+        };
+        let along = ridge(std::f64::consts::FRAC_PI_2);
+        assert_relative_eq!(along.at([4.0, 0.6]).value, 1.0, epsilon = 1e-9);
+        assert_relative_eq!(along.at([4.0, -0.6]).value, 1.0, epsilon = 1e-9);
+        assert!(along.is_along_motion() && !ridge(0.3).is_along_motion());
+        assert_eq!(ridge(0.0).at([0.3, 0.0]).value, 0.0);
+        let at = |form: &Form, x: f64| Relief {
+            form: form.clone(),
+            body: Body::First,
+            place: [x, 0.0],
+            moved: 0.0,
+            turn: Turn::NONE,
+        };
+        let inside = [-1.2, 0.0, 1.9, 2.2].map(|x| at(&three, x).is_within(1.0));
+        assert_eq!(inside, [false, true, true, false]);
+        assert!(at(&endless, 99.0).is_within(1.0));
+        assert!(at(&three, 0.4).covers([-0.6, 0.05]) && !at(&three, 0.4).covers([-0.4, 0.0]));
+        assert!(at(&three, 0.4).is_symmetric() && at(&along, 0.0).is_symmetric());
     }
 }

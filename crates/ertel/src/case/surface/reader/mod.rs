@@ -1,0 +1,218 @@
+//! Heights of a surface from a file: text in rows, points, CSV, SDF (ISO 25178-71) and X3P (ISO 25178-72).
+
+mod sdf;
+mod text;
+mod x3p;
+
+use std::path::Path;
+
+use ertel_input::csv::CsvError;
+use ertel_input::file::{FileError, LARGEST_TABLE, read_bytes, read_table};
+use thiserror::Error;
+
+use crate::contact::topography::Topography;
+
+/// Points of a map at most: 2048 by 2048.
+pub const MOST_POINTS: usize = 4_194_304;
+
+/// What a file may leave open.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Told {
+    /// Distance of points in a row, m.
+    pub spacing: Option<f64>,
+    /// Distance of rows, m.
+    pub row_spacing: Option<f64>,
+    /// What the heights are in, m.
+    pub height_unit: Option<f64>,
+    /// What places are in, m.
+    pub length_unit: Option<f64>,
+    /// Whether a text has a point in each line, and not a row.
+    pub has_points: bool,
+}
+
+/// Kind of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Rows of heights.
+    Rows,
+    /// Points with their places.
+    Points,
+    /// CSV with the columns x, y and z.
+    Csv,
+    /// SDF.
+    Sdf,
+    /// X3P.
+    X3p,
+}
+
+impl Format {
+    /// What it is called.
+    pub fn words(self) -> &'static str {
+        match self {
+            Format::Rows => "rows of heights",
+            Format::Points => "points",
+            Format::Csv => "CSV",
+            Format::Sdf => "SDF of ISO 25178-71",
+            Format::X3p => "X3P of ISO 25178-72",
+        }
+    }
+}
+
+/// Heights of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Heights {
+    /// The points.
+    pub map: Topography,
+    /// What kind of file it was.
+    pub format: Format,
+    /// xxh3 of its bytes.
+    pub hash: u64,
+}
+
+/// Why a file is no map.
+#[derive(Debug, Error)]
+pub enum MapError {
+    /// The system does not give it.
+    #[error("{0}")]
+    File(#[from] FileError),
+    /// A table.
+    #[error("{0}")]
+    Csv(#[from] CsvError),
+    /// A key that the case has to give.
+    #[error("the file does not tell {what}: give `{key}`, such as {key} = \"{example}\"")]
+    Untold {
+        /// What is missing.
+        what: &'static str,
+        /// Where it is given.
+        key: &'static str,
+        /// An example.
+        example: &'static str,
+    },
+    /// A key that the file leaves no room for.
+    #[error("the file tells {what} itself: leave `{key}` out")]
+    ToldTwice {
+        /// What it tells.
+        what: &'static str,
+        /// The key.
+        key: &'static str,
+    },
+    /// A line that does not fit.
+    #[error("line {line}: {problem}")]
+    Line {
+        /// From 1.
+        line: usize,
+        /// What is wrong.
+        problem: String,
+    },
+    /// Anything else.
+    #[error("{0}")]
+    Content(String),
+}
+
+impl MapError {
+    fn at(line: usize, problem: impl Into<String>) -> MapError {
+        MapError::Line {
+            line,
+            problem: problem.into(),
+        }
+    }
+
+    fn content(problem: impl Into<String>) -> MapError {
+        MapError::Content(problem.into())
+    }
+}
+
+/// Reads a file.
+///
+/// # Errors
+/// [`MapError`]: no such file, content that is none of the formats, too many points, and what the case must tell but does not.
+pub fn read(path: &Path, told: &Told) -> Result<Heights, MapError> {
+    let bytes = read_bytes(path, LARGEST_TABLE)?;
+    let hash = xxhash_rust::xxh3::xxh3_64(&bytes);
+    let (map, format) = match bytes.as_slice() {
+        [b'P', b'K', 3, 4, ..] => {
+            told.nothing_of_the_file(true)?;
+            (x3p::parse(&bytes)?, Format::X3p)
+        }
+        _ if sdf::is_binary(&bytes) => {
+            return Err(MapError::content(
+                "binary SDF is not read: export ASCII SDF, whose first line is aISO-1.0",
+            ));
+        }
+        _ => {
+            let text = read_table(path)?;
+            match () {
+                () if sdf::is_ascii(&text) => {
+                    told.nothing_of_the_file(true)?;
+                    (sdf::parse(&text)?, Format::Sdf)
+                }
+                () if text::has_header(&text) => {
+                    told.nothing_of_the_file(true)?;
+                    let file = path.file_name().unwrap_or_default().to_string_lossy();
+                    (text::parse_csv(&file, &text)?, Format::Csv)
+                }
+                () if told.has_points => {
+                    told.nothing_of_the_file(false)?;
+                    (text::parse_points(&text, told)?, Format::Points)
+                }
+                () => (text::parse_rows(&text, told)?, Format::Rows),
+            }
+        }
+    };
+    Ok(Heights { map, format, hash })
+}
+
+impl Told {
+    /// Refuses what the file tells itself: distances, and perhaps units.
+    fn nothing_of_the_file(&self, units: bool) -> Result<(), MapError> {
+        let twice = [
+            (self.spacing.is_some(), "where its points lie", "spacing"),
+            (
+                self.row_spacing.is_some(),
+                "where its points lie",
+                "row_spacing",
+            ),
+            (
+                units && self.height_unit.is_some(),
+                "its units",
+                "height_unit",
+            ),
+            (
+                units && self.length_unit.is_some(),
+                "its units",
+                "length_unit",
+            ),
+        ];
+        match twice.iter().find(|(is_given, ..)| *is_given) {
+            None => Ok(()),
+            Some((_, what, key)) => Err(MapError::ToldTwice { what, key }),
+        }
+    }
+}
+
+/// Refuses grids with too many points, or too few.
+fn checked(counts: [usize; 2]) -> Result<[usize; 2], MapError> {
+    match counts[0].checked_mul(counts[1]) {
+        Some(n) if n <= MOST_POINTS => {}
+        _ => {
+            return Err(MapError::content(format!(
+                "{} x {} points are too many: at most {MOST_POINTS} are read; export fewer",
+                counts[0], counts[1]
+            )));
+        }
+    }
+    let is_grid = counts[0] >= LEAST && (counts[1] >= LEAST || counts[1] == 1);
+    match is_grid {
+        true => Ok(counts),
+        false => Err(MapError::content(format!(
+            "{} x {} points are too few: a map has {LEAST} in each direction at least, a profile {LEAST} in a row",
+            counts[0], counts[1]
+        ))),
+    }
+}
+
+/// Points in a direction at least.
+const LEAST: usize = 4;
+
+#[cfg(test)]
+mod tests;

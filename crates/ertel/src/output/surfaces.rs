@@ -1,0 +1,57 @@
+//! What the report says of maps of surfaces.
+
+use super::lines::Lines;
+use crate::case::SurfaceEcho;
+use crate::contact::topography::Parameters;
+use crate::words::{digits, length};
+
+/// A map each: where it comes from, what was done to it, what it is.
+pub(super) fn write(out: &mut Lines, surfaces: &[SurfaceEcho]) {
+    for surface in surfaces {
+        let name = surface.file.as_deref().unwrap_or("generated");
+        let [nx, ny] = surface.points;
+        let [dx, dy] = surface.spacing;
+        let points = match ny {
+            1 => format!("{nx} points {} apart", length(dx)),
+            _ => format!("{nx} x {ny} points {} and {} apart", length(dx), length(dy)),
+        };
+        let missing = match surface.missing {
+            0 => String::new(),
+            n => format!(", {n} without a height, filled"),
+        };
+        out.row("surface", format!("{name}: {points}{missing}"));
+        let level = match surface.level {
+            "none" => "  as it is",
+            "mean" => "  less its mean",
+            "plane" => "  less a plane",
+            _ => "  less a quadratic form",
+        };
+        out.row(level, parameters(&surface.levelled));
+        let cutoffs: Vec<String> = [
+            surface
+                .high_pass
+                .map(|cutoff| format!("below {}", length(cutoff))),
+            surface
+                .low_pass
+                .map(|cutoff| format!("above {}", length(cutoff))),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        if !cutoffs.is_empty() {
+            let label = format!("  waves {}", cutoffs.join(", "));
+            out.row(&label, parameters(&surface.filtered));
+        }
+    }
+}
+
+fn parameters(own: &Parameters) -> String {
+    format!(
+        "Sa {}, Sq {}, Ssk {}, Sku {}, Sz {}",
+        length(own.sa),
+        length(own.sq),
+        digits(own.ssk, 3),
+        digits(own.sku, 3),
+        length(own.sz)
+    )
+}
