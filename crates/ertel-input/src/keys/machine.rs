@@ -163,7 +163,7 @@ rows! {
         pinion_bore_diameter, wheel_bore_diameter: LENGTH, usual [RADII] => "of the rings that teeth as beams stand on";
         points: Count => "equally spaced points of a path, with B, C and D besides; optional, 30";
         folders: Switch => "of a path: whether each contact has a folder of its results; optional";
-        bulk_temperature: TEMPERATURE => "of the teeth; optional, that of the lubricant";
+        bulk_temperature: TEMPERATURE => "of the teeth, with `[thermal]` in the contacts, too, unless that gives `body_1_temperature` and `body_2_temperature`; optional, that of the lubricant";
         scuffing_temperature: TEMPERATURE => "contact temperature at which teeth scuff with this oil; optional, for a safety";
         permissible_lambda: Number => "specific film λ_GFP without micropitting; optional, for a safety";
         pinion_ra, wheel_ra: LENGTH => "roughness Ra of the flanks; optional, for specific films and models of friction";
@@ -205,7 +205,7 @@ rows! {
         pinion_bore_diameter, wheel_bore_diameter: LENGTH, usual [RADII] => "of the rings that teeth as beams stand on";
         points: Count => "equally spaced points of a path, with B, C and D besides; optional, 30";
         folders: Switch => "of a path: whether each contact has a folder of its results; optional";
-        bulk_temperature: TEMPERATURE => "of the teeth; optional, that of the lubricant";
+        bulk_temperature: TEMPERATURE => "of the teeth, with `[thermal]` in the contacts, too, unless that gives `body_1_temperature` and `body_2_temperature`; optional, that of the lubricant";
         scuffing_temperature: TEMPERATURE => "contact temperature at which teeth scuff with this oil; optional, for a safety";
         permissible_lambda: Number => "specific film λ_GFP without micropitting; optional, for a safety";
         pinion_ra, wheel_ra: LENGTH => "roughness Ra of the flanks; optional, for specific films and models of friction";

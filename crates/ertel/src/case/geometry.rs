@@ -23,6 +23,8 @@ pub(super) struct Geometry<'t> {
     pub hertz: Hertz,
     /// Smallest radius of curvature of either body along x and along y, m, convex or concave; infinite where none is known or both are flat.
     pub body_radii: [f64; 2],
+    /// Temperature of the bodies, K, where a machine says it.
+    pub bulk_temperature: Option<f64>,
     /// What to know about the machine.
     pub warnings: Vec<Warning>,
     /// Not yet searched for unknown keys.
@@ -75,7 +77,7 @@ impl<'t> Tables<'t> {
     ) -> Result<Geometry<'t>, InputError> {
         let reduced_modulus = steel.reduced_modulus;
         let mut warnings = Vec::new();
-        let mut whole = None;
+        let (mut whole, mut bulk_temperature) = (None, None);
         let (contact, motion, machine, hertz, body_radii) = match &mut self {
             Tables::Plain(table, motion_table) => {
                 let contact = contact::read_contact(table, reduced_modulus, shapes, folder)?;
@@ -115,9 +117,10 @@ impl<'t> Tables<'t> {
                     warnings: own,
                     echo,
                     whole: all,
+                    bulk_temperature: bulk,
                 } = machine::read(table, steel, folder)?;
                 warnings = own;
-                whole = all;
+                (whole, bulk_temperature) = (all, bulk);
                 let hertz = check::hertz(table, load_key, &contact, reduced_modulus)
                     .map_err(|error| error.with_help(computed(&contact)))?;
                 motion::check_spin(
@@ -139,6 +142,7 @@ impl<'t> Tables<'t> {
             whole,
             hertz,
             body_radii,
+            bulk_temperature,
             warnings,
             tables: self,
         })

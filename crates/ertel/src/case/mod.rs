@@ -252,6 +252,7 @@ impl Case {
             whole,
             hertz,
             body_radii,
+            bulk_temperature,
             warnings: of_machine,
             tables,
         } = tables.read(&mut root, &steel, shapes.as_ref(), folder)?;
@@ -261,10 +262,14 @@ impl Case {
             None => SolverParams::default(),
         };
         let thermal_table = root.optional_table("thermal")?;
-        let thermal = match &thermal_table {
+        let mut thermal = match &thermal_table {
             Some(table) => Some(thermal::read(table.clone(), &contact)?),
             None => None,
         };
+        if let (Some(thermal), Some(bulk)) = (&mut thermal, bulk_temperature) {
+            thermal.body_1_temperature.get_or_insert(bulk);
+            thermal.body_2_temperature.get_or_insert(bulk);
+        }
         let heat = thermal.is_some() && !solver.isothermal;
         let (lubricant, range_warnings) = lubricant::read(&mut root, folder, hertz.pressure, heat)?;
         let mesh_table = root.optional_table("mesh")?;

@@ -80,6 +80,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     );
     rows.text("source", SOURCE);
     Ok(Machine {
+        bulk_temperature: None,
         contact,
         motion,
         load_key: "ball_load",

@@ -38,6 +38,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     rows.number("speed of the disc", motion.body_1_speed(), "m/s");
     rows.text("source", "relative curvature: Johnson 1985, section 4.1");
     Ok(Machine {
+        bulk_temperature: None,
         contact,
         motion,
         load_key: "load",

@@ -70,6 +70,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     );
     rows.text("source", "Norton 2002, chapter 7 (ρ); Müller 1966 (u_m)");
     Ok(Machine {
+        bulk_temperature: None,
         contact,
         motion,
         load_key: "load",

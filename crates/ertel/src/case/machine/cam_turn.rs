@@ -149,6 +149,7 @@ pub(super) fn read(
     };
     let machine = single(table, &told, &point, load_key, Some(whole), reversing)?;
     Ok(Machine {
+        bulk_temperature: None,
         warnings,
         ..machine
     })
@@ -343,6 +344,7 @@ fn single(
     rows.number("u_m", point.entrainment_speed, "m/s");
     rows.text("source", "Norton 2002, chapters 2, 3 and 7; Müller 1966");
     Ok(Machine {
+        bulk_temperature: None,
         body_radii: [smallest_radius(point), f64::INFINITY],
         contact,
         motion,

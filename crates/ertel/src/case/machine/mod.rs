@@ -94,6 +94,8 @@ pub(super) struct Machine {
     pub echo: MachineEcho,
     /// All contacts, where the file asks for no single one.
     pub whole: Option<WholeMachine>,
+    /// Temperature of the bodies, K, where the machine says it.
+    pub bulk_temperature: Option<f64>,
 }
 
 /// What the mechanics of a machine say of it.

@@ -49,6 +49,7 @@ pub(super) fn read(
     let (motion, _) = rolling(table, pitch_diameter, gamma, &mut rows)?;
     rows.text("source", SOURCE);
     Ok(Machine {
+        bulk_temperature: None,
         contact,
         motion,
         load_key: "roller_load",

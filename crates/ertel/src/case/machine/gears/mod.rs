@@ -163,6 +163,7 @@ pub(super) fn read(
     let mut warnings = gearing.warnings.clone();
     warnings.extend(load::warnings(pair, sharing));
     Ok(Machine {
+        bulk_temperature: limits.bulk_temperature,
         contact,
         motion,
         load_key: load_key(stage),

@@ -154,6 +154,7 @@ pub(super) fn read(table: &mut Table<'_>, given: Given<'_>) -> Result<Machine, I
         digits(1e3 * pair.dimensions.normal_module, 4),
     );
     Ok(Machine {
+        bulk_temperature: given.limits.bulk_temperature,
         contact,
         motion,
         load_key: super::load_key(given.stage),

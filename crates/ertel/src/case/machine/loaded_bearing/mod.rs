@@ -162,6 +162,7 @@ pub(super) fn read(
         Elements::Rollers | Elements::TaperedRollers => f64::INFINITY,
     };
     Ok(Machine {
+        bulk_temperature: None,
         contact,
         motion,
         load_key: "radial_load",

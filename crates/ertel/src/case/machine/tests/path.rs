@@ -328,3 +328,31 @@ fn bad_gears_are_refused() {
         .replace("pressure_angle", "normal_pressure_angle");
     refused(&path, "kind", "kind", &["straight teeth", "load_sharing"]);
 }
+
+/// Teeth have the temperature that the machine says, in each contact, unless `[thermal]` says another.
+#[test]
+fn teeth_have_their_temperature() {
+    let path = FZG.replace("kind =", "bulk_temperature = \"90 degC\"\nkind =");
+    let alone = path
+        .replace("points = 5\nload_sharing = \"thirds\"\n", "")
+        .replace("\"path\"", "\"pitch point\"");
+    for machine in [path, alone] {
+        let of = |thermal: &str| {
+            let heat =
+                "thermal_conductivity = \"0.14 W/(m.K)\"\nheat_capacity = \"2000 J/(kg.K)\"\n";
+            let rest = REST.replace("poissons_ratio = 0.3 }", "poissons_ratio = 0.3, density = \"7850 kg/m^3\", thermal_conductivity = \"46 W/(m.K)\", heat_capacity = \"470 J/(kg.K)\" }");
+            let text = format!("[machine]{machine}{rest}{heat}[thermal]\n{thermal}");
+            let document = Document::parse("machine.toml", text).unwrap();
+            let thermal = Case::from_document(&document, Path::new(""))
+                .unwrap()
+                .thermal
+                .unwrap();
+            [thermal.body_1_temperature, thermal.body_2_temperature]
+        };
+        assert_eq!(of(""), [Some(363.15); 2]);
+        assert_eq!(
+            of("body_1_temperature = \"80 degC\"\n"),
+            [Some(353.15), Some(363.15)]
+        );
+    }
+}
