@@ -161,4 +161,30 @@ mod tests {
             vec![(1.5, true), (2.0, true), (4.0, false), (5.0, false)]
         );
     }
+
+    /// A speed that falls below zero between two samples of even times is seen at its kink; one that only falls to zero does not turn, nor do bodies that run
+    /// against each other without entrainment.
+    #[test]
+    fn turns_are_seen_at_kinks() {
+        let of = |speeds: Speeds| Conditions {
+            speeds,
+            load: Course::Constant(1.0),
+            duration: 10.0,
+            instants: vec![],
+        };
+        let dip = |low: f64| {
+            let rows = [[0.0, 1.0], [3.0011, 1.0], [3.0012, low], [3.0013, 1.0]];
+            of(Speeds::Mean {
+                entrainment: Course::Table(rows.to_vec()),
+                slide_to_roll_ratio: Course::Constant(0.0),
+            })
+        };
+        assert!(dip(-0.1).turns());
+        assert!(!dip(0.0).turns());
+        assert_relative_eq!(dip(0.0).slowest(), 0.0);
+        let [there, back] = [1.0, -1.0].map(Course::Constant);
+        assert!(!of(Speeds::Each([there.clone(), back.clone()])).turns());
+        let faster = Course::Constant(-1.5);
+        assert!(of(Speeds::Each([there, faster])).turns());
+    }
 }

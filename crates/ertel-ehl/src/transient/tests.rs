@@ -2,6 +2,7 @@
 
 use approx::assert_relative_eq;
 use ertel_rheology::density::DensityLaw;
+use ertel_rheology::shear::ShearThinning;
 use ertel_rheology::viscosity::ViscosityLaw;
 
 use super::{Conditions, Course, Info, Instant, Params, Speeds, TransientObserver, march};
@@ -13,6 +14,8 @@ use crate::film::FilmFluid;
 use crate::solution::Figure;
 use crate::volumes::Plan;
 
+mod shapes;
+
 /// A contact and its oil.
 struct Given {
     contact: Contact,
@@ -22,6 +25,8 @@ struct Given {
     target: f64,
     /// Film of the start, in a²/R.
     start_film: f64,
+    /// How stress thins the oil.
+    thinning: Option<ShearThinning>,
 }
 
 /// Steel on steel at 0.5 m/s, with an oil of 0.04 Pa s and 22 1/GPa.
@@ -33,6 +38,7 @@ fn line() -> Given {
         speed: 0.5,
         target: 1e-3,
         start_film: 0.12,
+        thinning: None,
     }
 }
 
@@ -62,7 +68,7 @@ impl Given {
             reach: [4.5, 3.0],
             elasticity: Elasticity::half_space(1, &bodies),
             fluid: FilmFluid::new(&density, &viscosity, 313.15, &scales)
-                .with_shear(None, &sliding, &scales),
+                .with_shear(self.thinning.as_ref(), &sliding, &scales),
             entrainment: motion.entrainment(scales.length),
             load: scales.load,
             start_film: self.start_film,
@@ -273,6 +279,7 @@ fn a_dent_passes_through_a_circular_contact() {
         speed: 0.09,
         target: 2e-2,
         start_film: 0.12,
+        thinning: None,
     };
     let mut problem = given.problem();
     let scales = problem.scales;
