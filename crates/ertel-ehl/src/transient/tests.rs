@@ -5,7 +5,9 @@ use ertel_rheology::density::DensityLaw;
 use ertel_rheology::shear::ShearThinning;
 use ertel_rheology::viscosity::ViscosityLaw;
 
-use super::{Conditions, Course, Info, Instant, Params, Speeds, TransientObserver, march};
+use super::{
+    Approach, Conditions, Course, Info, Instant, Params, Speeds, Start, TransientObserver, march,
+};
 use crate::contact::gap::{Body, Form, GapTerm, Relief};
 use crate::contact::{Contact, Hertz, Material, Motion, Scales, Shape, Turn};
 use crate::elastic::Elasticity;
@@ -14,6 +16,7 @@ use crate::film::FilmFluid;
 use crate::solution::Figure;
 use crate::volumes::Plan;
 
+mod body;
 mod shapes;
 
 /// A contact and its oil.
@@ -67,8 +70,11 @@ impl Given {
             },
             reach: [4.5, 3.0],
             elasticity: Elasticity::half_space(1, &bodies),
-            fluid: FilmFluid::new(&density, &viscosity, 313.15, &scales)
-                .with_shear(self.thinning.as_ref(), &sliding, &scales),
+            fluid: FilmFluid::new(&density, &viscosity, 313.15, &scales).with_shear(
+                self.thinning.as_ref(),
+                &sliding,
+                &scales,
+            ),
             entrainment: motion.entrainment(scales.length),
             load: scales.load,
             start_film: self.start_film,
@@ -128,6 +134,8 @@ fn ramp(duration: f64) -> Conditions {
             slide_to_roll_ratio: Course::Constant(SLIDE),
         },
         load: Course::Constant(1.0),
+        approach: Approach::Massless,
+        start: Start::Steady,
         duration,
         instants: (1..8).map(f64::from).collect(),
     }
@@ -140,6 +148,8 @@ fn steady(duration: f64) -> Conditions {
             slide_to_roll_ratio: Course::Constant(0.0),
         },
         load: Course::Constant(1.0),
+        approach: Approach::Massless,
+        start: Start::Steady,
         duration,
         instants: vec![],
     }
@@ -254,6 +264,8 @@ fn a_film_is_entrapped_and_turns() {
     let conditions = Conditions {
         speeds: Speeds::Each([course.clone(), course]),
         load: Course::Constant(1.0),
+        approach: Approach::Massless,
+        start: Start::Steady,
         duration: 8.0,
         instants: vec![1.5],
     };
