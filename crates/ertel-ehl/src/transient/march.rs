@@ -445,6 +445,9 @@ fn longest_step(
     })
 }
 
+/// Distance between the bodies, in a²/R, that is rounding.
+const ROUNDING: f64 = 1e-13;
+
 /// What an instant is told with.
 #[derive(Clone, Copy, Default)]
 struct At {
@@ -464,7 +467,13 @@ fn instant<'a>(
 ) -> Instant<'a> {
     let load = present.load * conditions.load.at(at.time);
     let film_force = levels.force(load) / present.load;
-    let [approach, approach_velocity] = levels.approached();
+    let [approach, velocity] = levels.approached();
+    // Beside what rounding makes of distances over a step there is none.
+    let approach_velocity = match (velocity * at.step).abs() > ROUNDING {
+        true => velocity,
+        false if at.step == 0.0 => velocity + 0.0,
+        false => 0.0,
+    };
     let levels = levels.levels();
     let n = levels.len();
     let of_grids: Vec<Figures> = (n.saturating_sub(TOLD)..n)
@@ -504,9 +513,13 @@ fn instant<'a>(
         measured: measured.without_rounding(&known),
         step: at.step,
         newton_iterations: at.newton_iterations,
-        mass_error: levels.last().map_or(f64::NAN, |level| {
-            balance_error(&level.system, &level.system.linearise(&level.state))
-        }),
+        mass_error: match conditions.start {
+            // Bodies that are apart without pressure gain nothing yet.
+            Start::Apart { .. } if at.time == 0.0 => 0.0,
+            _ => levels.last().map_or(f64::NAN, |level| {
+                balance_error(&level.system, &level.system.linearise(&level.state))
+            }),
+        },
         is_asked: at.is_asked,
         problem,
         levels,

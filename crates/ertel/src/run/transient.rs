@@ -6,7 +6,7 @@ use ertel_fem::platform::Instant as Clock;
 
 use crate::case::{Case, Transient};
 use crate::contact::gap::{Form, GapTerm, Relief};
-use crate::contact::{Motion, Symmetry};
+use crate::contact::{Hertz, Motion, Symmetry};
 use crate::engine::Observer;
 use crate::params::Method;
 use crate::problem::problem_by_slices;
@@ -22,7 +22,7 @@ use crate::volumes::film::PatchedFilm;
 use crate::volumes::patches::widest;
 use crate::volumes::roller_zone::with_rows_by_film;
 use crate::warning::{Warning, WarningKind};
-use crate::words::digits;
+use crate::words::{digits, pressure};
 
 /// Follows a case through time.
 pub trait InstantObserver: Observer {
@@ -253,6 +253,7 @@ fn solve_here(
         }
     }
     found.warnings.extend(warnings(&found));
+    found.warnings.extend(too_hard(case, &found));
     found.wall_seconds = clock.elapsed().as_secs_f64();
     found
 }
@@ -413,6 +414,22 @@ impl TransientObserver for Collector<'_> {
     fn cancelled(&self) -> bool {
         self.observer.cancelled()
     }
+}
+
+/// Hertz pressure beyond which no law of a film holds, Pa.
+const HARDEST: f64 = 5e9;
+
+/// Tells of a film force that a dry contact bears only with a pressure beyond all laws: of an impact, or of an approach that is given, it is known at the end alone.
+fn too_hard(case: &Case, found: &TransientSolution) -> Option<Warning> {
+    let mut contact = case.contact.clone();
+    contact.load = (found.instants.iter()).fold(0.0, |m, instant| instant.film_force.max(m));
+    let hertz = Hertz::new(&contact, case.reduced_modulus());
+    (found.moves() && hertz.pressure > HARDEST).then(|| {
+        Warning::from(format!(
+            "the film force comes to a Hertz pressure of {}, beyond 5 GPa: laws of the lubricant do not hold there",
+            pressure(hertz.pressure)
+        ))
+    })
 }
 
 /// What the user should know of the instants.

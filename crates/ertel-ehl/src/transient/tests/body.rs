@@ -426,3 +426,43 @@ fn a_spring_takes_its_share() {
     assert!(shared < 1.09, "{shared}");
     assert_relative_eq!(shared + near, 1.1, max_relative = 1e-3);
 }
+
+/// Where steps may not get as short as the film asks for, time ends there with how far it came; what was told until then stands.
+#[test]
+fn time_that_ends_early_says_how_far_it_came() {
+    let conditions = Conditions {
+        approach: Approach::Body(Mover {
+            mass: 0.05,
+            damping: 0.5,
+            stiffness: 0.0,
+        }),
+        start: Start::Apart {
+            gap: 0.5,
+            velocity: 0.0,
+        },
+        ..steady(16.0)
+    };
+    let params = Params {
+        smallest_step: 0.02,
+        ..params(1e-3)
+    };
+    let mut rows = Rows {
+        rows: Vec::new(),
+        quiet: NoObserver,
+    };
+    let end = march(line().problem(), &conditions, &params, &mut rows);
+    let Err(TransientError::Stuck {
+        time,
+        duration,
+        info,
+        ..
+    }) = end
+    else {
+        panic!("{end:?}");
+    };
+    assert_relative_eq!(duration, 16.0);
+    assert_eq!(rows.rows.len(), info.steps + 1);
+    let last = rows.rows.last().unwrap();
+    assert!(last.time == time && time < 16.0);
+    assert!(info.refused > 0);
+}
