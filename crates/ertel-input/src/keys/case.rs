@@ -128,7 +128,7 @@ rows! {
     }
     /// `[transient]`.
     pub TRANSIENT {
-        duration: TIME => "length of the time that is solved; it begins with the steady contact of `[contact]` and `[motion]`";
+        duration: TIME => "length of the time that is solved; it begins with the steady contact of `[contact]` and `[motion]`, unless `start` says otherwise";
         tolerance: Number, bounds [1e-4, 0.05], default "3e-3" => "relative error of the films that the steps in time may make{}; grids err beside that";
         output_times: Quantities(&[D::TIME]) => "times whose centrelines are written to `profiles.csv`; without them eleven at equal distances";
         entrainment_speed, slide_to_roll_ratio: Table(COURSE) => "how the speed, or the ratio, changes; where neither is given it stays that of `[motion]`";
