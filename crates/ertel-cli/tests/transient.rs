@@ -120,3 +120,41 @@ fn what_is_not_solved_in_time_is_told() {
     let output = ertel(&folder, &["solve", "case.toml", "--cross-check"]);
     assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
 }
+
+/// A roller sinks under a constant load from a gap, without rolling: the film thins as the body comes near, and bears the load. A ball that falls has its force and its rebound told.
+#[test]
+fn bodies_that_are_apart_come_near() {
+    let sinks = CASE
+        .replace(
+            "entrainment_speed = { course = \"ramp\", start = \"0.1 ms\", end = \"0.5 ms\", to = \"0.5 m/s\" }",
+            "start = \"apart\"\ngap = \"3 um\"\nat_rest = true",
+        )
+        .replace("duration = \"1 ms\"", "duration = \"0.05 ms\"")
+        .replace("output_times = [\"0 ms\", \"0.5 ms\"]\n", "");
+    let folder = workspace(&sinks);
+    let output = ertel(&folder, &["solve", "case.toml", "--output", "out"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let result = json(&folder.path().join("out/transient.json"));
+    let instants = result["instants"].as_array().unwrap();
+    let of = |i: usize, key: &str| instants[i][key].as_f64().unwrap();
+    let last = instants.len() - 1;
+    assert_eq!([of(0, "film_force"), of(0, "approach")], [0.0, 0.0]);
+    assert!((of(last, "film_force") / 1e5 - 1.0).abs() < 1e-3);
+    assert!(of(last, "approach") > 2e-6);
+    let film = &instants[0]["figures"]["film_central"]["value"];
+    assert!((film.as_f64().unwrap() / 3e-6 - 1.0).abs() < 1e-9, "{film}");
+    assert!(result["coefficient_of_restitution"].is_null());
+    let table = std::fs::read_to_string(folder.path().join("out/transient.csv")).unwrap();
+    assert!(table.contains("load_N_per_m,approach_m,approach_velocity_m_per_s,film_force_N_per_m"));
+    let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/impact.toml");
+    let output = ertel(
+        &folder,
+        &["solve", case.to_str().unwrap(), "--output", "impact"],
+    );
+    let shown = text(&output.stdout);
+    assert!(shown.contains("largest film force"), "{shown}");
+    let result = json(&folder.path().join("impact/transient.json"));
+    let rebound = result["coefficient_of_restitution"].as_f64().unwrap();
+    // 0.866 without the weight of the ball.
+    assert!((rebound - 0.866).abs() < 0.01, "{rebound}");
+}

@@ -5,7 +5,7 @@
 //! ```
 //! The speed u_r and the load w_r of reference are those of the scales: the largest that occur, which never vanish.
 
-use super::Course;
+use super::{Approach, Course, Start};
 
 /// Velocities of both surfaces along the motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,6 +54,10 @@ pub struct Conditions {
     pub speeds: Speeds,
     /// Load.
     pub load: Course,
+    /// What the distance of the bodies follows from.
+    pub approach: Approach,
+    /// What time begins with.
+    pub start: Start,
     /// T at the end.
     pub duration: f64,
     /// Instants that a step ends at, beside kinks.
@@ -111,8 +115,13 @@ impl Conditions {
     /// Instants after the start that a step ends at, in order; with each whether something has a kink there.
     pub fn stops(&self) -> Vec<(f64, bool)> {
         let [first, second] = self.speeds.courses();
+        let approach = match &self.approach {
+            Approach::Given(course) => Some(course),
+            Approach::Massless | Approach::Body(_) => None,
+        };
         let kinks = [first, second, &self.load]
             .into_iter()
+            .chain(approach)
             .flat_map(Course::kinks);
         let mut stops: Vec<(f64, bool)> = (kinks.map(|t| (t, true)))
             .chain(self.instants.iter().map(|t| (*t, false)))
@@ -148,6 +157,8 @@ mod tests {
                 to: 0.5,
                 at: 1.5,
             },
+            approach: Approach::Massless,
+            start: Start::Steady,
             duration: 5.0,
             instants: vec![4.0, 2.0, 9.0],
         };
@@ -160,5 +171,33 @@ mod tests {
             conditions.stops(),
             vec![(1.5, true), (2.0, true), (4.0, false), (5.0, false)]
         );
+    }
+
+    /// A speed that falls below zero between two samples of even times is seen at its kink; one that only falls to zero does not turn, nor do bodies that run
+    /// against each other without entrainment.
+    #[test]
+    fn turns_are_seen_at_kinks() {
+        let of = |speeds: Speeds| Conditions {
+            speeds,
+            load: Course::Constant(1.0),
+            approach: Approach::Massless,
+            start: Start::Steady,
+            duration: 10.0,
+            instants: vec![],
+        };
+        let dip = |low: f64| {
+            let rows = [[0.0, 1.0], [3.0011, 1.0], [3.0012, low], [3.0013, 1.0]];
+            of(Speeds::Mean {
+                entrainment: Course::Table(rows.to_vec()),
+                slide_to_roll_ratio: Course::Constant(0.0),
+            })
+        };
+        assert!(dip(-0.1).turns());
+        assert!(!dip(0.0).turns());
+        assert_relative_eq!(dip(0.0).slowest(), 0.0);
+        let [there, back] = [1.0, -1.0].map(Course::Constant);
+        assert!(!of(Speeds::Each([there.clone(), back.clone()])).turns());
+        let faster = Course::Constant(-1.5);
+        assert!(of(Speeds::Each([there, faster])).turns());
     }
 }

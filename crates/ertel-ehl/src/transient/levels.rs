@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 use std::sync::Arc;
 
+use super::body::{Approach, Separations, Start};
 use super::scheme::{MEMORY, Weights, extrapolation};
 use crate::contact::Shape;
 use crate::contact::gap::{GapTerm, Relief};
@@ -10,9 +11,10 @@ use crate::engine::{Observer, Problem};
 use crate::solve::SolveError;
 use crate::volumes::Plan;
 use crate::volumes::deflection::Deflection;
-use crate::volumes::engine::{newton_params, pattern};
-use crate::volumes::level::{Level, first_system, refined};
+use crate::volumes::engine::{TOLD, newton_params, pattern};
+use crate::volumes::level::{Level, convolution, first_system, refined};
 use crate::volumes::newton::{NewtonInfo, newton};
+use crate::volumes::patches::{first_cell, grid as patch};
 use crate::volumes::preconditioner::Pattern;
 use crate::volumes::system::{State, Storage, System};
 
@@ -28,8 +30,14 @@ pub struct Levels {
     fixed: Vec<Fixed>,
     /// ρ̄H at the nodes of each grid at the instants that count, the newest first.
     stored: Vec<VecDeque<Vec<f64>>>,
+    /// H_0 of each grid at them.
+    separations: Vec<Separations>,
     /// Those instants.
     times: VecDeque<f64>,
+    /// What H_0 follows from.
+    approach: Approach,
+    /// ∫P_r.
+    unit: f64,
 }
 
 /// Where errors of a step are looked at: the dry contact, and what of it reliefs cover.
@@ -56,6 +64,8 @@ impl Zones {
 pub struct Trial {
     levels: Vec<Level>,
     stored: Vec<Vec<f64>>,
+    /// H_0 and its velocity on each grid.
+    moved: Vec<[f64; 2]>,
     time: f64,
     /// Newton iterations on all grids.
     pub info: NewtonInfo,
@@ -70,11 +80,15 @@ fn mass(system: &System, state: &State, films: &[f64]) -> Vec<f64> {
 }
 
 impl Levels {
-    /// From the grids of a steady solution.
+    /// From the grids of a steady solution, with ∫P_r.
     ///
     /// # Errors
     /// When no order of elimination is found.
-    pub fn new(levels: Vec<Level>, time: f64) -> Result<Levels, SolveError> {
+    pub fn new(
+        levels: Vec<Level>,
+        (approach, start): (&Approach, Start),
+        unit: f64,
+    ) -> Result<Levels, SolveError> {
         let fixed = (levels.iter())
             .map(|level| {
                 Ok(Fixed {
@@ -86,11 +100,17 @@ impl Levels {
         let stored = (levels.iter())
             .map(|level| VecDeque::from([mass(&level.system, &level.state, &level.films)]))
             .collect();
+        let separations = (levels.iter())
+            .map(|level| Separations::new(level.state.separation, start.velocity()))
+            .collect();
         Ok(Levels {
             levels,
             fixed,
             stored,
-            times: VecDeque::from([time]),
+            separations,
+            times: VecDeque::from([0.0]),
+            approach: approach.clone(),
+            unit,
         })
     }
 
@@ -99,12 +119,27 @@ impl Levels {
         &self.levels
     }
 
+    /// By how much the bodies have come nearer on the finest grid, and the velocity at which they do.
+    pub fn approached(&self) -> [f64; 2] {
+        let finest = self.separations.last();
+        finest.map_or([f64::NAN; 2], Separations::approached)
+    }
+
+    /// ∫P over all grids, under a load of reference; `load` is the one at the newest instant.
+    pub fn force(&self, load: f64) -> f64 {
+        // What the finest grid is not asked to bear lies beyond it.
+        self.levels.last().map_or(f64::NAN, |level| {
+            load - level.system.load + level.system.integral(&level.state.pressure)
+        })
+    }
+
     /// Forgets what was before the newest instant, where something has a kink.
     pub fn forget(&mut self) {
         self.times.truncate(1);
         for stored in &mut self.stored {
             stored.truncate(1);
         }
+        self.separations.iter_mut().for_each(Separations::forget);
     }
 
     /// A step to an instant, at which the problem is what it is then; `None` where Newton's method does not converge.
@@ -126,6 +161,7 @@ impl Levels {
         let mut trial = Trial {
             levels: Vec::with_capacity(self.levels.len()),
             stored: Vec::with_capacity(self.levels.len()),
+            moved: Vec::with_capacity(self.levels.len()),
             time,
             info: NewtonInfo::default(),
             error: None,
@@ -144,6 +180,8 @@ impl Levels {
                 rate: weights.rate(),
                 past: weights.past(self.stored[l].iter()),
             });
+            let separations = &self.separations[l];
+            system.balance = separations.balance(&self.approach, &weights, time, self.unit);
             let about = (l, problem.scales.film);
             let info = newton(
                 &system,
@@ -162,6 +200,8 @@ impl Levels {
             }
             let films = system.films(&state);
             trial.stored.push(mass(&system, &state, &films));
+            let velocity = separations.velocity(&weights, state.separation);
+            trial.moved.push([state.separation, velocity]);
             trial.levels.push(Level {
                 system,
                 state,
@@ -211,7 +251,55 @@ impl Levels {
             stored.push_front(newest);
             stored.truncate(MEMORY);
         }
+        for (own, [separation, velocity]) in self.separations.iter_mut().zip(trial.moved) {
+            own.accept(separation, velocity, MEMORY);
+        }
     }
+}
+
+/// Cells of the finest grid over the root of the relative error asked for, where no steady film tells how fine it must be: errors fall with the square of the cell.
+const CELL_OVER_ROOT: f64 = 0.25;
+
+/// Grids without pressure, the bodies apart by H at the centre of the contact.
+pub fn apart(problem: &Problem<Plan>, gap: f64) -> Vec<Level> {
+    let plan = &problem.plan;
+    let finest = (CELL_OVER_ROOT * plan.target_error.sqrt()).min(plan.largest_cell);
+    let least = plan.least_grids[usize::from(problem.shape.is_line())];
+    let mut levels: Vec<Level> = Vec::new();
+    let mut h = first_cell(problem);
+    while levels.len() < plan.most_grids {
+        let grid = patch(problem, h, levels.first().map(|level| &level.system.grid));
+        if grid.n_nodes() > plan.max_unknowns && levels.len() >= TOLD {
+            break;
+        }
+        let deflection = convolution(problem, &grid);
+        let (system, state) = match levels.last_mut() {
+            None => {
+                let system = first_system(problem, grid, deflection);
+                let n = system.grid.n_nodes();
+                let state = State {
+                    pressure: vec![0.0; n],
+                    separation: gap,
+                    wetted: vec![true; n],
+                    contents: Vec::new(),
+                };
+                (system, state)
+            }
+            Some(before) => refined(problem, before, grid, deflection),
+        };
+        levels.push(Level {
+            films: system.films(&state),
+            system,
+            state,
+            patch: None,
+            warm: None,
+        });
+        if h <= finest && levels.len() >= least {
+            break;
+        }
+        h *= 0.5;
+    }
+    levels
 }
 
 /// The state before as a start: along the edge the pressures are those of the grid before.

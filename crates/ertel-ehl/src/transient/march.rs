@@ -12,8 +12,9 @@ use crate::volumes::figures::{bars, figures};
 use crate::volumes::level::Level;
 use crate::volumes::{FiniteVolumes, Plan};
 
+use super::body::{Approach, Start};
 use super::conditions::Conditions;
-use super::levels::{Levels, Trial, Zones};
+use super::levels::{Levels, Trial, Zones, apart};
 
 /// How steps are chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,6 +68,12 @@ pub struct Instant<'a> {
     pub speeds: [f64; 2],
     /// Load over that of reference.
     pub load: f64,
+    /// By how much the bodies have come nearer since the start, in a²/R.
+    pub approach: f64,
+    /// Its rate over T.
+    pub approach_velocity: f64,
+    /// Force of the film over the load of reference.
+    pub film_force: f64,
     /// Figures, SI, with what grids and steps may err by.
     pub measured: Measured,
     /// Length of the step that led here, 0 at the start.
@@ -175,13 +182,27 @@ struct Present<'a> {
 /// Speed over that of reference below which the film is at rest.
 const REST: f64 = 1e-6;
 
+/// Force over the load of reference below which the film bears none.
+const NO_FORCE: f64 = 1e-9;
+
 /// Half-widths from the centre within which reliefs count for the length of steps.
 const ABOUT: f64 = 1.1;
 
 impl Present<'_> {
     /// The same in the scales of the speed at an instant, in which what is read off the film in SI is that of a steady contact at this speed; a film at rest keeps those of
     /// reference.
-    fn in_own_scales(problem: &mut Problem<Plan>) {
+    /// Friction is measured by what the film bears.
+    fn in_own_scales(&self, problem: &mut Problem<Plan>, levels: &Levels) {
+        if self.conditions.approach != Approach::Massless || self.conditions.start != Start::Steady
+        {
+            let force = levels.force(problem.load);
+            // Nothing is told over a force that vanishes.
+            problem.scales.load = if force > NO_FORCE * self.load {
+                force
+            } else {
+                f64::NAN
+            };
+        }
         let [speed, _] = problem.entrainment.centre;
         if speed.abs() > REST {
             problem.scales.lambda *= speed.abs();
@@ -248,30 +269,47 @@ pub fn march(
     };
     let mut moved = [0.0; 2];
     present.set(&mut problem, 0.0, moved);
-    refine_for_thinnest(&mut problem, conditions, &present, observer.start())?;
-    present.set(&mut problem, 0.0, moved);
-    let found = FiniteVolumes.solve(&problem, observer.start())?;
+    let first = match conditions.start {
+        Start::Steady => {
+            refine_for_thinnest(&mut problem, conditions, &present, observer.start())?;
+            present.set(&mut problem, 0.0, moved);
+            FiniteVolumes.solve(&problem, observer.start())?.levels
+        }
+        Start::Apart { gap, .. } => apart(&problem, gap),
+    };
     problem.plan.newton.ends = Ends {
         balance: LEFT * params.tolerance,
         ..Ends::of(2.0 * LEFT * params.tolerance)
     };
-    let (cell, needed) = (found.levels.last(), problem.plan.largest_cell);
+    let (cell, needed) = (first.last(), problem.plan.largest_cell);
     if let Some(cell) = cell
         .map(|level| level.system.grid.spacing[0])
         .filter(|h| *h > needed)
     {
         return Err(TransientError::Coarse { cell, needed });
     }
-    let mut levels = Levels::new(found.levels, 0.0)?;
+    let start = (&conditions.approach, conditions.start);
+    let mut levels = Levels::new(first, start, present.load)?;
     let mut info = Info::default();
     let start = At {
         is_asked: true,
         ..At::default()
     };
-    Present::in_own_scales(&mut problem);
-    observer.instant(&instant(&levels, &problem, conditions, params, start));
+    present.in_own_scales(&mut problem, &levels);
+    observer.instant(&instant(
+        &levels,
+        &problem,
+        (conditions, &present),
+        params,
+        start,
+    ));
     let target = STEP_ERROR * params.tolerance.powf(1.5);
-    let (mut time, mut step) = (0.0, FIRST_STEP);
+    // Bodies that are apart by less than a²/R come near to each other within that.
+    let first_step = match conditions.start {
+        Start::Apart { gap, .. } => FIRST_STEP * gap.min(1.0),
+        Start::Steady => FIRST_STEP,
+    };
+    let (mut time, mut step) = (0.0, first_step);
     for (stop, is_kink) in conditions.stops() {
         while time < stop {
             step = step.min(longest_step(&problem, conditions, params, time));
@@ -329,8 +367,14 @@ pub fn march(
                 newton_iterations,
                 is_asked: time == stop && conditions.is_asked(stop),
             };
-            Present::in_own_scales(&mut problem);
-            observer.instant(&instant(&levels, &problem, conditions, params, at));
+            present.in_own_scales(&mut problem, &levels);
+            observer.instant(&instant(
+                &levels,
+                &problem,
+                (conditions, &present),
+                params,
+                at,
+            ));
             if observer.cancelled() {
                 return Err(TransientError::Interrupted);
             }
@@ -401,6 +445,9 @@ fn longest_step(
     })
 }
 
+/// Distance between the bodies, in a²/R, that is rounding.
+const ROUNDING: f64 = 1e-13;
+
 /// What an instant is told with.
 #[derive(Clone, Copy, Default)]
 struct At {
@@ -414,10 +461,19 @@ struct At {
 fn instant<'a>(
     levels: &'a Levels,
     problem: &'a Problem<Plan>,
-    conditions: &Conditions,
+    (conditions, present): (&Conditions, &Present<'_>),
     params: &Params,
     at: At,
 ) -> Instant<'a> {
+    let load = present.load * conditions.load.at(at.time);
+    let film_force = levels.force(load) / present.load;
+    let [approach, velocity] = levels.approached();
+    // Beside what rounding makes of distances over a step there is none.
+    let approach_velocity = match (velocity * at.step).abs() > ROUNDING {
+        true => velocity,
+        false if at.step == 0.0 => velocity + 0.0,
+        false => 0.0,
+    };
     let levels = levels.levels();
     let n = levels.len();
     let of_grids: Vec<Figures> = (n.saturating_sub(TOLD)..n)
@@ -443,16 +499,27 @@ fn instant<'a>(
         bars,
         half_width: length,
     };
+    let mut known = sizes(problem);
+    if known.load.is_nan() {
+        known.load = 0.0;
+    }
     Instant {
         time: at.time,
         speeds: conditions.speeds.at(at.time),
         load: conditions.load.at(at.time),
-        measured: measured.without_rounding(&sizes(problem)),
+        approach,
+        approach_velocity,
+        film_force,
+        measured: measured.without_rounding(&known),
         step: at.step,
         newton_iterations: at.newton_iterations,
-        mass_error: levels.last().map_or(f64::NAN, |level| {
-            balance_error(&level.system, &level.system.linearise(&level.state))
-        }),
+        mass_error: match conditions.start {
+            // Bodies that are apart without pressure gain nothing yet.
+            Start::Apart { .. } if at.time == 0.0 => 0.0,
+            _ => levels.last().map_or(f64::NAN, |level| {
+                balance_error(&level.system, &level.system.linearise(&level.state))
+            }),
+        },
         is_asked: at.is_asked,
         problem,
         levels,

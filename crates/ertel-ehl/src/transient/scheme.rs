@@ -72,6 +72,12 @@ impl Weights {
         sum
     }
 
+    /// The same of a single number.
+    pub fn past_of(&self, before: impl Iterator<Item = f64>) -> f64 {
+        let weighted = self.c[1..self.n].iter().zip(before);
+        weighted.map(|(c, value)| c * value).sum()
+    }
+
     /// What the step errs by, over the difference of its value from the parabola through the three instants before; `None` with fewer.
     pub fn share_of_error(&self, times: &[f64]) -> Option<f64> {
         (self.n > MEMORY).then(|| {

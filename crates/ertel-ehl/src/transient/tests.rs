@@ -2,9 +2,12 @@
 
 use approx::assert_relative_eq;
 use ertel_rheology::density::DensityLaw;
+use ertel_rheology::shear::ShearThinning;
 use ertel_rheology::viscosity::ViscosityLaw;
 
-use super::{Conditions, Course, Info, Instant, Params, Speeds, TransientObserver, march};
+use super::{
+    Approach, Conditions, Course, Info, Instant, Params, Speeds, Start, TransientObserver, march,
+};
 use crate::contact::gap::{Body, Form, GapTerm, Relief};
 use crate::contact::{Contact, Hertz, Material, Motion, Scales, Shape, Turn};
 use crate::elastic::Elasticity;
@@ -12,6 +15,9 @@ use crate::engine::{Extents, NoObserver, Observer, Problem};
 use crate::film::FilmFluid;
 use crate::solution::Figure;
 use crate::volumes::Plan;
+
+mod body;
+mod shapes;
 
 /// A contact and its oil.
 struct Given {
@@ -22,6 +28,8 @@ struct Given {
     target: f64,
     /// Film of the start, in a²/R.
     start_film: f64,
+    /// How stress thins the oil.
+    thinning: Option<ShearThinning>,
 }
 
 /// Steel on steel at 0.5 m/s, with an oil of 0.04 Pa s and 22 1/GPa.
@@ -33,6 +41,7 @@ fn line() -> Given {
         speed: 0.5,
         target: 1e-3,
         start_film: 0.12,
+        thinning: None,
     }
 }
 
@@ -61,8 +70,11 @@ impl Given {
             },
             reach: [4.5, 3.0],
             elasticity: Elasticity::half_space(1, &bodies),
-            fluid: FilmFluid::new(&density, &viscosity, 313.15, &scales)
-                .with_shear(None, &sliding, &scales),
+            fluid: FilmFluid::new(&density, &viscosity, 313.15, &scales).with_shear(
+                self.thinning.as_ref(),
+                &sliding,
+                &scales,
+            ),
             entrainment: motion.entrainment(scales.length),
             load: scales.load,
             start_film: self.start_film,
@@ -122,6 +134,8 @@ fn ramp(duration: f64) -> Conditions {
             slide_to_roll_ratio: Course::Constant(SLIDE),
         },
         load: Course::Constant(1.0),
+        approach: Approach::Massless,
+        start: Start::Steady,
         duration,
         instants: (1..8).map(f64::from).collect(),
     }
@@ -134,6 +148,8 @@ fn steady(duration: f64) -> Conditions {
             slide_to_roll_ratio: Course::Constant(0.0),
         },
         load: Course::Constant(1.0),
+        approach: Approach::Massless,
+        start: Start::Steady,
         duration,
         instants: vec![],
     }
@@ -248,6 +264,8 @@ fn a_film_is_entrapped_and_turns() {
     let conditions = Conditions {
         speeds: Speeds::Each([course.clone(), course]),
         load: Course::Constant(1.0),
+        approach: Approach::Massless,
+        start: Start::Steady,
         duration: 8.0,
         instants: vec![1.5],
     };
@@ -273,6 +291,7 @@ fn a_dent_passes_through_a_circular_contact() {
         speed: 0.09,
         target: 2e-2,
         start_film: 0.12,
+        thinning: None,
     };
     let mut problem = given.problem();
     let scales = problem.scales;

@@ -6,7 +6,7 @@ use super::contents::Arrival;
 use super::deflection::Deflection;
 use super::grid::Grid;
 use super::heat::Warm;
-use super::system::{State, System};
+use super::system::{Balance, State, System};
 use crate::contact::Gap;
 use crate::elastic::compliance;
 use crate::engine::Problem;
@@ -81,6 +81,7 @@ pub fn first_system<Plan>(
         arrival: Arrival::of(problem),
         warmth: Vec::new(),
         storage: None,
+        balance: Balance::LOAD,
         grid,
     }
 }

@@ -217,7 +217,7 @@ pub fn newton(
         state.separation += step.separation;
         // Around thick films all pressures are far below that of the dry contact.
         let largest = state.pressure.iter().fold(0.0_f64, |m, p| m.max(*p));
-        if largest < LOW {
+        if largest < LOW && largest > 0.0 {
             info.change /= largest;
         }
         info.imbalance = imbalance(system, &at);

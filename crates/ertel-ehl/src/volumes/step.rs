@@ -71,11 +71,14 @@ impl<'a> Equation<'a> {
             let row = if self.at.wetted[k] { *change } else { x[k] };
             *y = row / self.scale[k];
         });
-        y[n] = self.load(&x[..n]);
+        y[n] = self.load(&x[..n], x[n]);
     }
 
-    fn load(&self, pressure: &[f64]) -> f64 {
-        pressure.iter().zip(&self.areas).map(|(p, a)| p * a).sum()
+    /// Change of what the balance misses, with the opposite sign.
+    fn load(&self, pressure: &[f64], separation: f64) -> f64 {
+        let sum: f64 = pressure.iter().zip(&self.areas).map(|(p, a)| p * a).sum();
+        let balance = &self.system.balance;
+        balance.load * sum - balance.separation * separation
     }
 }
 
@@ -104,7 +107,8 @@ impl<'a, 'p> Inverse<'a, 'p> {
         }
         let by_separation = preconditioner.solve(&rows);
         Inverse {
-            load_by_separation: equation.load(&by_separation),
+            // Pressures answer a separation by −`by_separation`.
+            load_by_separation: equation.load(&by_separation, -1.0),
             equation,
             preconditioner,
             by_separation,
@@ -115,7 +119,7 @@ impl<'a, 'p> Inverse<'a, 'p> {
     pub fn solve(&mut self, r: &mut [f64]) {
         let n = self.by_separation.len();
         let pressure = self.preconditioner.solve(&r[..n]);
-        let separation = (self.equation.load(&pressure) - r[n]) / self.load_by_separation;
+        let separation = (self.equation.load(&pressure, 0.0) - r[n]) / self.load_by_separation;
         for ((r, pressure), by) in r.iter_mut().zip(&pressure).zip(&self.by_separation) {
             *r = pressure - separation * by;
         }

@@ -48,6 +48,33 @@ pub struct System {
     pub warmth: Vec<Warmth>,
     /// What the film held before, where time counts.
     pub storage: Option<Storage>,
+    /// What the pressures balance.
+    pub balance: Balance,
+}
+
+/// What the pressures balance: s_p (load − ∫P) + s_h H_0 + g = 0. A steady contact bears its load; in time a body may move by its inertia, or as it is given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Balance {
+    /// s_p.
+    pub load: f64,
+    /// s_h.
+    pub separation: f64,
+    /// g.
+    pub given: f64,
+}
+
+impl Balance {
+    /// The load.
+    pub const LOAD: Balance = Balance {
+        load: 1.0,
+        separation: 0.0,
+        given: 0.0,
+    };
+
+    /// What is missing.
+    fn missing(&self, load: f64, separation: f64) -> f64 {
+        self.load * load + self.separation * separation + self.given
+    }
 }
 
 /// How the mass over the nodes changes in time: ∂m/∂T = c_0 m + h with h = Σ c_k m of the instants before.
@@ -101,7 +128,7 @@ pub struct Linearised {
     pub contents: Vec<f64>,
     /// How they change.
     pub passing: Passing,
-    /// Load missing.
+    /// What the balance of the load misses.
     pub missing_load: f64,
     /// c_0 of the storage, 0 where time does not count.
     pub storage_rate: f64,
@@ -200,7 +227,10 @@ impl System {
         Linearised {
             contents,
             passing,
-            missing_load: self.load - self.integral(&state.pressure),
+            missing_load: {
+                let missing = self.load - self.integral(&state.pressure);
+                self.balance.missing(missing, state.separation)
+            },
             storage_rate: self.storage.as_ref().map_or(0.0, |storage| storage.rate),
             nodes,
             thinned,

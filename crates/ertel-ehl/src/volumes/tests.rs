@@ -14,7 +14,7 @@ use super::engine::{FiniteVolumes, Plan, Volumes};
 use super::figures::figures;
 use super::film::PatchedFilm;
 use super::grid::Grid;
-use super::system::{State, Storage, System};
+use super::system::{Balance, State, Storage, System};
 use super::tangents::Tangents;
 use crate::contact::{Contact, Hertz, HertzZone, Material, Motion, Planar, Scales, Shape, Turn};
 use crate::elastic::Elasticity;
@@ -110,6 +110,7 @@ fn system(half: bool, entrainment: Planar) -> (System, State) {
         arrival: Arrival::Flooded,
         warmth: Vec::new(),
         storage: None,
+        balance: Balance::LOAD,
         grid,
     };
     (system, state)
@@ -250,6 +251,7 @@ fn second_order_for_manufactured_fields() {
             arrival: Arrival::Flooded,
             warmth: Vec::new(),
             storage: None,
+            balance: Balance::LOAD,
             grid: grid.clone(),
         };
         let state = State {

@@ -128,12 +128,20 @@ rows! {
     }
     /// `[transient]`.
     pub TRANSIENT {
-        duration: TIME => "length of the time that is solved; it begins with the steady contact of `[contact]` and `[motion]`";
+        duration: TIME => "length of the time that is solved; it begins with the steady contact of `[contact]` and `[motion]`, unless `start` says otherwise";
         tolerance: Number, bounds [1e-4, 0.05], default "3e-3" => "relative error of the films that the steps in time may make{}; grids err beside that";
         output_times: Quantities(&[D::TIME]) => "times whose centrelines are written to `profiles.csv`; without them eleven at equal distances";
         entrainment_speed, slide_to_roll_ratio: Table(COURSE) => "how the speed, or the ratio, changes; where neither is given it stays that of `[motion]`";
         body_1_speed, body_2_speed: Table(COURSE) => "how the speeds of the bodies change, in place of both";
         load: Table(COURSE) => "how the load changes";
+        at_rest: Switch, default "false" => "`true`: the surfaces do not move along the contact, as where a ball falls on a plane; `[motion]` then has no effect";
+        start: Choice(&["steady", "apart"]), default "steady" => r"what time begins with: the steady contact, or bodies that are apart, without pressure between them";
+        gap: LENGTH => "of bodies that are apart at t = 0: the distance between them at the centre, 1 nm to 10 mm";
+        approach_velocity: SPEED => "the velocity at which they come near then; of a body with `mass`";
+        mass: Quantity(&[D::MASS, D::MASS.per(D::LENGTH)]) => "mass m of the body that moves along the normal; of a line contact per length. Without it the film carries the load at each instant";
+        damping: Quantity(&[D::FORCE.per(D::SPEED), D::FORCE.per(D::SPEED).per(D::LENGTH)]) => "damping c of its motion, in N.s/m, of a line contact per length; 0 if absent";
+        stiffness: Quantity(&[D::FORCE_PER_LENGTH, D::FORCE_PER_LENGTH.per(D::LENGTH)]) => "stiffness k of its spring, which bears nothing at t = 0; of a line contact per length; 0 if absent";
+        approach: Table(COURSE) => "the distance by which the bodies come nearer than at t = 0, in place of the load and of `mass`; it begins at 0";
     }
     /// How a quantity changes in time.
     pub COURSE {

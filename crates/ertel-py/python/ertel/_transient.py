@@ -29,6 +29,10 @@ class Instant:
         Time, s.
     load : float
         Load, N, of line contacts N/m.
+    film_force : float
+        Force of the film, in the same unit: that of the load, unless a body moves by its inertia or its approach is given.
+    approach, approach_velocity : float
+        By how much the bodies have come nearer since t = 0, m, and its rate, m/s.
     entrainment_speed, body_1_speed, body_2_speed : float
         Speeds, m/s.
     mass_error : float
@@ -39,6 +43,9 @@ class Instant:
         self._given = given
         self.time: float = given["time"]
         self.load: float = given["load"]
+        self.film_force: float = given["film_force"]
+        self.approach: float = given["approach"]
+        self.approach_velocity: float = given["approach_velocity"]
         self.entrainment_speed: float = given["entrainment_speed"]
         self.body_1_speed: float = given["body_1_speed"]
         self.body_2_speed: float = given["body_2_speed"]
@@ -78,7 +85,7 @@ class Instant:
 
 
 class Transient(Tabulated):
-    """A case with ``[transient]`` from its steady state on.
+    """A case with ``[transient]`` from its start on.
 
     Iteration runs over its instants; ``len`` counts them.
     """
@@ -114,6 +121,11 @@ class Transient(Tabulated):
     def reason(self) -> str | None:
         """Why it did not."""
         return self._document["reason"]
+
+    @property
+    def coefficient_of_restitution(self) -> float | None:
+        """Of a body that fell on the film and has left it."""
+        return self._document["coefficient_of_restitution"]
 
     @property
     def warnings(self) -> list[str]:

@@ -30,6 +30,7 @@
 //! table with `name` and `temperature`. `[thermal]` switches heat on, `[inlet]` limits the oil that arrives. `[mesh]`, `[solver]` and `[output]` are optional; everything
 //! physical is required. `[transient]` tells what changes in time, `[[surface]]` what stands on a surface or was measured of it. `[curve]` asks for a list or range of one quantity ([`curve`]). Numbers carry units. Unknown keys are errors.
 
+mod approach;
 mod bodies;
 mod builder;
 mod check;

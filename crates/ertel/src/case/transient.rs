@@ -7,14 +7,14 @@ use ertel_input::file::{LARGEST_TABLE, read_text};
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 
-use super::Case;
 use super::motion::MAX_SPEED;
+use super::{Case, approach};
 use crate::contact::{Hertz, Motion, Supply};
 use crate::params::{ElasticModel, Method, SensitivityDemand};
-use crate::transient::{Course, Speeds};
+use crate::transient::{Approach, Course, Speeds, Start};
 use crate::warning::Warning;
 
-/// How a contact changes in time, SI; t = 0 is its steady state.
+/// How a contact changes in time, SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transient {
     /// Length of the time that is solved, s.
@@ -27,6 +27,10 @@ pub struct Transient {
     pub speeds: Speeds,
     /// Load, N, of line contacts N/m.
     pub load: Course,
+    /// What the distance of the bodies follows from: mass in kg, damping in N s/m, stiffness in N/m, of line contacts per length; a given approach in m.
+    pub approach: Approach,
+    /// What it begins with: gap in m, velocity in m/s.
+    pub start: Start,
 }
 
 /// Tolerances that steps of a reasonable number reach, and beyond which no film means anything.
@@ -63,6 +67,7 @@ pub(super) fn read(
         folder,
     };
     let speeds = speeds(&mut reader, &case.motion)?;
+    let (approach, start) = approach::read(&mut reader, case)?;
     let dimension = match case.contact.kind.is_line() {
         true => Dimension::FORCE_PER_LENGTH,
         false => Dimension::FORCE,
@@ -75,6 +80,8 @@ pub(super) fn read(
         output_times,
         speeds,
         load: load.unwrap_or(Course::Constant(case.contact.load)),
+        approach,
+        start,
     };
     transient.check(case, root)?;
     Ok(Some(transient))
@@ -171,6 +178,21 @@ fn check_increasing(table: &Table<'_>, key: &str, times: &[f64]) -> Result<(), I
 
 fn speeds(reader: &mut Reader<'_, '_>, motion: &Motion) -> Result<Speeds, InputError> {
     let speed = Bounds::closed(-MAX_SPEED, MAX_SPEED);
+    if reader.table.optional_bool("at_rest")?.unwrap_or(false) {
+        let keys = [
+            "body_1_speed",
+            "body_2_speed",
+            "entrainment_speed",
+            "slide_to_roll_ratio",
+        ];
+        return match keys.into_iter().find(|key| reader.table.contains(key)) {
+            None => Ok(Speeds::Each([0.0, 0.0].map(Course::Constant))),
+            Some(key) => Err(reader
+                .table
+                .error(key, "surfaces that are at rest have no speed")
+                .with_help("leave out `at_rest`")),
+        };
+    }
     let mut of = |key, base| reader.course(key, base, Dimension::SPEED, speed);
     let own = [motion.body_1_speed(), motion.body_2_speed()];
     let each = [of("body_1_speed", own[0])?, of("body_2_speed", own[1])?];
@@ -201,8 +223,8 @@ fn speeds(reader: &mut Reader<'_, '_>, motion: &Motion) -> Result<Speeds, InputE
 }
 
 /// Reads courses.
-struct Reader<'r, 't> {
-    table: &'r mut Table<'t>,
+pub(super) struct Reader<'r, 't> {
+    pub(super) table: &'r mut Table<'t>,
     duration: f64,
     folder: &'r Path,
 }
@@ -225,7 +247,7 @@ const KINDS: [(&str, Kind); 4] = [
 
 impl Reader<'_, '_> {
     /// The course of a quantity that begins at `base`; `None` where the case gives none.
-    fn course(
+    pub(super) fn course(
         &mut self,
         key: &str,
         base: f64,
@@ -394,8 +416,9 @@ fn quantity(
 }
 
 impl Transient {
-    /// The largest entrainment speed, m/s, and load that occur, by which all others are measured.
-    pub fn reference(&self) -> [f64; 2] {
+    /// The largest entrainment speed, m/s, and load that occur, by which all others are measured. Where bodies come near to each other from afar, the speed of oil that leaves
+    /// the contact, V R/a, and the force of their impact count, too.
+    pub fn reference(&self, case: &Case) -> [f64; 2] {
         let speed = match &self.speeds {
             Speeds::Mean { entrainment, .. } => entrainment.largest(self.duration),
             Speeds::Each(each) => {
@@ -404,7 +427,15 @@ impl Transient {
                 0.5 * (first + second)
             }
         };
-        [speed, self.load.largest(self.duration)]
+        let load = self.load.largest(self.duration);
+        if self.start == Start::Steady {
+            return [speed, load];
+        }
+        let [velocity, load] = approach::reference(case, &self.approach, self.start, load);
+        let mut contact = case.contact.clone();
+        contact.load = load;
+        let half_width = Hertz::new(&contact, case.reduced_modulus()).half_width;
+        [speed.max(velocity * contact.radius / half_width), load]
     }
 
     fn entrainment(&self, time: f64) -> f64 {
@@ -415,14 +446,21 @@ impl Transient {
     /// Refuses starts without a steady film and loads beyond what a contact bears.
     fn check(&self, case: &Case, root: &Table<'_>) -> Result<(), InputError> {
         let start = self.entrainment(0.0);
-        let [speed, load] = self.reference();
-        if start < 1e-6 * speed || start <= 0.0 {
+        let [speed, load] = self.reference(case);
+        let is_steady = self.start == Start::Steady;
+        if is_steady && (start < 1e-6 * speed || start <= 0.0) {
             return Err(root
                 .error(
                     "transient",
                     format!("time begins with a steady film, and the entrainment speed at t = 0 is {start} m/s"),
                 )
-                .with_help("begin with a slow speed; later it may vanish and turn"));
+                .with_help("begin with a slow speed; later it may vanish and turn. Bodies that are at rest may start apart: start = \"apart\""));
+        }
+        if speed <= 0.0 {
+            return Err(root.error(
+                "transient",
+                "nothing moves: the surfaces are at rest, and the bodies do not come near to each other",
+            ));
         }
         let mut contact = case.contact.clone();
         contact.load = load;
@@ -431,7 +469,7 @@ impl Transient {
             return Err(root.error(
                 "transient",
                 format!(
-                    "the largest load gives a Hertz pressure of {}, outside 1 kPa to 5 GPa",
+                    "the largest force gives a Hertz pressure of {}, outside 1 kPa to 5 GPa",
                     crate::words::pressure(hertz.pressure)
                 ),
             ));

@@ -5,13 +5,14 @@ use std::sync::Arc;
 use ertel_fem::platform::Instant as Clock;
 
 use crate::case::{Case, Transient};
-use crate::contact::Motion;
+use crate::contact::{Hertz, Motion};
 use crate::engine::Observer;
 use crate::params::Method;
 use crate::problem::{largest_cell, problem_by_slices, with_reliefs};
 use crate::solution::{Figure, Measured};
 use crate::transient::{
-    Conditions, Course, Info, Instant, Params, Speeds, TransientError, TransientObserver, march,
+    Approach, Conditions, Course, Info, Instant, Mover, Params, Speeds, Start, TransientError,
+    TransientObserver, march,
 };
 use crate::volumes::Plan;
 use crate::volumes::engine::LEAST_GRIDS;
@@ -20,7 +21,7 @@ use crate::volumes::film::PatchedFilm;
 use crate::volumes::patches::widest;
 use crate::volumes::roller_zone::with_rows_by_film;
 use crate::warning::{Warning, WarningKind};
-use crate::words::digits;
+use crate::words::{digits, pressure};
 
 /// Follows a case through time.
 pub trait InstantObserver: Observer {
@@ -54,6 +55,12 @@ pub struct InstantSolution {
     pub speeds: [f64; 2],
     /// Load, N, of line contacts N/m.
     pub load: f64,
+    /// By how much the bodies have come nearer since t = 0, m.
+    pub approach: f64,
+    /// Its rate, m/s; negative where they part.
+    pub approach_velocity: f64,
+    /// Force of the film, N, of line contacts N/m.
+    pub film_force: f64,
     /// Figures with error bars: what the grids may err by at this instant, and the tolerance of the steps.
     pub measured: Measured,
     /// Length of the step that led here, s; 0 at the start.
@@ -89,7 +96,7 @@ pub struct FilmMap {
 /// What became of a case in time.
 #[derive(Debug)]
 pub struct TransientSolution {
-    /// Instants from the steady start on.
+    /// Instants from the start on.
     pub instants: Vec<InstantSolution>,
     /// Centrelines at the output times.
     pub profiles: Vec<InstantProfile>,
@@ -114,7 +121,33 @@ const MAP_PLACES: usize = 240;
 /// Mass error from which a warning is given.
 const MASS_ERROR: f64 = 1e-2;
 
-/// Solves a case with `[transient]` from its steady state on.
+impl TransientSolution {
+    /// Whether the film bears another force than the load at some instant: a body moves by its inertia, or its approach is given.
+    pub fn moves(&self) -> bool {
+        let differs = |i: &InstantSolution| (i.film_force - i.load).abs() > 1e-2 * i.load;
+        self.instants.iter().any(differs)
+    }
+
+    /// Coefficient of restitution of a body that fell on the film and has left it: the velocity at which it goes over that at which it came.
+    pub fn restitution(&self) -> Option<f64> {
+        let (first, last) = (self.instants.first()?, self.instants.last()?);
+        let largest = self
+            .instants
+            .iter()
+            .fold(0.0_f64, |m, i| m.max(i.film_force));
+        let has_left = last.film_force < NO_FORCE * largest && last.approach_velocity < 0.0;
+        let fell = first.film_force == 0.0 && first.approach_velocity > 0.0;
+        (fell && has_left).then(|| -last.approach_velocity / first.approach_velocity)
+    }
+}
+
+/// Share of the largest force of an impact below which a body has left the film.
+const NO_FORCE: f64 = 1e-4;
+
+/// Half-widths from the centre to the edges, times the root of the gap over a²/R, where bodies are apart at the start: rigid parabolas lose 1/200 of their force beyond.
+const REACH_APART: f64 = 20.0;
+
+/// Solves a case with `[transient]` from its start on.
 ///
 /// # Panics
 /// For a case without.
@@ -130,7 +163,7 @@ fn solve_here(
     observer: &mut dyn InstantObserver,
 ) -> TransientSolution {
     let clock = Clock::now();
-    let [speed, load] = transient.reference();
+    let [speed, load] = transient.reference(case);
     let mut reference = case.clone();
     reference.contact.load = load;
     reference.motion = Motion::straight(speed, case.motion.slide_to_roll_ratio);
@@ -138,8 +171,18 @@ fn solve_here(
     let mut problem = problem_by_slices(&reference).with_plan(plan(&reference));
     let (length, film) = (problem.scales.length, problem.scales.film);
     let unit = length / speed;
-    let conditions = conditions(transient, [speed, load], unit);
-    if conditions.turns() {
+    let conditions = conditions(transient, [speed, load, film], unit);
+    if let Start::Apart { gap, .. } = conditions.start {
+        // Oil leaves to all sides, from where the case does not say otherwise.
+        problem.start_film = gap.max(problem.start_film.min(1.0));
+        let reach = REACH_APART * gap.max(1.0).sqrt();
+        let extents = &mut problem.extents;
+        extents.inlet = case.mesh.inlet.unwrap_or(-reach);
+        extents.outlet = case.mesh.outlet.unwrap_or(reach);
+        if case.mesh.side.is_none() {
+            extents.side = reach;
+        }
+    } else if conditions.turns() {
         // What was the outlet becomes the inlet.
         problem.extents.outlet = problem.extents.outlet.max(-problem.extents.inlet);
     }
@@ -187,6 +230,7 @@ fn solve_here(
         }
     }
     found.warnings.extend(warnings(&found));
+    found.warnings.extend(too_hard(case, &found));
     found.wall_seconds = clock.elapsed().as_secs_f64();
     found
 }
@@ -199,8 +243,8 @@ fn plan(case: &Case) -> Plan {
     }
 }
 
-/// What changes, over the scales of the contact.
-fn conditions(transient: &Transient, [speed, load]: [f64; 2], unit: f64) -> Conditions {
+/// What changes, over the scales of the contact: speed, load, film thickness, and seconds in T.
+fn conditions(transient: &Transient, [speed, load, film]: [f64; 3], unit: f64) -> Conditions {
     let over = |course: &Course, value: f64| course.scaled(1.0 / unit, 1.0 / value);
     Conditions {
         speeds: match &transient.speeds {
@@ -214,6 +258,22 @@ fn conditions(transient: &Transient, [speed, load]: [f64; 2], unit: f64) -> Cond
             Speeds::Each(speeds) => Speeds::Each(speeds.each_ref().map(|u| over(u, speed))),
         },
         load: over(&transient.load, load),
+        approach: match &transient.approach {
+            Approach::Massless => Approach::Massless,
+            Approach::Given(course) => Approach::Given(over(course, film)),
+            Approach::Body(body) => Approach::Body(Mover {
+                mass: body.mass * film / (unit * unit) / load,
+                damping: body.damping * film / unit / load,
+                stiffness: body.stiffness * film / load,
+            }),
+        },
+        start: match transient.start {
+            Start::Steady => Start::Steady,
+            Start::Apart { gap, velocity } => Start::Apart {
+                gap: gap / film,
+                velocity: velocity * unit / film,
+            },
+        },
         duration: transient.duration / unit,
         instants: transient.output_times.iter().map(|t| t / unit).collect(),
     }
@@ -277,6 +337,9 @@ impl TransientObserver for Collector<'_> {
             time,
             speeds: instant.speeds.map(|u| u * self.speed),
             load: instant.load * self.load,
+            approach: instant.approach * film,
+            approach_velocity: instant.approach_velocity * film / self.unit,
+            film_force: instant.film_force * self.load,
             measured: instant.measured,
             step: instant.step * self.unit,
             newton_iterations: instant.newton_iterations,
@@ -300,6 +363,22 @@ impl TransientObserver for Collector<'_> {
     fn cancelled(&self) -> bool {
         self.observer.cancelled()
     }
+}
+
+/// Hertz pressure beyond which no law of a film holds, Pa.
+const HARDEST: f64 = 5e9;
+
+/// Tells of a film force that a dry contact bears only with a pressure beyond all laws: of an impact, or of an approach that is given, it is known at the end alone.
+fn too_hard(case: &Case, found: &TransientSolution) -> Option<Warning> {
+    let mut contact = case.contact.clone();
+    contact.load = (found.instants.iter()).fold(0.0, |m, instant| instant.film_force.max(m));
+    let hertz = Hertz::new(&contact, case.reduced_modulus());
+    (found.moves() && hertz.pressure > HARDEST).then(|| {
+        Warning::from(format!(
+            "the film force comes to a Hertz pressure of {}, beyond 5 GPa: laws of the lubricant do not hold there",
+            pressure(hertz.pressure)
+        ))
+    })
 }
 
 /// What the user should know of the instants.

@@ -15,7 +15,7 @@ use crate::forms::energy::{BodyHeat, Heat, Heights};
 use crate::volumes::contents::Arrival;
 use crate::volumes::convolution::Convolution;
 use crate::volumes::grid::{Grid, RING};
-use crate::volumes::system::{Linearised, State, System};
+use crate::volumes::system::{Balance, Linearised, State, System};
 use crate::volumes::tests::problem;
 
 const AMBIENT: f64 = 313.15;
@@ -84,6 +84,7 @@ impl Channel {
             arrival: Arrival::Flooded,
             warmth: Vec::new(),
             storage: None,
+            balance: Balance::LOAD,
             grid,
         };
         Channel {

@@ -30,6 +30,7 @@ fn row() -> (System, State) {
         arrival: Arrival::Flooded,
         warmth: Vec::new(),
         storage: None,
+        balance: Balance::LOAD,
         grid,
     };
     (system, state)

@@ -248,7 +248,10 @@ pub fn transient_page(case: &CaseEcho, found: &TransientSolution, pictures: &[Pi
         warnings: (texts(&found.warnings).into_iter())
             .map(str::to_owned)
             .collect(),
-        results: part(|out| write_transient(out, found), "Results"),
+        results: part(
+            |out| write_transient(out, found, case.contact.kind.load_unit()),
+            "Results",
+        ),
         inputs: part(|out| write_case(out, case), "Case at the start"),
         case_file: case.case_file.as_deref(),
         pictures: pictures.iter().map(|p| STANDARD.encode(&p.svg)).collect(),

@@ -38,6 +38,9 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
                 "body_1_speed": instant.speeds[0],
                 "body_2_speed": instant.speeds[1],
                 "load": instant.load,
+                "approach": instant.approach,
+                "approach_velocity": instant.approach_velocity,
+                "film_force": instant.film_force,
                 "figures": figures,
                 "unresolved": unresolved(instant),
                 "step": instant.step,
@@ -56,6 +59,15 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
             })
         })
         .collect();
+    let mut units = units(is_line);
+    for (name, unit) in [
+        ("approach", "m"),
+        ("approach_velocity", "m/s"),
+        ("film_force", if is_line { "N/m" } else { "N" }),
+        ("coefficient_of_restitution", "1"),
+    ] {
+        units[name] = json!(unit);
+    }
     Ok(json!({
         "format": TRANSIENT_FORMAT,
         "format_version": FORMAT_VERSION,
@@ -64,6 +76,7 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
         "title": case.title,
         "complete": found.failure.is_none(),
         "reason": found.failure.as_ref().map(ToString::to_string),
+        "coefficient_of_restitution": found.restitution(),
         "steps": found.info.steps,
         "refused_steps": found.info.refused,
         "newton_iterations": found.info.newton_iterations,
@@ -72,6 +85,6 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
         "instants": instants,
         "profiles": profiles,
         "case": { "given": case.given, "si": serde_json::to_value(case)? },
-        "units": units(is_line),
+        "units": units,
     }))
 }

@@ -63,6 +63,9 @@ fn check_finite(found: &TransientSolution) -> Result<(), OutputError> {
         let own = [
             instant.mass_error,
             instant.load,
+            instant.approach,
+            instant.approach_velocity,
+            instant.film_force,
             instant.speeds[0],
             instant.speeds[1],
         ];
@@ -94,7 +97,7 @@ fn write_files(
     root.file("report.txt", |out| {
         out.write_all(transient_report(case, found, None).as_bytes())
     })?;
-    let pictures = pictures(&case.title, found)?;
+    let pictures = pictures(&case.title, found, case.contact.kind.load_unit())?;
     root.file(REPORT_PAGE, |out| {
         out.write_all(transient_page(case, found, &pictures).as_bytes())
     })?;
@@ -107,8 +110,13 @@ fn write_files(
     Ok(())
 }
 
-fn pictures(title: &str, found: &TransientSolution) -> Result<Vec<Picture>, OutputError> {
-    let films = Picture::new("film-time", film_over_time(title, found).drawing());
+fn pictures(
+    title: &str,
+    found: &TransientSolution,
+    force_unit: &str,
+) -> Result<Vec<Picture>, OutputError> {
+    let films = film_over_time(title, found, force_unit).drawing();
+    let films = Picture::new("film-time", films);
     let map = map_of_film(title, found)?;
     let map = map.map(|drawing| Picture::new("film-map", drawing));
     Ok(std::iter::once(films).chain(map).collect())

@@ -16,8 +16,8 @@ use ertel_plot::drawing::{
 use ertel_plot::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis};
 use ertel_plot::png::encode;
 
-/// Central and minimum film over time, the entrainment speed on the right, dashed.
-pub fn film_over_time(title: &str, found: &TransientSolution) -> Chart {
+/// Central and minimum film over time; on the right, dashed, the entrainment speed, or the force of the film where a body moves by its inertia.
+pub fn film_over_time(title: &str, found: &TransientSolution, force_unit: &str) -> Chart {
     let instants = &found.instants;
     let film = |instant: &InstantSolution, figure| instant.measured.estimate(figure).value;
     let largest = (instants.iter())
@@ -57,7 +57,19 @@ pub fn film_over_time(title: &str, found: &TransientSolution) -> Chart {
     );
     chart.series = films.to_vec();
     let first = instants.first().map_or(0.0, speed);
-    if instants.iter().any(|instant| speed(instant) != first) {
+    if found.moves() {
+        let force = |instant: &InstantSolution| instant.film_force;
+        let forces = instants.iter().map(force).chain([0.0]);
+        let label = format!("Film force ({force_unit})");
+        chart.y_right = Some(Axis::linear_around(&label, forces));
+        chart.series.push(series(
+            "film force",
+            PALETTE[2],
+            Look::Dashed,
+            Side::Right,
+            &force,
+        ));
+    } else if instants.iter().any(|instant| speed(instant) != first) {
         let speeds = instants.iter().map(speed).chain([0.0]);
         chart.y_right = Some(Axis::linear_around("Entrainment speed (m/s)", speeds));
         chart.series.push(series(

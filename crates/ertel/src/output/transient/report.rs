@@ -8,7 +8,7 @@ use super::super::pictures::film_unit;
 use crate::case::CaseEcho;
 use crate::run::transient::{InstantSolution, TransientSolution};
 use crate::solution::Figure;
-use crate::words::digits;
+use crate::words::{digits, length};
 
 /// Extremes over time, the instants of the output, warnings, effort.
 pub fn transient_report(
@@ -19,7 +19,7 @@ pub fn transient_report(
     let mut out = Lines::default();
     out.title(&case.title);
     out.heading("Results");
-    write_results(&mut out, found);
+    write_results(&mut out, found, case.contact.kind.load_unit());
     out.warnings(&found.warnings);
     if let Some(folder) = folder {
         out.line(&format!("Results in {}", folder.display()));
@@ -28,7 +28,11 @@ pub fn transient_report(
 }
 
 /// The same without title and warnings.
-pub(in crate::output) fn write_results(out: &mut Lines, found: &TransientSolution) {
+pub(in crate::output) fn write_results(
+    out: &mut Lines,
+    found: &TransientSolution,
+    force_unit: &str,
+) {
     let instants = &found.instants;
     let (Some(first), Some(last)) = (instants.first(), instants.last()) else {
         if let Some(failure) = &found.failure {
@@ -65,6 +69,34 @@ pub(in crate::output) fn write_results(out: &mut Lines, found: &TransientSolutio
             );
         }
     }
+    let moves = found.moves();
+    if moves {
+        let by = |value: fn(&InstantSolution) -> f64| {
+            instants
+                .iter()
+                .max_by(move |a, b| value(a).total_cmp(&value(b)))
+        };
+        if let Some(instant) = by(|instant| instant.film_force) {
+            out.row(
+                "largest film force",
+                format!(
+                    "{} {} at {}",
+                    digits(instant.film_force, 4),
+                    force_unit,
+                    at(instant.time, time)
+                ),
+            );
+        }
+        if let Some(instant) = by(|instant| instant.approach) {
+            out.row(
+                "largest approach",
+                format!("{} at {}", length(instant.approach), at(instant.time, time)),
+            );
+        }
+        if let Some(share) = found.restitution() {
+            out.row("coefficient of restitution", digits(share, 3));
+        }
+    }
     out.heading("Instants");
     let times: Vec<f64> = found.profiles.iter().map(|profile| profile.time).collect();
     let rows: Vec<Vec<String>> = (instants.iter())
@@ -72,23 +104,40 @@ pub(in crate::output) fn write_results(out: &mut Lines, found: &TransientSolutio
         .map(|instant| {
             vec![
                 at(instant.time, time),
-                format!(
-                    "{} m/s",
-                    digits(0.5 * (instant.speeds[0] + instant.speeds[1]), 4)
+                match moves {
+                    true => format!("{} m/s", digits(instant.approach_velocity, 4)),
+                    false => format!(
+                        "{} m/s",
+                        digits(0.5 * (instant.speeds[0] + instant.speeds[1]), 4)
+                    ),
+                },
+                digits(
+                    if moves {
+                        instant.film_force
+                    } else {
+                        instant.load
+                    },
+                    4,
                 ),
-                digits(instant.load, 4),
                 shown(instant, Figure::FilmCentral),
                 shown(instant, Figure::FilmMinimum),
             ]
         })
         .collect();
-    let head = ["time", "speed", "load", "central film", "minimum film"];
+    let [speed, load] = match moves {
+        true => ["approach", "film force"],
+        false => ["speed", "load"],
+    };
+    let head = ["time", speed, load, "central film", "minimum film"];
     out.table(Table {
         head: head.map(String::from).to_vec(),
         widths: vec![(10, 2), (12, 2), (10, 2), (18, 2), (18, 2)],
         rows,
     });
-    out.note("entrainment speed; load in N, of line contacts in N/m; error bars hold what the grids may err by at that instant, and the tolerance of the steps");
+    out.note(match moves {
+        true => "velocity of approach, and force of the film in N, of line contacts in N/m; error bars hold what the grids may err by at that instant, and the tolerance of the steps",
+        false => "entrainment speed; load in N, of line contacts in N/m; error bars hold what the grids may err by at that instant, and the tolerance of the steps",
+    });
     out.heading("Effort");
     let mass = instants
         .iter()

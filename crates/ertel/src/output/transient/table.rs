@@ -17,6 +17,9 @@ pub fn transient_table(found: &TransientSolution, is_line: bool) -> String {
         "body_1_speed_m_per_s".to_owned(),
         "body_2_speed_m_per_s".to_owned(),
         titled("load", load_unit),
+        "approach_m".to_owned(),
+        "approach_velocity_m_per_s".to_owned(),
+        titled("film_force", load_unit),
     ];
     for figure in &told {
         let (name, unit) = (figure.name(), figure.unit(is_line));
@@ -29,11 +32,14 @@ pub fn transient_table(found: &TransientSolution, is_line: bool) -> String {
         let [first, second] = instant.speeds;
         let _ = write!(
             text,
-            "{},{:e},{:e},{first:e},{second:e},{:e}",
+            "{},{:e},{:e},{first:e},{second:e},{:e},{:e},{:e},{:e}",
             i + 1,
             instant.time,
             0.5 * (first + second),
-            instant.load
+            instant.load,
+            instant.approach,
+            instant.approach_velocity,
+            instant.film_force
         );
         for figure in &told {
             let measured = &instant.measured;

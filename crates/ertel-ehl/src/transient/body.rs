@@ -1,0 +1,197 @@
+//! How the distance of the bodies follows: from the load, from the motion of a body, or as it is given.
+//!
+//! ```text
+//!   massless:  ∫P = w̄ ∫P_r                body:  M A + C V + K (H_0 − H_0(0)) = ∫P − w̄ ∫P_r,   V = D H_0, A = D V        given:  H_0 = H_0(0) − z(T)
+//! ```
+//! D is the derivative in time of the film's steps ([`super::scheme`]). The spring bears nothing at the start.
+
+use std::collections::VecDeque;
+
+use super::Course;
+use super::scheme::Weights;
+use crate::volumes::system::Balance;
+
+/// What the distance of the bodies follows from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Approach {
+    /// The film carries the load at each instant.
+    Massless,
+    /// One of the bodies moves towards the other by its inertia.
+    Body(Mover),
+    /// The distance z by which they come nearer than at the start, in a²/R.
+    Given(Course),
+}
+
+/// A body of some mass with spring and damper, over the load of reference.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Mover {
+    /// M: mass times a²/R (u_r/a)² over the load of reference.
+    pub mass: f64,
+    /// C: damping times a²/R u_r/a over it.
+    pub damping: f64,
+    /// K: stiffness times a²/R over it.
+    pub stiffness: f64,
+}
+
+/// What time begins with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Start {
+    /// The steady contact of the conditions at T = 0, at rest along the normal.
+    Steady,
+    /// Bodies that do not touch, without pressure between them.
+    Apart {
+        /// H between them at the centre.
+        gap: f64,
+        /// −∂H_0/∂T: the velocity at which they come nearer.
+        velocity: f64,
+    },
+}
+
+impl Start {
+    /// ∂H_0/∂T at T = 0.
+    pub fn velocity(&self) -> f64 {
+        match self {
+            Start::Steady => 0.0,
+            Start::Apart { velocity, .. } => -velocity,
+        }
+    }
+}
+
+/// H_0 of a grid over time.
+#[derive(Clone, Debug)]
+pub struct Separations {
+    /// H_0(0).
+    origin: f64,
+    /// H_0 at the instants that count, the newest first.
+    places: VecDeque<f64>,
+    /// V there.
+    velocities: VecDeque<f64>,
+}
+
+impl Separations {
+    /// At the start.
+    pub fn new(origin: f64, velocity: f64) -> Separations {
+        Separations {
+            origin,
+            places: VecDeque::from([origin]),
+            velocities: VecDeque::from([velocity]),
+        }
+    }
+
+    /// What the pressures are to balance at the end of a step to an instant; `unit` is ∫P_r.
+    pub fn balance(&self, approach: &Approach, weights: &Weights, time: f64, unit: f64) -> Balance {
+        match approach {
+            Approach::Massless => Balance::LOAD,
+            Approach::Given(course) => Balance {
+                load: 0.0,
+                separation: 1.0,
+                given: course.at(time) - course.at(0.0) - self.origin,
+            },
+            Approach::Body(Mover {
+                mass,
+                damping,
+                stiffness,
+            }) => {
+                let (rate, [place, velocity]) = (weights.rate(), self.past(weights));
+                // ∂(M A + C V + K H_0)/∂H_0, and what of it the past gives.
+                let stiff = unit * (mass * rate * rate + damping * rate + stiffness);
+                let rest = unit
+                    * (mass * (rate * place + velocity) + damping * place
+                        - stiffness * self.origin);
+                // In heights of the film, as the rows of the nodes.
+                let share = 1.0 / (1.0 + stiff);
+                Balance {
+                    load: share,
+                    separation: share * stiff,
+                    given: share * rest,
+                }
+            }
+        }
+    }
+
+    /// Σ c_k of the instants before, of H_0 and of V.
+    fn past(&self, weights: &Weights) -> [f64; 2] {
+        [&self.places, &self.velocities].map(|values| weights.past_of(values.iter().copied()))
+    }
+
+    /// V at the end of a step that leads to H_0.
+    pub fn velocity(&self, weights: &Weights, separation: f64) -> f64 {
+        weights.rate() * separation + self.past(weights)[0]
+    }
+
+    /// Goes on to the end of a step.
+    pub fn accept(&mut self, separation: f64, velocity: f64, memory: usize) {
+        for (values, newest) in [
+            (&mut self.places, separation),
+            (&mut self.velocities, velocity),
+        ] {
+            values.push_front(newest);
+            values.truncate(memory);
+        }
+    }
+
+    /// Forgets what was before the newest instant.
+    pub fn forget(&mut self) {
+        self.places.truncate(1);
+        self.velocities.truncate(1);
+    }
+
+    /// By how much the bodies have come nearer since the start, and the velocity at which they do.
+    pub fn approached(&self) -> [f64; 2] {
+        [self.origin - self.places[0], -self.velocities[0]]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    /// A mass on a spring and a damper without film (∫P = 0) under a constant load from its rest: x'' + 2ζx' + x = −w has the closed form
+    /// x = −w (1 − e^(−ζT)(cos ωT + ζ/ω sin ωT)), ω = √(1 − ζ²). Halving the steps divides the error by four.
+    #[test]
+    fn a_damped_mass_follows_its_closed_form() {
+        let (zeta, load, unit, origin) = (0.2_f64, 0.7, 1.3, 5.0);
+        let mover = Approach::Body(Mover {
+            mass: 1.0,
+            damping: 2.0 * zeta,
+            stiffness: 1.0,
+        });
+        let omega = (1.0 - zeta * zeta).sqrt();
+        let exact = |t: f64| {
+            let swing = (omega * t).cos() + zeta / omega * (omega * t).sin();
+            origin - load * (1.0 - (-zeta * t).exp() * swing)
+        };
+        let error = |n: usize| {
+            let step = 4.0 / n as f64;
+            let mut own = Separations::new(origin, 0.0);
+            let mut times = vec![0.0];
+            for i in 1..=n {
+                times.insert(0, step * i as f64);
+                times.truncate(4);
+                let weights = Weights::new(&times);
+                let balance = own.balance(&mover, &weights, times[0], unit);
+                // load (w ∫P_r − 0) + separation H_0 + given = 0
+                let separation = -(balance.load * load * unit + balance.given) / balance.separation;
+                own.accept(separation, own.velocity(&weights, separation), 3);
+            }
+            let [near, _] = own.approached();
+            (origin - near - exact(4.0)).abs()
+        };
+        let [coarse, fine] = [200, 400].map(error);
+        let order = (coarse / fine).log2();
+        assert!((1.8..2.3).contains(&order), "{order}: {coarse} {fine}");
+        assert!(fine < 1e-3 * load, "{fine}");
+    }
+
+    /// A given course moves the bodies from where they were.
+    #[test]
+    fn a_given_course_counts_from_the_start() {
+        let own = Separations::new(2.0, 0.0);
+        let course = Approach::Given(Course::Table(vec![[0.0, 0.5], [1.0, 1.5]]));
+        let balance = own.balance(&course, &Weights::new(&[0.5, 0.0]), 0.5, 1.0);
+        assert_relative_eq!(-balance.given / balance.separation, 1.5);
+        assert_eq!(balance.load, 0.0);
+    }
+}
