@@ -53,6 +53,11 @@ fn a_ramp_is_solved_written_and_replaced() {
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
         let shown = text(&output.stdout);
         assert!(shown.contains("highest central film thickness"), "{shown}");
+        // A Newtonian oil without heat.
+        assert!(
+            shown.contains("larger than measured for any lubricant"),
+            "{shown}"
+        );
     }
     let out = folder.path().join("out");
     let result = json(&out.join("transient.json"));

@@ -5,7 +5,7 @@ use ertel_input::{Bounds, InputError, Table};
 use super::Case;
 use super::thermal::SolidHeat;
 use crate::contact::{Contact, ContactKind, Hertz, equivalent_body};
-use crate::params::{ElasticModel, Method};
+use crate::params::{ElasticModel, Method, SensitivityDemand};
 use crate::volumes;
 use crate::warning::{Warning, WarningKind};
 use crate::words::{digits, length, pressure};
@@ -411,4 +411,21 @@ fn heat_about(case: &Case) -> Option<volumes::HeatAbout> {
 fn rounded(value: f64, direction: fn(f64) -> f64) -> String {
     let step = 10_f64.powf(value.log10().floor() - 3.0);
     digits(direction(value / step) * step, 4)
+}
+
+/// What a machine of many contacts does not make of its inputs: neither sensitivities nor what their uncertainties do to its figures.
+pub(super) fn inputs_of_machine(case: &Case) -> Option<Warning> {
+    case.whole.as_ref()?;
+    let uncertain =
+        (case.inputs().iter()).find(|input| input.written && input.uncertainty.is_some());
+    let what = match uncertain {
+        Some(input) => format!("the uncertainty of {} has no effect", input.key),
+        None if case.output.sensitivities == SensitivityDemand::All => {
+            "[output] sensitivities has no effect".to_owned()
+        }
+        None => return None,
+    };
+    Some(Warning::from(format!(
+        "{what}: of a whole machine neither is computed; vary its inputs in a study"
+    )))
 }

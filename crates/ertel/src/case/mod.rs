@@ -187,6 +187,11 @@ impl Case {
     pub fn from_document(document: &Document, folder: &Path) -> Result<Self, InputError> {
         let mut case = Self::without_curve(document, folder, BTreeMap::new())?;
         case.curve = curve::read(document, folder, &case)?;
+        let draws_none = (case.curve.as_ref()).is_some_and(|curve| !curve.folders);
+        if draws_none && case.output.interferogram.is_some() {
+            let text = "[output.interferogram] is drawn in the folders of the points alone: [curve] folders = true";
+            case.warnings.push(Warning::from(text.to_owned()));
+        }
         if case.curve.is_none() {
             case.read_contacts(document, folder, &BTreeMap::new())?;
         }
@@ -352,6 +357,7 @@ impl Case {
         case.warnings
             .extend(surface::check(&case, &mut document.root())?);
         case.warnings.extend(transient::warnings(&case));
+        case.warnings.extend(check::inputs_of_machine(&case));
         let mut unusual = usual::warnings(case.inputs(), document);
         unusual.extend(usual::of_data(&case, &unusual));
         case.warnings.extend(unusual);

@@ -549,3 +549,16 @@ fn limits_of_unknowns_have_bounds() {
         assert!(error.contains("from 1000 to 2000000"), "{error}");
     }
 }
+
+/// Interferograms are drawn of the points of a curve where these have folders, and the user is told so.
+#[test]
+fn a_curve_draws_interferograms_in_folders_alone() {
+    let curve = "[curve]\nquantity = \"contact.load\"\nvalues = [\"20 N\", \"40 N\"]\n";
+    let optics = "[output.interferogram]\nwavelength = \"600 nm\"\nrefractive_index = 1.47\nphase_change = \"180 deg\"\n";
+    let told = |more: &str| {
+        let case = read(&format!("{STEEL}{optics}{curve}{more}")).unwrap();
+        case.warnings.iter().any(|w| w.contains("folders = true"))
+    };
+    assert!(told(""));
+    assert!(!told("folders = true\n"));
+}

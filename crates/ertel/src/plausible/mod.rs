@@ -99,17 +99,11 @@ fn friction(case: &Case, traction: &Traction, hertz_pressure: f64) -> Option<War
     let stress = traction.shear_stress_maximum.value;
     let largest = LARGEST_STRESS_RATIO * hertz_pressure;
     let (excess, what) = if slides && coefficient > LARGEST_TRACTION {
-        let what = format!(
-            "a traction coefficient of {} is larger than measured for any lubricant (about 0.12)",
-            digits(
-                match traction.across {
-                    Some(_) => coefficient,
-                    None => traction.coefficient.value,
-                },
-                3
-            )
-        );
-        (coefficient / LARGEST_TRACTION, what)
+        let told = match traction.across {
+            Some(_) => coefficient,
+            None => traction.coefficient.value,
+        };
+        (coefficient / LARGEST_TRACTION, too_much_traction(told))
     } else if stress > largest {
         let what = format!(
             "a shear stress of {} is beyond what lubricants bear (about 0.1 of the pressure, here {})",
@@ -120,12 +114,7 @@ fn friction(case: &Case, traction: &Traction, hertz_pressure: f64) -> Option<War
     } else {
         return None;
     };
-    let missing = left_out_of_friction(case);
-    let why = match &missing[..] {
-        [] => "look at the constants of the lubricant's laws".to_owned(),
-        [one] => format!("the case leaves out {one}"),
-        [all @ .., last] => format!("the case leaves out {} and {last}", all.join(", ")),
-    };
+    let why = why_so_much_friction(case);
     let (kind, unusable) = match slides || stress > GROSS_STRESS_RATIO * hertz_pressure {
         true => (
             WarningKind::Friction,
@@ -138,6 +127,38 @@ fn friction(case: &Case, traction: &Traction, hertz_pressure: f64) -> Option<War
     };
     let text = format!("{what}: {why}; {unusable}");
     Some(Warning::beyond(kind, excess, text))
+}
+
+fn too_much_traction(coefficient: f64) -> String {
+    format!(
+        "a traction coefficient of {} is larger than measured for any lubricant (about 0.12)",
+        digits(coefficient, 3)
+    )
+}
+
+/// What to look at where friction is beyond what lubricants transmit.
+fn why_so_much_friction(case: &Case) -> String {
+    match &left_out_of_friction(case)[..] {
+        [] => "look at the constants of the lubricant's laws".to_owned(),
+        [one] => format!("the case leaves out {one}"),
+        [all @ .., last] => format!("the case leaves out {} and {last}", all.join(", ")),
+    }
+}
+
+/// The same of a contact in time, by its largest traction coefficient; and of its largest film, m, beside the bodies.
+pub fn in_time(case: &Case, coefficient: f64, film: f64) -> Vec<Warning> {
+    let excess = coefficient.abs() / LARGEST_TRACTION;
+    let friction = (excess > 1.0).then(|| {
+        let (what, why) = (too_much_traction(coefficient), why_so_much_friction(case));
+        let text = format!("{what}: {why}; do not use the friction of this result");
+        Warning::beyond(WarningKind::Friction, excess, text)
+    });
+    let thick = thick_film(
+        "the largest central film thickness",
+        film,
+        smallest_radius(case),
+    );
+    friction.into_iter().chain(thick).collect()
 }
 
 /// Says so if a film thickness, m, is not small beside the radius, m. `film` names it.

@@ -8,6 +8,7 @@ use crate::case::{Case, Transient};
 use crate::contact::{Hertz, Motion};
 use crate::engine::Observer;
 use crate::params::Method;
+use crate::plausible;
 use crate::problem::{largest_cell, problem_by_slices, with_reliefs};
 use crate::solution::{Figure, Measured};
 use crate::transient::{
@@ -231,6 +232,22 @@ fn solve_here(
     }
     found.warnings.extend(warnings(&found));
     found.warnings.extend(too_hard(case, &found));
+    let largest = |figure| {
+        let values = found
+            .instants
+            .iter()
+            .map(|instant| instant.measured.estimate(figure).value);
+        values
+            .filter(|value| value.is_finite())
+            .fold(0.0, |m: f64, value| match value.abs() > m.abs() {
+                true => value,
+                false => m,
+            })
+    };
+    let [friction, film] = [Figure::TractionCoefficient, Figure::FilmCentral].map(largest);
+    found
+        .warnings
+        .extend(plausible::in_time(case, friction, film));
     found.wall_seconds = clock.elapsed().as_secs_f64();
     found
 }
@@ -351,7 +368,7 @@ impl TransientObserver for Collector<'_> {
             time,
             duration: self.duration,
             steps: self.found.instants.len() - 1,
-            seconds_left: elapsed * (1.0 - share) / share,
+            seconds_left: elapsed * (1.0 - share).max(0.0) / share,
             film_central: central,
         });
     }

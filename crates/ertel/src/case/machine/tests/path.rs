@@ -356,3 +356,15 @@ fn teeth_have_their_temperature() {
         );
     }
 }
+
+/// What is not computed of a machine is not left out silently.
+#[test]
+fn uncertainties_of_a_machine_are_told_to_have_no_effect() {
+    let told = |machine: &str| {
+        let case = fzg(machine).unwrap();
+        let text = "the uncertainty of machine.pinion_torque has no effect";
+        case.warnings.iter().any(|w| w.contains(text))
+    };
+    assert!(!told(FZG));
+    assert!(told(&FZG.replace("94.1 N.m", "94.1 N.m ± 5 %")));
+}
