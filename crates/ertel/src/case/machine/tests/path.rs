@@ -334,7 +334,7 @@ fn bad_gears_are_refused() {
 fn teeth_have_their_temperature() {
     let path = FZG.replace("kind =", "bulk_temperature = \"90 degC\"\nkind =");
     let alone = path
-        .replace("points = 5\nload_sharing = \"thirds\"\n", "")
+        .replace("points = 5\n", "")
         .replace("\"path\"", "\"pitch point\"");
     for machine in [path, alone] {
         let of = |thermal: &str| {
