@@ -7,12 +7,13 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Pages whose commands are run, each in one folder from the first to the last.
-const RUN: [&str; 11] = [
+const RUN: [&str; 12] = [
     "guide/tutorial.md",
     "guide/bearing.md",
     "guide/gear.md",
     "guide/cam.md",
     "guide/rig.md",
+    "guide/time.md",
     "guide/own-oil.md",
     "guide/surfaces.md",
     "guide/refrigerant.md",

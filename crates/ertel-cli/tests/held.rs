@@ -82,6 +82,13 @@ const HELD: &[Held] = &[
         place: Pointer("/statistics/film_central"),
         cells: &[(0, "bias", 100.0)],
     },
+    Held::row(
+        "time",
+        "The film in the centre is ",
+        "results/waves/transient.csv",
+        0,
+        &[(0, "film_central_m", 1e9)],
+    ),
     Held::row("rig", "| 0.01 | ", TRACTION, 0, TRACTION_CELLS),
     Held::row("rig", "| 0.1 | ", TRACTION, 4, TRACTION_CELLS),
     Held::row("rig", "| 0.6 | ", TRACTION, 9, TRACTION_CELLS),
@@ -193,7 +200,7 @@ pub fn check(page: &str, text: &str, folder: &Path) {
 /// Every page of a person's job has numbers.
 #[test]
 fn every_job_has_numbers() {
-    for page in ["bearing", "gear", "cam", "rig", "own-oil"] {
+    for page in ["bearing", "gear", "cam", "rig", "time", "own-oil"] {
         assert!(HELD.iter().any(|held| held.page == page), "{page}");
     }
 }

@@ -111,14 +111,10 @@ pub(in crate::output) fn write_results(
                         digits(0.5 * (instant.speeds[0] + instant.speeds[1]), 4)
                     ),
                 },
-                digits(
-                    if moves {
-                        instant.film_force
-                    } else {
-                        instant.load
-                    },
-                    4,
-                ),
+                match moves {
+                    true => format!("{} {force_unit}", digits(instant.film_force, 4)),
+                    false => format!("{} {force_unit}", digits(instant.load, 4)),
+                },
                 shown(instant, Figure::FilmCentral),
                 shown(instant, Figure::FilmMinimum),
             ]
@@ -131,12 +127,12 @@ pub(in crate::output) fn write_results(
     let head = ["time", speed, load, "central film", "minimum film"];
     out.table(Table {
         head: head.map(String::from).to_vec(),
-        widths: vec![(10, 2), (12, 2), (10, 2), (18, 2), (18, 2)],
+        widths: vec![(10, 2), (12, 2), (13, 2), (18, 2), (18, 2)],
         rows,
     });
     out.note(match moves {
-        true => "velocity of approach, and force of the film in N, of line contacts in N/m; error bars hold what the grids may err by at that instant, and the tolerance of the steps",
-        false => "entrainment speed; load in N, of line contacts in N/m; error bars hold what the grids may err by at that instant, and the tolerance of the steps",
+        true => "velocity of approach, and force of the film; error bars hold what the grids may err by at that instant, and the tolerance of the steps",
+        false => "entrainment speed; error bars hold what the grids may err by at that instant, and the tolerance of the steps",
     });
     out.heading("Effort");
     let mass = instants
