@@ -4,6 +4,7 @@
 use crate::common;
 
 use ertel::contact::ContactKind;
+use ertel::params::Method;
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
 use ertel::solution::Estimate;
@@ -92,6 +93,7 @@ fn circular() {
             (MeshParams::adaptive(2e-3, kind), 5e-3),
         ] {
             let mut case = common::moes_case(kind, m, l);
+            case.solver.method = Some(Method::FiniteElements);
             let [inlet, outlet, side] = area.map(Some);
             case.mesh = MeshParams {
                 inlet,

@@ -385,23 +385,29 @@ pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64, least: [f64; 2]) -> Bars
 }
 
 /// The largest pressure is known no better than a narrow peak that no grid resolves and that may be higher: on the finest grids it still grows, by as much from grid to grid.
-/// One that only the last two grids see tells of no order.
+/// Of one that fewer than three grids see nothing is known but that it is there.
 fn widen_by_peak(bars: &mut Bars, peak: Figure, of_grids: [Option<&Figures>; 3]) {
     let values = of_grids.map(|figures| figures?.value(peak));
     let largest = of_grids[0].and_then(|figures| figures.value(Figure::PressureMaximum));
-    let (Some(height), Some(largest)) = (values[0], largest) else {
+    let (Some(height), Some(largest), Some(_)) = (values[0], largest, of_grids[1]) else {
+        // None of the figures of a single grid has a bar.
         return;
     };
-    let own = bars
-        .get(peak)
-        .filter(|_| values.iter().all(Option::is_some));
-    let error = own.map_or(height, |bar| bar.value);
-    let Some(bar) = bars.get(Figure::PressureMaximum) else {
-        return;
+    let mut widen = |figure: Figure, error: f64| {
+        let bar = bars.get(figure);
+        let value = bar.map_or(error, |bar| bar.value.max(error));
+        let place = bar.and_then(|bar| bar.place);
+        bars.set(figure, Bar { value, place });
+        value
     };
+    let unknown = if values.iter().all(Option::is_some) {
+        0.0
+    } else {
+        height
+    };
+    let error = widen(peak, unknown);
     if error > peak.widest_bar() * height && height + error > largest {
-        let value = bar.value.max(error);
-        bars.set(Figure::PressureMaximum, Bar { value, ..bar });
+        widen(Figure::PressureMaximum, error);
     }
 }
 
