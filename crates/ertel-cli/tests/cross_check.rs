@@ -27,7 +27,7 @@ target_error = 0.02
 fn both_methods_side_by_side() {
     let folder = TempDir::new().unwrap();
     write(&folder, "case.toml", CASE);
-    for extra in [&[][..], &["--set", "solver.method=\"finite-volumes\""]] {
+    for extra in [&[][..], &["--set", "solver.method=\"finite-elements\""]] {
         let arguments = [
             &[
                 "case.toml",
@@ -49,8 +49,8 @@ fn both_methods_side_by_side() {
         let table = read(&folder, "out/cross-check.csv");
         let head = table.lines().next().unwrap();
         let names = match extra.is_empty() {
-            true => ["finite_elements", "finite_volumes"],
-            false => ["finite_volumes", "finite_elements"],
+            true => ["finite_volumes", "finite_elements"],
+            false => ["finite_elements", "finite_volumes"],
         };
         let [own, other] = names;
         assert_eq!(
