@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _ertel
 from ._ertel import CaseError
@@ -58,7 +59,7 @@ def write_map(
     if sizes is None:
         raise CaseError("sizes: lengths of the sides of the map")
     try:
-        heights = np.ma.filled(np.ma.asarray(values, dtype=float), np.nan)
+        heights: NDArray[np.float64] = np.ma.filled(np.ma.asarray(values, dtype=float), np.nan)
         lengths = np.atleast_1d(np.asarray(sizes, dtype=float))
     except (TypeError, ValueError) as error:
         raise CaseError(f"heights and sizes are numbers: {error}") from None
