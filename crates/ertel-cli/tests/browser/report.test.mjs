@@ -68,9 +68,9 @@ async function reads(page, figure, field, value, tolerance) {
   close(read[field], value, tolerance, `${figure} under the cursor`);
 }
 
-// The ellipse as shipped stands at an angle and takes minutes.
+// The ellipse as shipped stands at an angle and takes minutes; the page of the circle as shipped has 90,000 nodes of finite volumes.
 const COARSE = ["mesh.target_error=2 %", "mesh.pressure_error=20 %", "contact.entrainment_angle=0 deg"];
-for (const [name, kind, settings] of [["ball-on-disc", "circular"], ["ball-in-groove", "elliptical", COARSE], ["squalane-thermal", "thermal"]]) {
+for (const [name, kind, settings] of [["ball-on-disc", "circular", ["mesh.target_error=2 %"]], ["ball-in-groove", "elliptical", COARSE], ["squalane-thermal", "thermal"]]) {
   describe(kind, () => {
     let output;
     let result;
@@ -83,7 +83,9 @@ for (const [name, kind, settings] of [["ball-on-disc", "circular"], ["ball-in-gr
       const page = await open(join(output, "report.html"));
       const { summary } = result;
       await reads(page, "film_central", "film_thickness", summary.film_central.value, 1e-6);
-      await reads(page, "film_minimum", "film_thickness", summary.film_minimum.value, 1e-6);
+      // The page draws finite volumes by lines between nodes, and the figure is the vertex of parabolas through them.
+      const { value, error } = summary.film_minimum;
+      await reads(page, "film_minimum", "film_thickness", value, result.stats.method === "finite-volumes" ? error / value : 1e-6);
       // On the flank of the pressure ridge a coordinate in single precision counts for more.
       await reads(page, "pressure_maximum", "pressure", summary.pressure_maximum.value, 1e-4);
       assert.deepEqual(page.troubles, []);
