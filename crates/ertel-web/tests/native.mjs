@@ -51,8 +51,9 @@ const CLASSES = [
   { name: "places", of: (path) => /^\.(summary|figures)\..*\.[xyz]$/.test(path), scale: (result) => result.hertz.half_width, tolerance: 1e-6 },
   // By adjoints of their own tolerance; beside 1, a power law.
   { name: "sensitivities", of: (path) => /^\.sensitivities(_per_kelvin)?\b/.test(path), scale: () => 1, tolerance: 1e-4 },
-  // At the edge of the steepest rise of pressure, what Newton's method leaves (a residual of 1e-8) is largest: 1.6e-9 was seen.
-  { name: "extremes", of: (path) => /^\.(summary|figures)\.pressure_spike\.value$|^\.(traction|figures)\.shear_stress_maximum\.value$/.test(path), tolerance: 1e-8 },
+  // At the edge of the steepest rise of pressure, what Newton's method leaves (a residual of 1e-8) is largest: 1.6e-9 was seen; it counts in what
+  // finite volumes dissipate, 1.3e-9 was seen.
+  { name: "extremes", of: (path) => /^\.checks\.power\.other$|^\.(summary|figures)\.pressure_spike\.value$|^\.(traction|figures)\.shear_stress_maximum\.value$/.test(path), tolerance: 1e-8 },
   { name: "figures", of: () => true, tolerance: 1e-9 },
 ];
 
