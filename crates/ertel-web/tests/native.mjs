@@ -46,7 +46,7 @@ const CLASSES = [
   // Adjoints that weigh errors are solved to 1e-4, and what they weigh are small differences: 6.8e-3 was seen.
   { name: "error bars", of: (path) => /error$/.test(path) && !/balance_error$|^\.checks\b/.test(path), tolerance: 2e-2 },
   // Small differences of large numbers: compared beside 1.
-  { name: "balances", of: (path) => /balance_error$|^\.checks\.(power|rolling)\.error$/.test(path), scale: () => 1, tolerance: 1e-9 },
+  { name: "balances", of: (path) => /balance_error$|^\.checks\.(power|rolling)\.error$|^\.formulas\.\d+\.difference_/.test(path), scale: () => 1, tolerance: 1e-9 },
   // Where a film or pressure is extreme it is flat: 1e-15 of the value is 3e-8 of the half-width.
   { name: "places", of: (path) => /^\.(summary|figures)\..*\.[xyz]$/.test(path), scale: (result) => result.hertz.half_width, tolerance: 1e-6 },
   // By adjoints of their own tolerance; beside 1, a power law.
