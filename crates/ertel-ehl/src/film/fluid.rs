@@ -74,7 +74,7 @@ impl FilmFluid {
         }
     }
 
-    /// A fluid with laws that may be this one's, in scales near by: what was tabulated of equal laws is shared, and its thinning law is not tabulated.
+    /// A fluid with laws that may be this one's, in scales near by: what was tabulated of equal laws is shared.
     pub fn beside(
         &self,
         density: &DensityLaw,

@@ -86,14 +86,6 @@ impl Thinning {
         }
     }
 
-    /// A law for few evaluations.
-    pub fn untabled(law: &ShearThinning) -> Thinning {
-        Thinning {
-            law: law.clone(),
-            table: None,
-        }
-    }
-
     /// The same law with exponentials that grow less, by a factor `softness` ≥ 1 in the stress of an e-fold beyond a limiting
     /// stress, and by its root in Eyring's stress.
     ///

@@ -378,16 +378,7 @@ fn a_mass_comes_to_the_steady_film() {
             entrainment: Course::Table(vec![[0.0, 0.0], [1.0, 1.0]]),
             slide_to_roll_ratio: Course::Constant(0.0),
         },
-        approach: Approach::Body(Mover {
-            mass: 0.05,
-            damping: 0.5,
-            stiffness: 0.0,
-        }),
-        start: Start::Apart {
-            gap: 0.5,
-            velocity: 0.0,
-        },
-        ..steady(16.0)
+        ..falling()
     };
     let (films, _) = run(line().problem(), &conditions, &params(1e-2));
     let last = films.0.last().unwrap();
@@ -427,10 +418,9 @@ fn a_spring_takes_its_share() {
     assert_relative_eq!(shared + near, 1.1, max_relative = 1e-3);
 }
 
-/// Where steps may not get as short as the film asks for, time ends there with how far it came; what was told until then stands.
-#[test]
-fn time_that_ends_early_says_how_far_it_came() {
-    let conditions = Conditions {
+/// A damped mass that falls from a gap.
+fn falling() -> Conditions {
+    Conditions {
         approach: Approach::Body(Mover {
             mass: 0.05,
             damping: 0.5,
@@ -441,7 +431,13 @@ fn time_that_ends_early_says_how_far_it_came() {
             velocity: 0.0,
         },
         ..steady(16.0)
-    };
+    }
+}
+
+/// Where steps may not get as short as the film asks for, time ends there with how far it came; what was told until then stands.
+#[test]
+fn time_that_ends_early_says_how_far_it_came() {
+    let conditions = falling();
     let params = Params {
         smallest_step: 0.02,
         ..params(1e-3)
