@@ -49,7 +49,7 @@ const COURSES: [Course; 6] = [
         modulus: "210 GPa",
         viscosity: "40 mPa.s",
         speed: "1 m/s",
-        transient: "duration = \"4 ms\"\nload = { course = \"sine\", amplitude = \"50 kN/m\", frequency = \"1 kHz\" }",
+        transient: "duration = \"4 ms\"\nload = { course = \"sine\", amplitude = \"50 kN/m\", period = \"1 ms\" }",
         surface: "",
         tolerance: 0.004,
     },
@@ -60,7 +60,7 @@ const COURSES: [Course; 6] = [
         viscosity: "40 mPa.s",
         speed: "1 m/s",
         transient: "duration = \"1 ms\"",
-        surface: "kind = \"groove\"\nbody = \"body_2\"\nradius = \"40 um\"\ndepth = \"200 nm\"\nx = \"-0.4 mm\"",
+        surface: "kind = \"groove\"\nbody = \"body_2\"\nhalf_width = \"40 um\"\ndepth = \"200 nm\"\nx = \"-0.4 mm\"",
         tolerance: 0.005,
     },
     Course {
