@@ -106,6 +106,13 @@ pub struct SolveArgs {
     /// where one differs by more than the sum of both
     #[arg(long, conflicts_with_all = ["check", "monte_carlo"])]
     pub cross_check: bool,
+    /// Of a case in time: keep what the run needs to go on in `<results>.checkpoint`, each time that this wall time has passed, such as "10 min",
+    /// and where Ctrl-C stops it
+    #[arg(long, value_name = "TIME", conflicts_with = "check")]
+    pub checkpoint: Option<String>,
+    /// Of a case in time: go on from `<results>.checkpoint`
+    #[arg(long, conflicts_with = "check")]
+    pub resume: bool,
     /// Exit code 0 also where an error bar is wider than half of a figure
     #[arg(long)]
     pub accept_unresolved: bool,

@@ -7,6 +7,7 @@
 mod args;
 mod cases;
 mod check;
+mod checkpoint;
 mod colour;
 mod compare;
 mod estimate;

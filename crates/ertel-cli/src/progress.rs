@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use ertel::output::{self};
+use ertel::run::checkpoint::Checkpoint;
 use ertel::run::transient::{InstantObserver, Reached};
 use ertel::solution::IterationRecord;
 use ertel::solve::Observer;
@@ -14,6 +15,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use serde_json::{Value, json};
 
+use crate::checkpoint::Checkpoints;
 use crate::events::Events;
 use crate::print;
 
@@ -24,6 +26,7 @@ pub struct Progress<'a> {
     /// Which point of a curve is being solved; empty outside of curves.
     point: String,
     level: String,
+    checkpoints: Checkpoints,
 }
 
 enum Display<'a> {
@@ -58,7 +61,18 @@ impl<'a> Progress<'a> {
             cancelled,
             point: String::new(),
             level: String::new(),
+            checkpoints: Checkpoints::default(),
         }
+    }
+
+    /// Keeps checkpoints in a file.
+    pub fn keep(&mut self, checkpoints: Checkpoints) {
+        self.checkpoints = checkpoints;
+    }
+
+    /// Gives it back.
+    pub fn kept(&mut self) -> Checkpoints {
+        std::mem::take(&mut self.checkpoints)
     }
 
     /// Progress as events for programs.
@@ -153,9 +167,11 @@ impl InstantObserver for Progress<'_> {
                 "film_central": reached.film_central,
             }),
         );
-        let left = match reached.seconds_left.is_finite() {
-            true => format!(", about {} s left", digits(reached.seconds_left, 2)),
-            false => String::new(),
+        let left = match reached.seconds_left {
+            left if left.is_finite() && reached.time < reached.duration => {
+                format!(", about {} s left", digits(left, 2))
+            }
+            _ => String::new(),
         };
         self.show(format!(
             "step {}: {} of {} s, central film {}{left}",
@@ -164,6 +180,14 @@ impl InstantObserver for Progress<'_> {
             digits(reached.duration, 4),
             length(reached.film_central)
         ));
+    }
+
+    fn wants_checkpoint(&self) -> bool {
+        self.checkpoints.is_due()
+    }
+
+    fn checkpoint(&mut self, checkpoint: Checkpoint) {
+        self.checkpoints.write(&checkpoint);
     }
 }
 

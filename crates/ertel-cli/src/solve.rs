@@ -16,6 +16,7 @@ use ertel::warning::{Warning, by_kind};
 use serde_json::{Value, json};
 
 use crate::args::SolveArgs;
+use crate::checkpoint::Checkpoints;
 use crate::events::{Events, path_text};
 use crate::failure::Failure;
 use crate::given::Given;
@@ -118,9 +119,20 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
     };
     if case.transient.is_some() {
         events.warn(&case.warnings);
-        let found = run::transient::solve(case, &mut progress);
+        let (file, from) = Checkpoints::open(case, folder, arguments)?;
+        progress.keep(file);
+        let found = run::transient::solve_from(case, from, &mut progress);
+        let file = progress.kept();
         drop(progress);
-        return transient::write(case, &found, folder, arguments, events);
+        let written = transient::write(case, &found, folder, arguments, events);
+        file.close(found.failure.is_none() && written.is_ok())?;
+        return written;
+    }
+    if arguments.checkpoint.is_some() || arguments.resume {
+        return Err(Failure::Argument(format!(
+            "{}: --checkpoint and --resume are for cases with [transient]",
+            given.name
+        )));
     }
     if let Some(curve) = &case.curve {
         let solution = solve_curve(curve, &mut progress);

@@ -96,6 +96,8 @@ fn wrong<'a>(path: &str, row: &'a Row) -> (&'static str, Check<'a>) {
 
 /// Keys that no shipped case has: a file, and what stands in it besides or in place of its own.
 const OTHERS: &str = r#"
+cases/ball-on-disc-starved.toml
+    transient={ duration = "1 ms", oil_layer = { course = "ramp", end = "1 ms", to = "100 nm" } }
 crates/ertel-cli/tests/good/quick.toml
     motion={ plane_speed = "1 m/s", ball_speed = "1 m/s" }
     bodies={ plane = "steel", ball = "steel" }
@@ -107,6 +109,7 @@ crates/ertel-cli/tests/good/quick.toml
     transient={ duration = "1 ms", body_1_speed = { course = "step", at = "1 ms", to = "1 m/s" }, body_2_speed = { course = "table", file = "none.csv" } }
     transient={ duration = "1 ms", slide_to_roll_ratio = { course = "table", times = ["0 s", "1 ms"], values = [0.0, 0.1] } }
     transient={ duration = "1 ms", mass = "1 kg", damping = "1 N.s/m", stiffness = "1 N/m", start = "apart", gap = "5 um", approach_velocity = "1 mm/s" }
+    transient={ duration = "1 ms", cavities = "conserved", temperature = { course = "ramp", end = "1 ms", to = "50 degC" }, radius = { course = "ramp", end = "1 ms", to = "20 mm" } }
     transient={ duration = "1 ms", approach = { course = "ramp", end = "1 ms", to = "10 nm" } }
     curve={ quantity = "contact.radius", from = "10 mm", to = "20 mm", points = 3 }
     lubricant.viscosity={ law = "walther", a = 8.0, b = 3.0, alpha = "20 1/GPa", reference_temperature = "40 degC" }

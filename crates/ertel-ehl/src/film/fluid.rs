@@ -99,6 +99,15 @@ impl FilmFluid {
         }
     }
 
+    /// The same fluid at another temperature in K, in the same scales.
+    #[must_use]
+    pub fn at_bulk(&self, temperature: f64) -> FilmFluid {
+        FilmFluid {
+            properties: Arc::new(self.properties.at_bulk(temperature)),
+            ..self.clone()
+        }
+    }
+
     /// Whether density and viscosity are those of another fluid in other scales.
     pub fn shares_laws(&self, other: &FilmFluid) -> bool {
         self.properties.shares_laws(&other.properties)

@@ -107,6 +107,16 @@ impl Properties {
         })
     }
 
+    /// Those of the same laws at another temperature in K, in the same scales.
+    pub fn at_bulk(&self, temperature: f64) -> Properties {
+        let units = [
+            self.pressure_scale,
+            self.density_scale,
+            self.ln_viscosity_scale.exp(),
+        ];
+        Properties::new(&self.density, &self.viscosity, temperature, units)
+    }
+
     /// Whether these are the same laws at the same temperature, in any scales.
     pub fn shares_laws(&self, other: &Properties) -> bool {
         self.density == other.density

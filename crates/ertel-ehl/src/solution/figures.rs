@@ -1,6 +1,7 @@
 //! The figures that a solve is asked for, mesh by mesh, and their error bars.
 
-use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde::ser::{SerializeMap, Serializer};
+use serde::{Deserialize, Serialize};
 
 use super::{Estimate, Located};
 
@@ -245,7 +246,7 @@ pub type Figures = PerFigure<Reading>;
 pub type Bars = PerFigure<Bar>;
 
 /// A figure as read off a mesh, SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Reading {
     /// The figure.
     pub value: f64,
@@ -260,7 +261,7 @@ pub struct Reading {
 }
 
 /// Half-widths of the error bar of a figure, SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Bar {
     /// Of its value.
     pub value: f64,
@@ -269,14 +270,40 @@ pub struct Bar {
 }
 
 /// The figures of a solution with their bars.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Measured {
     /// The figures.
+    #[serde(with = "in_order")]
     pub figures: Figures,
     /// The bars that could be told.
+    #[serde(with = "in_order")]
     pub bars: Bars,
     /// Half-width of the contact, m, beside which places are told or not.
     pub half_width: f64,
+}
+
+/// All of them in their order, for files of our own.
+mod in_order {
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    use super::PerFigure;
+
+    pub fn serialize<T: Serialize, S: Serializer>(
+        of: &PerFigure<T>,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(&of.0)
+    }
+
+    pub fn deserialize<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<PerFigure<T>, D::Error> {
+        let all = Vec::<Option<T>>::deserialize(deserializer)?;
+        let n = all.len();
+        let known = all.try_into().map(PerFigure);
+        known.map_err(|_| D::Error::invalid_length(n, &"one for each figure"))
+    }
 }
 
 impl<T> Default for PerFigure<T> {

@@ -78,6 +78,25 @@ impl Separations {
         }
     }
 
+    /// H_0(0), and H_0 and V at the instants that count.
+    pub(super) fn memory(&self) -> (f64, [Vec<f64>; 2]) {
+        let all = [&self.places, &self.velocities];
+        (
+            self.origin,
+            all.map(|values| values.iter().copied().collect()),
+        )
+    }
+
+    /// From these.
+    pub(super) fn remembered(origin: f64, values: [&Vec<f64>; 2]) -> Separations {
+        let [places, velocities] = values.map(|values| values.iter().copied().collect());
+        Separations {
+            origin,
+            places,
+            velocities,
+        }
+    }
+
     /// What the pressures are to balance at the end of a step to an instant; `unit` is ∫P_r.
     pub fn balance(&self, approach: &Approach, weights: &Weights, time: f64, unit: f64) -> Balance {
         match approach {

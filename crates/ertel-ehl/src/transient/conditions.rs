@@ -47,6 +47,16 @@ impl Speeds {
     }
 }
 
+/// What gaps hold where the film has broken, of contacts with more oil than they take.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Cavities {
+    /// As much oil as fits, from beside the contact: no film is missing where it closes again.
+    #[default]
+    Refilled,
+    /// What has flown in, as those of starved contacts (Jakobsson and Floberg 1957, Olsson 1965).
+    Conserved,
+}
+
 /// What changes in time, over the scales of the contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Conditions {
@@ -54,6 +64,14 @@ pub struct Conditions {
     pub speeds: Speeds,
     /// Load.
     pub load: Course,
+    /// Radius of the bodies.
+    pub radius: Course,
+    /// Temperature of bodies and oil, K; that of the problem's fluid where there is none.
+    pub temperature: Option<Course>,
+    /// H_oil of the layer that arrives, in a²/R; as in the problem where there is none.
+    pub layer: Option<Course>,
+    /// What gaps hold where the film has broken.
+    pub cavities: Cavities,
     /// What the distance of the bodies follows from.
     pub approach: Approach,
     /// What time begins with.
@@ -62,6 +80,27 @@ pub struct Conditions {
     pub duration: f64,
     /// Instants that a step ends at, beside kinks.
     pub instants: Vec<f64>,
+}
+
+/// Nothing changes, and no time passes.
+impl Default for Conditions {
+    fn default() -> Conditions {
+        Conditions {
+            speeds: Speeds::Mean {
+                entrainment: Course::Constant(1.0),
+                slide_to_roll_ratio: Course::Constant(0.0),
+            },
+            load: Course::Constant(1.0),
+            radius: Course::Constant(1.0),
+            temperature: None,
+            layer: None,
+            cavities: Cavities::default(),
+            approach: Approach::Massless,
+            start: Start::Steady,
+            duration: 0.0,
+            instants: Vec::new(),
+        }
+    }
 }
 
 /// Points and weights of Gauss's rule of five points on (0, 1).
@@ -91,6 +130,12 @@ impl Conditions {
         sizes.fold(f64::INFINITY, f64::min)
     }
 
+    /// Smallest value of a course over time.
+    pub fn least(&self, course: &Course) -> f64 {
+        let values = self.samples().map(|time| course.at(time));
+        values.fold(f64::INFINITY, f64::min)
+    }
+
     /// Whether the entrainment turns at some time.
     pub fn turns(&self) -> bool {
         self.entrainment().any(|speed| speed < 0.0)
@@ -98,12 +143,17 @@ impl Conditions {
 
     /// The entrainment speed at kinks and between them.
     fn entrainment(&self) -> impl Iterator<Item = f64> {
-        let even = (0..=SAMPLES).map(|i| self.duration * f64::from(i) / f64::from(SAMPLES));
-        let stops = self.stops().into_iter().map(|(stop, _)| stop);
-        even.chain(stops).map(|time| {
+        self.samples().map(|time| {
             let [first, second] = self.speeds.at(time);
             0.5 * (first + second)
         })
+    }
+
+    /// Kinks and instants between them.
+    fn samples(&self) -> impl Iterator<Item = f64> {
+        let even = (0..=SAMPLES).map(|i| self.duration * f64::from(i) / f64::from(SAMPLES));
+        let stops = self.stops().into_iter().map(|(stop, _)| stop);
+        even.chain(stops)
     }
 
     /// Whether an instant was asked for.
@@ -119,8 +169,10 @@ impl Conditions {
             Approach::Given(course) => Some(course),
             Approach::Massless | Approach::Body(_) => None,
         };
-        let kinks = [first, second, &self.load]
+        let kinks = [first, second, &self.load, &self.radius]
             .into_iter()
+            .chain(&self.temperature)
+            .chain(&self.layer)
             .chain(approach)
             .flat_map(Course::kinks);
         let mut stops: Vec<(f64, bool)> = (kinks.map(|t| (t, true)))
@@ -157,10 +209,9 @@ mod tests {
                 to: 0.5,
                 at: 1.5,
             },
-            approach: Approach::Massless,
-            start: Start::Steady,
             duration: 5.0,
             instants: vec![4.0, 2.0, 9.0],
+            ..Conditions::default()
         };
         let [first, second] = conditions.way(0.0, 2.0);
         assert_relative_eq!(first, 3.0, max_relative = 1e-12);
@@ -179,11 +230,8 @@ mod tests {
     fn turns_are_seen_at_kinks() {
         let of = |speeds: Speeds| Conditions {
             speeds,
-            load: Course::Constant(1.0),
-            approach: Approach::Massless,
-            start: Start::Steady,
             duration: 10.0,
-            instants: vec![],
+            ..Conditions::default()
         };
         let dip = |low: f64| {
             let rows = [[0.0, 1.0], [3.0011, 1.0], [3.0012, low], [3.0013, 1.0]];

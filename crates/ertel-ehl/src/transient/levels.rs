@@ -4,12 +4,15 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 
 use super::body::{Approach, Separations, Start};
+use super::checkpoint::{GridMemory, Memory, OtherGrids};
+use super::conditions::Cavities;
 use super::scheme::{MEMORY, Weights, extrapolation};
 use crate::contact::Shape;
 use crate::contact::gap::{GapTerm, Relief};
 use crate::engine::{Observer, Problem};
 use crate::solve::SolveError;
 use crate::volumes::Plan;
+use crate::volumes::contents::Arrival;
 use crate::volumes::deflection::Deflection;
 use crate::volumes::engine::{TOLD, newton_params, pattern};
 use crate::volumes::level::{Level, convolution, first_system, refined};
@@ -38,6 +41,7 @@ pub struct Levels {
     approach: Approach,
     /// ∫P_r.
     unit: f64,
+    cavities: Cavities,
 }
 
 /// Where errors of a step are looked at: the dry contact, and what of it reliefs cover.
@@ -60,6 +64,17 @@ impl Zones {
     }
 }
 
+/// Lets the cavities of a grid hold what flows through them, where the gap counted as full.
+fn conserve(level: &mut Level) {
+    let (system, state) = (&mut level.system, &mut level.state);
+    if system.arrival != Arrival::Flooded {
+        return;
+    }
+    system.arrival = Arrival::FromEdges;
+    state.contents = system.arrival.contents(&state.wetted);
+    state.contents = system.linearise(state).contents;
+}
+
 /// A step that was solved.
 pub struct Trial {
     levels: Vec<Level>,
@@ -73,10 +88,15 @@ pub struct Trial {
     pub error: Option<f64>,
 }
 
-/// ρ̄H at the nodes.
-fn mass(system: &System, state: &State, films: &[f64]) -> Vec<f64> {
-    let of_node = |(p, h): (&f64, &f64)| system.fluid.at(*p).density[0] * h;
-    state.pressure.iter().zip(films).map(of_node).collect()
+/// What the nodes hold: ρ̄H, or their contents where those are less.
+pub(super) fn held(system: &System, state: &State, films: &[f64]) -> Vec<f64> {
+    let of_node = |(k, (p, h)): (usize, (&f64, &f64))| {
+        let full = system.fluid.at(*p).density[0] * h;
+        (state.contents.get(k)).map_or(full, |content| content.min(full))
+    };
+    (state.pressure.iter().zip(films).enumerate())
+        .map(of_node)
+        .collect()
 }
 
 impl Levels {
@@ -88,7 +108,12 @@ impl Levels {
         levels: Vec<Level>,
         (approach, start): (&Approach, Start),
         unit: f64,
+        cavities: Cavities,
     ) -> Result<Levels, SolveError> {
+        let mut levels = levels;
+        if cavities == Cavities::Conserved {
+            levels.iter_mut().for_each(conserve);
+        }
         let fixed = (levels.iter())
             .map(|level| {
                 Ok(Fixed {
@@ -98,7 +123,7 @@ impl Levels {
             })
             .collect::<Result<_, SolveError>>()?;
         let stored = (levels.iter())
-            .map(|level| VecDeque::from([mass(&level.system, &level.state, &level.films)]))
+            .map(|level| VecDeque::from([held(&level.system, &level.state, &level.films)]))
             .collect();
         let separations = (levels.iter())
             .map(|level| Separations::new(level.state.separation, start.velocity()))
@@ -111,6 +136,7 @@ impl Levels {
             times: VecDeque::from([0.0]),
             approach: approach.clone(),
             unit,
+            cavities,
         })
     }
 
@@ -131,6 +157,71 @@ impl Levels {
         self.levels.last().map_or(f64::NAN, |level| {
             load - level.system.load + level.system.integral(&level.state.pressure)
         })
+    }
+
+    /// Lets cavities hold what has flown in, where they are to.
+    fn conserve(&self, system: &mut System) {
+        if self.cavities == Cavities::Conserved && system.arrival == Arrival::Flooded {
+            system.arrival = Arrival::FromEdges;
+        }
+    }
+
+    /// What they remember.
+    pub(super) fn memory(&self) -> Memory {
+        let grids = self.levels.iter().zip(&self.stored).zip(&self.separations);
+        Memory {
+            times: self.times.iter().copied().collect(),
+            grids: grids
+                .map(|((level, stored), separations)| {
+                    let (origin, [places, velocities]) = separations.memory();
+                    GridMemory {
+                        pressure: level.state.pressure.clone(),
+                        wetted: level.state.wetted.clone(),
+                        contents: level.state.contents.clone(),
+                        stored: stored.iter().cloned().collect(),
+                        origin,
+                        places,
+                        velocities,
+                    }
+                })
+                .collect(),
+        }
+    }
+
+    /// Goes on from what others remembered.
+    ///
+    /// # Errors
+    /// For other grids.
+    pub(super) fn remember(&mut self, memory: &Memory) -> Result<(), OtherGrids> {
+        let fits = |(level, grid): (&Level, &GridMemory)| {
+            let n = level.system.grid.n_nodes();
+            let is_whole = |values: &Vec<f64>| values.len() == n;
+            let sizes = [grid.places.len(), grid.velocities.len(), grid.stored.len()];
+            is_whole(&grid.pressure)
+                && grid.wetted.len() == n
+                && (grid.contents.len() == level.state.contents.len())
+                && grid.stored.iter().all(is_whole)
+                && sizes.iter().all(|size| *size == memory.times.len())
+        };
+        let is_like = !memory.times.is_empty()
+            && memory.grids.len() == self.levels.len()
+            && self.levels.iter().zip(&memory.grids).all(fits);
+        if !is_like {
+            return Err(OtherGrids);
+        }
+        self.times = memory.times.iter().copied().collect();
+        for (l, grid) in memory.grids.iter().enumerate() {
+            self.levels[l].state = State {
+                pressure: grid.pressure.clone(),
+                separation: grid.places[0],
+                wetted: grid.wetted.clone(),
+                contents: grid.contents.clone(),
+            };
+            self.stored[l] = grid.stored.iter().cloned().collect();
+            let moved = [&grid.places, &grid.velocities];
+            self.separations[l] = Separations::remembered(grid.origin, moved);
+        }
+        Ok(())
     }
 
     /// Forgets what was before the newest instant, where something has a kink.
@@ -169,9 +260,15 @@ impl Levels {
         for (l, (own, fixed)) in self.levels.iter().zip(&self.fixed).enumerate() {
             let (grid, deflection) = (own.system.grid.clone(), fixed.deflection.clone());
             let (mut system, mut state) = match trial.levels.last_mut() {
-                None => (first_system(problem, grid, deflection), own.state.clone()),
+                None => {
+                    let mut system = first_system(problem, grid, deflection);
+                    self.conserve(&mut system);
+                    let state = arrived(&system, own.state.clone());
+                    (system, state)
+                }
                 Some(before) => {
-                    let (system, beside) = refined(problem, before, grid, deflection);
+                    let (mut system, beside) = refined(problem, before, grid, deflection);
+                    self.conserve(&mut system);
                     let state = carried_on(&system, &own.state, beside);
                     (system, state)
                 }
@@ -199,7 +296,7 @@ impl Levels {
                 return Ok(None);
             }
             let films = system.films(&state);
-            trial.stored.push(mass(&system, &state, &films));
+            trial.stored.push(held(&system, &state, &films));
             let velocity = separations.velocity(&weights, state.separation);
             trial.moved.push([state.separation, velocity]);
             trial.levels.push(Level {
@@ -302,19 +399,34 @@ pub fn apart(problem: &Problem<Plan>, gap: f64) -> Vec<Level> {
     levels
 }
 
-/// The state before as a start: along the edge the pressures are those of the grid before.
+/// The state before as a start: along the edge arrives what arrives at the end of the step.
+fn arrived(system: &System, mut state: State) -> State {
+    let arriving = system.arrival.contents(&state.wetted);
+    for ([i, j], (own, arriving)) in
+        (system.grid.nodes()).zip(state.contents.iter_mut().zip(arriving))
+    {
+        if !system.grid.is_unknown(i, j) {
+            *own = arriving;
+        }
+    }
+    state
+}
+
+/// The state before as a start: along the edge pressures and contents are those of the grid before.
 fn carried_on(system: &System, own: &State, beside: State) -> State {
     let grid = &system.grid;
-    let pressure = (grid.nodes().zip(own.pressure.iter().zip(&beside.pressure)))
-        .map(|([i, j], (own, beside))| match grid.is_unknown(i, j) {
-            true => *own,
-            false => *beside,
-        })
-        .collect();
+    let carried = |own: &[f64], beside: &[f64]| {
+        (grid.nodes().zip(own.iter().zip(beside)))
+            .map(|([i, j], (own, beside))| match grid.is_unknown(i, j) {
+                true => *own,
+                false => *beside,
+            })
+            .collect()
+    };
     State {
-        pressure,
+        pressure: carried(&own.pressure, &beside.pressure),
         separation: own.separation,
         wetted: own.wetted.clone(),
-        contents: own.contents.clone(),
+        contents: carried(&own.contents, &beside.contents),
     }
 }

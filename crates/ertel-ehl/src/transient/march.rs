@@ -1,28 +1,32 @@
 //! From a steady contact through time, in steps whose lengths follow from their errors.
 
+use serde::{Deserialize, Serialize};
+
 use crate::contact::gap::{Body, GapTerm, Relief};
-use crate::contact::{Planar, Shape};
-use crate::engine::figures::sizes;
+use crate::contact::{Inlet, Shape};
 use crate::engine::{Engine, Observer, Problem};
-use crate::solution::{Bar, Figure, Figures, IterationRecord, Measured};
+use crate::solution::{IterationRecord, Measured};
 use crate::solve::SolveError;
-use crate::volumes::ending::{Ends, balance_error};
-use crate::volumes::engine::{TOLD, least_shares};
-use crate::volumes::figures::{bars, figures};
+use crate::volumes::ending::Ends;
 use crate::volumes::level::Level;
 use crate::volumes::{FiniteVolumes, Plan};
 
-use super::body::{Approach, Start};
-use super::conditions::Conditions;
+use super::body::Start;
+use super::checkpoint::{Checkpoint, OtherGrids};
+use super::conditions::{Cavities, Conditions};
 use super::levels::{Levels, Trial, Zones, apart};
+use super::present::Present;
+use super::told::{At, instant};
 
 /// How steps are chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Params {
     /// Relative error of the films that the steps may make in all.
     pub tolerance: f64,
-    /// Largest step in T, over the speed at which the surfaces move then.
+    /// Largest step in T, over the speed at which the surfaces move then, where something is carried to the contact: a relief, a layer of oil, a cavity.
     pub largest_step: f64,
+    /// The same where nothing is.
+    pub longest_step: f64,
     /// Smallest step in T.
     pub smallest_step: f64,
     /// Steps at most.
@@ -34,6 +38,7 @@ impl Default for Params {
         Params {
             tolerance: 3e-3,
             largest_step: 0.5,
+            longest_step: 20.0,
             smallest_step: 1e-8,
             most_steps: 1_000_000,
         }
@@ -102,10 +107,18 @@ pub trait TransientObserver: Send + Sync {
     fn cancelled(&self) -> bool {
         false
     }
+
+    /// Whether what the run needs to go on from here is to be told.
+    fn wants_checkpoint(&self) -> bool {
+        false
+    }
+
+    /// It is told after a step for which it was wanted, and where the run stops early.
+    fn checkpoint(&mut self, _checkpoint: Checkpoint) {}
 }
 
 /// How it went.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Info {
     /// Steps taken.
     pub steps: usize,
@@ -121,6 +134,9 @@ pub enum TransientError {
     /// No steady contact to begin with.
     #[error("the steady contact at the start: {0}")]
     Start(SolveError),
+    /// The checkpoint is not one of this case.
+    #[error(transparent)]
+    OtherGrids(#[from] OtherGrids),
     /// The observer asked to stop.
     #[error("interrupted")]
     Interrupted,
@@ -172,69 +188,14 @@ impl TransientError {
     }
 }
 
-/// Gives the problem the conditions of an instant; load and λ are those of reference at first.
-struct Present<'a> {
-    conditions: &'a Conditions,
-    load: f64,
-    lambda: f64,
-}
-
-/// Speed over that of reference below which the film is at rest.
-const REST: f64 = 1e-6;
-
-/// Force over the load of reference below which the film bears none.
-const NO_FORCE: f64 = 1e-9;
-
 /// Half-widths from the centre within which reliefs count for the length of steps.
 const ABOUT: f64 = 1.1;
-
-impl Present<'_> {
-    /// The same in the scales of the speed at an instant, in which what is read off the film in SI is that of a steady contact at this speed; a film at rest keeps those of
-    /// reference.
-    /// Friction is measured by what the film bears.
-    fn in_own_scales(&self, problem: &mut Problem<Plan>, levels: &Levels) {
-        if self.conditions.approach != Approach::Massless || self.conditions.start != Start::Steady
-        {
-            let force = levels.force(problem.load);
-            // Nothing is told over a force that vanishes.
-            problem.scales.load = if force > NO_FORCE * self.load {
-                force
-            } else {
-                f64::NAN
-            };
-        }
-        let [speed, _] = problem.entrainment.centre;
-        if speed.abs() > REST {
-            problem.scales.lambda *= speed.abs();
-            problem.entrainment = Planar::along_x(speed.signum());
-        }
-    }
-
-    fn set(&self, problem: &mut Problem<Plan>, time: f64, moved: [f64; 2]) {
-        let [first, second] = self.conditions.speeds.at(time);
-        problem.scales.lambda = self.lambda;
-        problem.entrainment = Planar::along_x(0.5 * (first + second));
-        let sliding = Planar::along_x(second - first);
-        problem.fluid = problem.fluid.sliding_by(&sliding, &problem.scales);
-        problem.load = self.load * self.conditions.load.at(time);
-        // What friction is measured by.
-        problem.scales.load = problem.load;
-        for term in &mut problem.shape.gap.terms {
-            if let GapTerm::Relief(relief) = term {
-                relief.moved = match relief.body {
-                    Body::First => moved[0],
-                    Body::Second => moved[1],
-                };
-            }
-        }
-    }
-}
 
 /// The reliefs of a contact.
 fn reliefs(shape: &Shape) -> impl Iterator<Item = &Relief> {
     shape.gap.terms.iter().filter_map(|term| match term {
         GapTerm::Relief(relief) => Some(relief),
-        GapTerm::Roller(_) => None,
+        GapTerm::Roller(_) | GapTerm::Curvature(_) => None,
     })
 }
 
@@ -256,22 +217,42 @@ impl Observer for Quiet<'_> {
 /// # Errors
 /// Without a steady start, when steps get too short, and when the user wants to stop; what the observer was told until then stands.
 pub fn march(
-    mut problem: Problem<Plan>,
+    problem: Problem<Plan>,
     conditions: &Conditions,
     params: &Params,
     observer: &mut dyn TransientObserver,
 ) -> Result<Info, TransientError> {
+    run(problem, conditions, params, None, observer)
+}
+
+/// Goes on from a checkpoint of the same contact, conditions and parameters; the observer is told the instants after it.
+///
+/// # Errors
+/// As [`march`], and for a checkpoint of another contact.
+pub fn resume(
+    problem: Problem<Plan>,
+    conditions: &Conditions,
+    params: &Params,
+    from: &Checkpoint,
+    observer: &mut dyn TransientObserver,
+) -> Result<Info, TransientError> {
+    run(problem, conditions, params, Some(from), observer)
+}
+
+fn run(
+    mut problem: Problem<Plan>,
+    conditions: &Conditions,
+    params: &Params,
+    from: Option<&Checkpoint>,
+    observer: &mut dyn TransientObserver,
+) -> Result<Info, TransientError> {
     let unit = problem.scales.length / problem.scales.entrainment_speed();
-    let present = Present {
-        conditions,
-        load: problem.load,
-        lambda: problem.scales.lambda,
-    };
+    let present = Present::new(&mut problem, conditions);
     let mut moved = [0.0; 2];
     present.set(&mut problem, 0.0, moved);
     let first = match conditions.start {
         Start::Steady => {
-            refine_for_thinnest(&mut problem, conditions, &present, observer.start())?;
+            present.refine_for_thinnest(&mut problem, observer.start())?;
             present.set(&mut problem, 0.0, moved);
             FiniteVolumes.solve(&problem, observer.start())?.levels
         }
@@ -289,20 +270,16 @@ pub fn march(
         return Err(TransientError::Coarse { cell, needed });
     }
     let start = (&conditions.approach, conditions.start);
-    let mut levels = Levels::new(first, start, present.load)?;
+    let mut levels = Levels::new(first, start, present.load, conditions.cavities)?;
     let mut info = Info::default();
-    let start = At {
-        is_asked: true,
-        ..At::default()
+    let tell = |problem: &mut Problem<Plan>,
+                levels: &Levels,
+                at: At,
+                observer: &mut dyn TransientObserver| {
+        present.in_own_scales(problem, levels);
+        let about = (conditions, &present);
+        observer.instant(&instant(levels, problem, about, params, at));
     };
-    present.in_own_scales(&mut problem, &levels);
-    observer.instant(&instant(
-        &levels,
-        &problem,
-        (conditions, &present),
-        params,
-        start,
-    ));
     let target = STEP_ERROR * params.tolerance.powf(1.5);
     // Bodies that are apart by less than a²/R come near to each other within that.
     let first_step = match conditions.start {
@@ -310,7 +287,22 @@ pub fn march(
         Start::Steady => FIRST_STEP,
     };
     let (mut time, mut step) = (0.0, first_step);
-    for (stop, is_kink) in conditions.stops() {
+    match from {
+        Some(from) => {
+            levels.remember(&from.memory)?;
+            (time, step, moved, info) = (from.time, from.step, from.moved, from.info);
+        }
+        None => {
+            let start = At {
+                is_asked: true,
+                ..At::default()
+            };
+            tell(&mut problem, &levels, start, observer);
+        }
+    }
+    let mut ahead = conditions.stops();
+    ahead.retain(|(stop, _)| *stop >= time);
+    for (stop, is_kink) in ahead {
         while time < stop {
             step = step.min(longest_step(&problem, conditions, params, time));
             // No sliver before a stop.
@@ -367,15 +359,18 @@ pub fn march(
                 newton_iterations,
                 is_asked: time == stop && conditions.is_asked(stop),
             };
-            present.in_own_scales(&mut problem, &levels);
-            observer.instant(&instant(
-                &levels,
-                &problem,
-                (conditions, &present),
-                params,
-                at,
-            ));
-            if observer.cancelled() {
+            tell(&mut problem, &levels, at, observer);
+            let is_cancelled = observer.cancelled();
+            if is_cancelled || observer.wants_checkpoint() {
+                observer.checkpoint(Checkpoint {
+                    time,
+                    step,
+                    moved,
+                    info,
+                    memory: levels.memory(),
+                });
+            }
+            if is_cancelled {
                 return Err(TransientError::Interrupted);
             }
         }
@@ -385,41 +380,6 @@ pub fn march(
         }
     }
     Ok(info)
-}
-
-/// Slowest speed over that of reference for whose steady film there are grids: below, films are those that came before.
-const SLOWEST: f64 = 0.1;
-
-/// Share of the speed at the start below which a slower one needs grids of its own.
-const SLOWER: f64 = 0.9;
-
-/// Lets grids be as fine as the steady film needs them under the largest load at the slowest speed, which is thinner than that of the start.
-fn refine_for_thinnest(
-    problem: &mut Problem<Plan>,
-    conditions: &Conditions,
-    present: &Present<'_>,
-    observer: &mut dyn Observer,
-) -> Result<(), TransientError> {
-    let slowest = conditions.slowest().max(SLOWEST);
-    if slowest > SLOWER * problem.entrainment.centre[0] {
-        return Ok(());
-    }
-    problem.entrainment = Planar::along_x(slowest);
-    problem.load = present.load;
-    match FiniteVolumes.solve(problem, observer) {
-        Ok(found) => {
-            let finest = found
-                .levels
-                .last()
-                .map(|level| level.system.grid.spacing[0]);
-            let cell = &mut problem.plan.largest_cell;
-            *cell = finest.map_or(*cell, |finest| cell.min(finest));
-            Ok(())
-        }
-        Err(SolveError::Interrupted) => Err(TransientError::Interrupted),
-        // Time may never come to such a steady state.
-        Err(_) => Ok(()),
-    }
 }
 
 /// Speed over that of reference as which slower ones count for the length of steps.
@@ -434,7 +394,14 @@ fn longest_step(
 ) -> f64 {
     let speeds = conditions.speeds.at(time);
     let fastest = speeds.iter().fold(0.0_f64, |m, u| m.max(u.abs()));
-    let of_motion = params.largest_step / fastest.max(SLOW);
+    let is_carried = reliefs(&problem.shape).next().is_some()
+        || problem.shape.inlet != Inlet::Flooded
+        || conditions.cavities == Cavities::Conserved;
+    let largest = match is_carried {
+        true => params.largest_step,
+        false => params.longest_step,
+    };
+    let of_motion = largest / fastest.max(SLOW);
     let about = reliefs(&problem.shape).filter(|relief| relief.is_within(ABOUT));
     about.fold(of_motion, |step, relief| {
         let speed = speeds[match relief.body {
@@ -443,85 +410,4 @@ fn longest_step(
         }];
         step.min(STEP_OVER_RELIEF * relief.form.finest() / speed.abs().max(SLOW))
     })
-}
-
-/// Distance between the bodies, in a²/R, that is rounding.
-const ROUNDING: f64 = 1e-13;
-
-/// What an instant is told with.
-#[derive(Clone, Copy, Default)]
-struct At {
-    time: f64,
-    step: f64,
-    newton_iterations: usize,
-    is_asked: bool,
-}
-
-/// The newest instant.
-fn instant<'a>(
-    levels: &'a Levels,
-    problem: &'a Problem<Plan>,
-    (conditions, present): (&Conditions, &Present<'_>),
-    params: &Params,
-    at: At,
-) -> Instant<'a> {
-    let load = present.load * conditions.load.at(at.time);
-    let film_force = levels.force(load) / present.load;
-    let [approach, velocity] = levels.approached();
-    // Beside what rounding makes of distances over a step there is none.
-    let approach_velocity = match (velocity * at.step).abs() > ROUNDING {
-        true => velocity,
-        false if at.step == 0.0 => velocity + 0.0,
-        false => 0.0,
-    };
-    let levels = levels.levels();
-    let n = levels.len();
-    let of_grids: Vec<Figures> = (n.saturating_sub(TOLD)..n)
-        .map(|l| figures(problem, &levels[..=l]))
-        .collect();
-    let mut newest = of_grids.iter().rev();
-    let of_grids = [(); TOLD].map(|()| newest.next());
-    let cell = levels
-        .last()
-        .map_or(0.0, |level| level.system.grid.spacing[0]);
-    let figures = of_grids[0].copied().unwrap_or_default();
-    let length = problem.scales.length;
-    let mut bars = bars(of_grids, cell * length, least_shares(problem, cell, false));
-    // What the steps err by adds to what the grids do.
-    for figure in Figure::ALL {
-        if let (Some(bar), Some(reading)) = (bars.get(figure), figures.get(figure)) {
-            let value = bar.value + params.tolerance * reading.size.abs();
-            bars.set(figure, Bar { value, ..bar });
-        }
-    }
-    let measured = Measured {
-        figures,
-        bars,
-        half_width: length,
-    };
-    let mut known = sizes(problem);
-    if known.load.is_nan() {
-        known.load = 0.0;
-    }
-    Instant {
-        time: at.time,
-        speeds: conditions.speeds.at(at.time),
-        load: conditions.load.at(at.time),
-        approach,
-        approach_velocity,
-        film_force,
-        measured: measured.without_rounding(&known),
-        step: at.step,
-        newton_iterations: at.newton_iterations,
-        mass_error: match conditions.start {
-            // Bodies that are apart without pressure gain nothing yet.
-            Start::Apart { .. } if at.time == 0.0 => 0.0,
-            _ => levels.last().map_or(f64::NAN, |level| {
-                balance_error(&level.system, &level.system.linearise(&level.state))
-            }),
-        },
-        is_asked: at.is_asked,
-        problem,
-        levels,
-    }
 }

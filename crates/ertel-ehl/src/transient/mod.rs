@@ -13,22 +13,29 @@
 //! | [`course`] | a quantity over time |
 //! | [`conditions`] | what changes |
 //! | [`body`] | what the distance of the bodies follows from |
+//! | `present` | the contact at an instant |
 //! | [`march`](mod@march) | steps, their errors and lengths |
+//! | [`checkpoint`] | how to go on where a run has stopped |
+//! | `told` | what is told of an instant |
 //! | [`levels`] | one step on all grids |
 //!
 //! Theory: Time.
 
 pub mod body;
+pub mod checkpoint;
 pub mod conditions;
 pub mod course;
 pub mod levels;
 pub mod march;
+mod present;
 pub mod scheme;
+mod told;
 
 pub use body::{Approach, Mover, Start};
-pub use conditions::{Conditions, Speeds};
+pub use checkpoint::{Checkpoint, OtherGrids};
+pub use conditions::{Cavities, Conditions, Speeds};
 pub use course::Course;
-pub use march::{Info, Instant, Params, TransientError, TransientObserver, march};
+pub use march::{Info, Instant, Params, TransientError, TransientObserver, march, resume};
 
 #[cfg(test)]
 mod tests;

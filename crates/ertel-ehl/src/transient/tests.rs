@@ -5,9 +5,7 @@ use ertel_rheology::density::DensityLaw;
 use ertel_rheology::shear::ShearThinning;
 use ertel_rheology::viscosity::ViscosityLaw;
 
-use super::{
-    Approach, Conditions, Course, Info, Instant, Params, Speeds, Start, TransientObserver, march,
-};
+use super::{Conditions, Course, Info, Instant, Params, Speeds, TransientObserver, march};
 use crate::contact::gap::{Body, Form, GapTerm, Relief};
 use crate::contact::{Contact, Hertz, Material, Motion, Scales, Shape, Turn};
 use crate::elastic::Elasticity;
@@ -17,7 +15,9 @@ use crate::solution::Figure;
 use crate::volumes::Plan;
 
 mod body;
+mod resumed;
 mod shapes;
+mod supply;
 
 /// A contact and its oil.
 struct Given {
@@ -133,25 +133,16 @@ fn ramp(duration: f64) -> Conditions {
             entrainment: Course::Table(vec![[1.0, 1.0], [4.0, 0.5]]),
             slide_to_roll_ratio: Course::Constant(SLIDE),
         },
-        load: Course::Constant(1.0),
-        approach: Approach::Massless,
-        start: Start::Steady,
         duration,
         instants: (1..8).map(f64::from).collect(),
+        ..Conditions::default()
     }
 }
 
 fn steady(duration: f64) -> Conditions {
     Conditions {
-        speeds: Speeds::Mean {
-            entrainment: Course::Constant(1.0),
-            slide_to_roll_ratio: Course::Constant(0.0),
-        },
-        load: Course::Constant(1.0),
-        approach: Approach::Massless,
-        start: Start::Steady,
         duration,
-        instants: vec![],
+        ..Conditions::default()
     }
 }
 
@@ -263,11 +254,9 @@ fn a_film_is_entrapped_and_turns() {
     let course = Course::Table(vec![[0.0, 1.0], [0.5, 0.0], [1.5, 0.0], [2.0, -1.0]]);
     let conditions = Conditions {
         speeds: Speeds::Each([course.clone(), course]),
-        load: Course::Constant(1.0),
-        approach: Approach::Massless,
-        start: Start::Steady,
         duration: 8.0,
         instants: vec![1.5],
+        ..Conditions::default()
     };
     let (films, _) = run(problem, &conditions, &Params::default());
     let first = films.0[0];

@@ -3,6 +3,7 @@
 //! ```text
 //!   P ≥ 0,  c ≤ m,  P (m − c) = 0,  G = 0         c: content of a node, what the flow carries away from it
 //!   F = ū min(c_u, m) − …                          u: the node upstream, m: at the face, as where the gap is full
+//!   ∂/∂T min(c, m) in time                         m: of the node
 //! ```
 //! Where there is pressure the gap is full, and the pressure is unknown; elsewhere the content is (Jakobsson and Floberg 1957; Elrod, J. Lubr.
 //! Technol. 103, 1981, 350–354; Woloszynski, Podsiadlo and Stachowiak, Tribol. Lett. 58, 2015, 18). The minimum of both sides makes the flux
@@ -13,8 +14,9 @@
 //!
 //! Theory: Starved inlets.
 
-use super::faces::Face;
+use super::faces::{Face, Node};
 use super::grid::Grid;
+use super::system::Storage;
 use crate::contact::Inlet;
 use crate::engine::Problem;
 
@@ -24,6 +26,8 @@ pub enum Arrival {
     /// The gap is full as far as the grids go.
     #[default]
     Flooded,
+    /// It is full along the edges; within, where the film has broken, it holds what has arrived.
+    FromEdges,
     /// It is full from this X on; there is no pressure before.
     From(f64),
     /// A layer with this m = ρ̄H arrives.
@@ -44,21 +48,26 @@ impl Arrival {
 
     /// Contents of nodes before anything is solved, by whether they are wetted; none where gaps are full.
     pub fn contents(&self, wetted: &[bool]) -> Vec<f64> {
-        let Arrival::Layer(layer) = self else {
-            return Vec::new();
+        let arriving = match self {
+            Arrival::Flooded | Arrival::From(_) => return Vec::new(),
+            Arrival::FromEdges => f64::INFINITY,
+            Arrival::Layer(layer) => *layer,
         };
-        let content = |wetted: &bool| if *wetted { f64::INFINITY } else { *layer };
+        let content = |wetted: &bool| if *wetted { f64::INFINITY } else { arriving };
         wetted.iter().map(content).collect()
     }
 
     /// Whether there may be pressure at X, for nodes at the distance h.
     pub fn may_press(&self, x: f64, h: f64) -> bool {
         match self {
-            Arrival::Flooded | Arrival::Layer(_) => true,
+            Arrival::Flooded | Arrival::FromEdges | Arrival::Layer(_) => true,
             Arrival::From(meniscus) => x > meniscus + ON_MENISCUS * h,
         }
     }
 }
+
+/// What nodes store in time, with what they hold while they are full; none where time does not count.
+pub type Stored<'a> = Option<(&'a Storage, &'a [Node])>;
 
 /// Share of a cell by which rounding may move a node off the meniscus.
 const ON_MENISCUS: f64 = 1e-6;
@@ -93,11 +102,12 @@ pub(super) fn sides(grid: &Grid, k: usize) -> [Side; 4] {
     ]
 }
 
-/// Contents of the nodes that are not wetted, from those of the nodes along the edge: each one passes on what it gets. Infinite where it gets more
-/// than can leave it. The fluxes, which are those of full gaps, become those of the contents.
+/// Contents of the nodes that are not wetted, from those of the nodes along the edge: each one passes on what it gets and does not store. Infinite where it
+/// gets more than can leave it. The fluxes, which are those of full gaps, become those of the contents.
 pub fn distribute(
     grid: &Grid,
     faces: &mut [Vec<Face>; 2],
+    stored: Stored<'_>,
     wetted: &[bool],
     before: &[f64],
 ) -> Vec<f64> {
@@ -108,7 +118,7 @@ pub fn distribute(
     for _ in 0..rounds(turns) {
         let mut is_unchanged = true;
         for k in &order {
-            let content = passed_on(grid, faces, &contents, *k as usize);
+            let content = passed_on(grid, faces, stored, &contents, *k as usize);
             let old = std::mem::replace(&mut contents[*k as usize], content);
             is_unchanged &= content == old || (content - old).abs() <= UNCHANGED * content.abs();
         }
@@ -196,10 +206,21 @@ pub(super) fn upstream(face: &Face, k: usize, step: usize) -> usize {
 }
 
 /// What leaves a node that gets what the contents around it say; faces are those of full gaps.
-fn passed_on(grid: &Grid, faces: &[Vec<Face>; 2], contents: &[f64], k: usize) -> f64 {
-    // What flows out beyond what flows in while the node itself is full, and what is entrained out of it: rates and m at the faces.
+fn passed_on(
+    grid: &Grid,
+    faces: &[Vec<Face>; 2],
+    stored: Stored<'_>,
+    contents: &[f64],
+    k: usize,
+) -> f64 {
+    // What flows out and is stored beyond what flows in while the node itself is full, and what is stored in it and entrained out of it: rates and m at the faces.
     let mut excess = 0.0;
-    let mut leaving = [(0.0, 0.0); 4];
+    let mut leaving = [(0.0, 0.0); 5];
+    if let Some((storage, nodes)) = stored {
+        let full = nodes[k].mass;
+        excess += storage.rate * full + storage.past[k];
+        leaving[4] = (storage.rate, full);
+    }
     for (side, leaving) in sides(grid, k).into_iter().zip(&mut leaving) {
         let face = &faces[side.direction][side.face];
         excess += side.weight * face.flux;
@@ -222,9 +243,9 @@ fn passed_on(grid: &Grid, faces: &[Vec<Face>; 2], contents: &[f64], k: usize) ->
 }
 
 /// The content c at which Σ rate max(m − c, 0) is a given excess.
-fn lowered(leaving: [(f64, f64); 4], excess: f64) -> f64 {
+fn lowered(leaving: [(f64, f64); 5], excess: f64) -> f64 {
     let mut content = f64::NEG_INFINITY;
-    // Each time faces drop out that are full with what the others say, four at most.
+    // Each time those drop out that are full with what the others say, five at most.
     for _ in 0..leaving.len() {
         let short = leaving.iter().filter(|(_, mass)| *mass > content);
         let (rates, full) = short.fold((0.0, 0.0), |(rates, full), (rate, mass)| {

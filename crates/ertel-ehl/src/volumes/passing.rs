@@ -30,8 +30,13 @@ struct Passed {
 }
 
 impl Passing {
-    /// Of faces with the fluxes of contents.
-    pub fn new(grid: &Grid, faces: &[Vec<Face>; 2], wetted: &[bool]) -> Passing {
+    /// Of faces with the fluxes of contents; `stores` is how what a node stores changes with its own content.
+    pub fn new(
+        grid: &Grid,
+        faces: &[Vec<Face>; 2],
+        wetted: &[bool],
+        stores: impl Fn(usize) -> f64,
+    ) -> Passing {
         let (order, turns) = downstream(grid, faces, wetted);
         let mut passing = Passing {
             turns,
@@ -39,7 +44,7 @@ impl Passing {
         };
         let full = (0..wetted.len()).filter(|k| wetted[*k]);
         for k in order.into_iter().map(|k| k as usize).chain(full) {
-            let (mut rate, start) = (0.0, passing.from.len());
+            let (mut rate, start) = (stores(k), passing.from.len());
             for side in sides(grid, k) {
                 let face = &faces[side.direction][side.face];
                 let by_content = side.weight * face.by_content;

@@ -43,10 +43,10 @@ pub fn first_cell<P>(problem: &Problem<P>) -> f64 {
     let dividing = |length: f64| largest * length / (unit * (length / unit).ceil());
     match Arrival::of(problem) {
         Arrival::From(meniscus) => dividing(meniscus.abs()),
-        Arrival::Flooded | Arrival::Layer(_) if problem.shape.is_line() => {
+        Arrival::Flooded | Arrival::FromEdges | Arrival::Layer(_) if problem.shape.is_line() => {
             dividing(problem.extents.outlet)
         }
-        Arrival::Flooded | Arrival::Layer(_) => largest,
+        Arrival::Flooded | Arrival::FromEdges | Arrival::Layer(_) => largest,
     }
 }
 
@@ -64,7 +64,7 @@ pub fn bounds<P>(problem: &Problem<P>) -> [[f64; 2]; 2] {
     let e = &problem.extents;
     if problem.shape.zone.turn.is_none() {
         let inlet = match Arrival::of(problem) {
-            Arrival::Flooded | Arrival::Layer(_) => e.inlet,
+            Arrival::Flooded | Arrival::FromEdges | Arrival::Layer(_) => e.inlet,
             Arrival::From(meniscus) => meniscus - (2 * RING) as f64 * largest_cell(problem),
         };
         return [[inlet, e.outlet], [-e.side, e.side]];
@@ -107,7 +107,7 @@ pub fn grid(problem: &Problem<Plan>, h: f64, first: Option<&Grid>) -> Grid {
         }
         Some(first) => {
             let margin = match Arrival::of(problem) {
-                Arrival::Flooded | Arrival::From(_) => problem.plan.margin,
+                Arrival::Flooded | Arrival::FromEdges | Arrival::From(_) => problem.plan.margin,
                 Arrival::Layer(_) => MENISCUS * problem.plan.margin,
             };
             let (inner, margin) = match is_line {

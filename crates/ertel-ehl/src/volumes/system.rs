@@ -134,6 +134,13 @@ pub struct Linearised {
     pub storage_rate: f64,
 }
 
+impl Linearised {
+    /// Whether a node holds as much as its gap.
+    fn is_full(&self, k: usize) -> bool {
+        (self.contents.get(k)).is_none_or(|content| *content >= self.nodes[k].mass)
+    }
+}
+
 /// Nodes, and rows of them, that a thread takes at a time.
 const BATCH: usize = 1024;
 const ROWS: usize = 8;
@@ -205,13 +212,18 @@ impl System {
         let thinned = thinned(&nodes);
         let mut faces = [0, 1].map(|direction| self.faces(&nodes, &thinned, direction));
         let grid = &self.grid;
+        let stored = self.storage.as_ref().map(|storage| (storage, &nodes[..]));
         let contents = match state.contents.is_empty() {
             true => Vec::new(),
-            false => distribute(grid, &mut faces, &state.wetted, &state.contents),
+            false => distribute(grid, &mut faces, stored, &state.wetted, &state.contents),
+        };
+        let held = |k: usize| match contents.get(k) {
+            Some(content) => content.min(nodes[k].mass),
+            None => nodes[k].mass,
         };
         let mut outflow = self.balance(|direction, k| faces[direction][k].flux);
         self.store(&mut outflow, |k, storage| {
-            storage.rate * nodes[k].mass + storage.past[k]
+            storage.rate * held(k) + storage.past[k]
         });
         let fills = |k: usize| match contents.get(k) {
             Some(content) => content.is_infinite(),
@@ -222,7 +234,10 @@ impl System {
             .collect();
         let passing = match contents.is_empty() {
             true => Passing::default(),
-            false => Passing::new(grid, &faces, &wetted),
+            false => Passing::new(grid, &faces, &wetted, |k| match stored {
+                Some((storage, nodes)) if contents[k] < nodes[k].mass => storage.rate,
+                _ => 0.0,
+            }),
         };
         Linearised {
             contents,
@@ -431,6 +446,9 @@ impl System {
     pub(super) fn change_by(&self, at: &Linearised, pressure: &[f64], film: &[f64]) -> Vec<f64> {
         let mut change = self.balance(self.change_through(at, pressure, film));
         self.store(&mut change, |k, storage| {
+            if !at.is_full(k) {
+                return 0.0;
+            }
             let [by_pressure, by_film] = at.nodes[k].mass_by;
             storage.rate * (by_pressure * pressure[k] + by_film * film[k])
         });

@@ -128,12 +128,18 @@ rows! {
     }
     /// `[transient]`.
     pub TRANSIENT {
-        duration: TIME => "length of the time that is solved; it begins with the steady contact of `[contact]` and `[motion]`, unless `start` says otherwise";
+        duration: TIME => r"length of the time that is solved; it begins with the steady contact of `[contact]` and `[motion]`, unless `start` says otherwise. Of a pair of
+            teeth along its path and of a cam over a turn: optional, as long as that takes";
         tolerance: Number, bounds [1e-4, 0.05], default "3e-3" => "relative error of the films that the steps in time may make{}; grids err beside that";
         output_times: Quantities(&[D::TIME]) => "times whose centrelines are written to `profiles.csv`; without them eleven at equal distances";
         entrainment_speed, slide_to_roll_ratio: Table(COURSE) => "how the speed, or the ratio, changes; where neither is given it stays that of `[motion]`";
         body_1_speed, body_2_speed: Table(COURSE) => "how the speeds of the bodies change, in place of both";
         load: Table(COURSE) => "how the load changes";
+        radius: Table(COURSE) => "how the radius of a ball on a plane or of a cylinder changes";
+        temperature: Table(COURSE) => "how the temperature of bodies and oil changes together; heat that is made counts for nothing";
+        oil_layer: Table(COURSE) => "how the layer of oil changes that arrives, of a contact with `oil_layer` in `[inlet]`; at the edge of the contact area, from where it is carried on";
+        cavities: Choice(&["refilled", "conserved"]), default "refilled" => r"what the gap holds where the film has broken, with more oil than the contact takes: as much as fits, as
+            in steady contacts, or what has flown in, so that a cavity that comes back in front of the contact starves it";
         at_rest: Switch, default "false" => "`true`: the surfaces do not move along the contact, as where a ball falls on a plane; `[motion]` then has no effect";
         start: Choice(&["steady", "apart"]), default "steady" => r"what time begins with: the steady contact, or bodies that are apart, without pressure between them";
         gap: LENGTH => "of bodies that are apart at t = 0: the distance between them at the centre, 1 nm to 10 mm";

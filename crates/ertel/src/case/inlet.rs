@@ -8,7 +8,7 @@ use crate::contact::{Contact, Supply, Turn};
 use crate::words::length;
 
 /// Thickness of a layer, m: from single molecules to what no contact takes up.
-const LAYER: Bounds = Bounds::closed(1e-10, 1e-2);
+pub(super) const LAYER: Bounds = Bounds::closed(1e-10, 1e-2);
 
 /// Reads `[inlet]`; `half_width` is that of the dry contact along the motion, m, `mesh` the table `[mesh]`.
 ///

@@ -94,7 +94,7 @@ pub use study::read_named;
 pub use surface::{SurfaceEcho, SurfaceRelief};
 pub use thermal::read as read_thermal;
 pub use thermal::{Heat, SolidHeat};
-pub use transient::Transient;
+pub use transient::{Reference, Transient, with as contact_with};
 pub(crate) use usual::question_of_state;
 
 /// Everything a solve needs, in SI.
@@ -354,6 +354,10 @@ impl Case {
         case.origin = Some(Arc::new(Origin::new(document, folder, inputs)?));
         case.reliefs = surface::read(&mut document.root(), &case, folder)?;
         case.transient = transient::read(&mut document.root(), &case, folder)?.map(Arc::new);
+        if case.transient.is_some() {
+            // One contact is followed through all of them.
+            case.whole = None;
+        }
         case.warnings
             .extend(surface::check(&case, &mut document.root())?);
         case.warnings.extend(transient::warnings(&case));

@@ -7,12 +7,17 @@ use ertel_input::file::{LARGEST_TABLE, read_text};
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 
+use super::contact::RADIUS;
+use super::inlet::LAYER;
+use super::lubricant::TEMPERATURE;
+use super::machine::Passage;
 use super::motion::MAX_SPEED;
 use super::{Case, approach};
-use crate::contact::{Hertz, Motion, Supply};
+use crate::contact::{Contact, ContactKind, Hertz, Motion, Supply};
 use crate::params::{ElasticModel, Method, SensitivityDemand};
-use crate::transient::{Approach, Course, Speeds, Start};
+use crate::transient::{Approach, Cavities, Course, Speeds, Start};
 use crate::warning::Warning;
+use crate::words::digits;
 
 /// How a contact changes in time, SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,11 +32,46 @@ pub struct Transient {
     pub speeds: Speeds,
     /// Load, N, of line contacts N/m.
     pub load: Course,
+    /// Radius of a ball or a cylinder, m.
+    pub radius: Option<Course>,
+    /// Temperature of bodies and oil, K.
+    pub temperature: Option<Course>,
+    /// Thickness of the layer of oil that arrives, m.
+    pub oil_layer: Option<Course>,
+    /// What the gap holds where the film has broken.
+    pub cavities: Cavities,
     /// What the distance of the bodies follows from: mass in kg, damping in N s/m, stiffness in N/m, of line contacts per length; a given approach in m.
     pub approach: Approach,
     /// What it begins with: gap in m, velocity in m/s.
     pub start: Start,
 }
+
+/// By what quantities in time are measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reference {
+    /// m/s.
+    pub speed: f64,
+    /// N, of line contacts N/m.
+    pub load: f64,
+    /// Radius along the motion, m.
+    pub radius: f64,
+}
+
+/// The contact of a case under another load, with another radius where it has one alone.
+pub fn with(case: &Case, load: f64, radius: f64) -> Contact {
+    let mut contact = case.contact.clone();
+    contact.load = load;
+    if radius != contact.radius {
+        contact.radius = radius;
+        if contact.kind == ContactKind::Circular {
+            contact.radius_y = radius;
+        }
+    }
+    contact
+}
+
+/// Instants at which the pressure of the dry contact is looked at.
+const SAMPLES: u32 = 400;
 
 /// Tolerances that steps of a reasonable number reach, and beyond which no film means anything.
 const TOLERANCE: Bounds = Bounds::closed(1e-4, 0.05);
@@ -56,35 +96,154 @@ pub(super) fn read(
     if root.contains("curve") {
         return Err(table.error_here("[transient] does not go together with [curve]: choose one"));
     }
-    let duration = table.required_quantity("duration", Dimension::TIME, DURATION)?;
+    let passage = (case.whole.as_ref())
+        .map(|machine| machine.passage().map_err(|text| table.error_here(text)))
+        .transpose()?;
+    let duration = match &passage {
+        None => table.required_quantity("duration", Dimension::TIME, DURATION)?,
+        Some(passage) => of_passage(&mut table, passage)?,
+    };
     let tolerance = table
         .optional_number("tolerance", TOLERANCE)?
         .unwrap_or(3e-3);
     let output_times = output_times(&mut table, duration)?;
+    let choices = [
+        ("refilled", Cavities::Refilled),
+        ("conserved", Cavities::Conserved),
+    ];
+    let cavities = table.optional_choice("cavities", &choices)?;
     let mut reader = Reader {
         table: &mut table,
         duration,
         folder,
     };
-    let speeds = speeds(&mut reader, &case.motion)?;
-    let (approach, start) = approach::read(&mut reader, case)?;
-    let dimension = match case.contact.kind.is_line() {
-        true => Dimension::FORCE_PER_LENGTH,
-        false => Dimension::FORCE,
+    let own = match passage {
+        Some(passage) => Changes {
+            speeds: Speeds::Each(passage.speeds),
+            load: passage.load,
+            radius: Some(passage.radius),
+        },
+        None => changes(&mut reader, case)?,
     };
-    let load = reader.course("load", case.contact.load, dimension, Bounds::POSITIVE)?;
+    let temperature = reader.course(
+        "temperature",
+        case.lubricant.temperature,
+        Dimension::TEMPERATURE,
+        TEMPERATURE,
+    )?;
+    let oil_layer = oil_layer(&mut reader, &case.supply)?;
+    let (approach, start) = approach::read(&mut reader, case)?;
+    if let (Some(_), true) = (cavities, case.supply != Supply::Flooded) {
+        return Err(table
+            .error(
+                "cavities",
+                "the gap of a starved contact holds what flows in anyway",
+            )
+            .with_help("leave out `cavities`, or [inlet]"));
+    }
+    if let (Start::Apart { .. }, true) = (start, case.supply != Supply::Flooded) {
+        return Err(table.error(
+            "start",
+            "bodies that are apart have oil between them: leave out [inlet]",
+        ));
+    }
     table.finish()?;
     let transient = Transient {
         duration,
         tolerance,
         output_times,
-        speeds,
-        load: load.unwrap_or(Course::Constant(case.contact.load)),
+        speeds: own.speeds,
+        load: own.load,
+        radius: own.radius,
+        temperature,
+        oil_layer,
+        cavities: cavities.unwrap_or_default(),
         approach,
         start,
     };
     transient.check(case, root)?;
     Ok(Some(transient))
+}
+
+/// Speeds, load and radius over time.
+struct Changes {
+    speeds: Speeds,
+    load: Course,
+    radius: Option<Course>,
+}
+
+/// Those that the case gives.
+fn changes(reader: &mut Reader<'_, '_>, case: &Case) -> Result<Changes, InputError> {
+    let speeds = speeds(reader, &case.motion)?;
+    let contact = &case.contact;
+    let dimension = match contact.kind.is_line() {
+        true => Dimension::FORCE_PER_LENGTH,
+        false => Dimension::FORCE,
+    };
+    let load = reader.course("load", contact.load, dimension, Bounds::POSITIVE)?;
+    let radius = reader.course("radius", contact.radius, Dimension::LENGTH, RADIUS)?;
+    let has_radius = matches!(contact.kind, ContactKind::Line | ContactKind::Circular);
+    if radius.is_some() && !has_radius {
+        return Err(reader.table.error(
+            "radius",
+            "one radius changes in time: that of a ball on a plane (`kind = \"circular\"`) or of a cylinder (`kind = \"line\"`)",
+        ));
+    }
+    Ok(Changes {
+        speeds,
+        load: load.unwrap_or(Course::Constant(contact.load)),
+        radius,
+    })
+}
+
+/// The duration of the passage of a machine's contact, or of its first part, s.
+fn of_passage(table: &mut Table<'_>, passage: &Passage) -> Result<f64, InputError> {
+    let keys = [
+        "entrainment_speed",
+        "slide_to_roll_ratio",
+        "body_1_speed",
+        "body_2_speed",
+        "load",
+        "radius",
+        "at_rest",
+    ];
+    if let Some(key) = keys.into_iter().find(|key| table.contains(key)) {
+        return Err(table.error(
+            key,
+            format!("`{key}` follows from the machine: its contact is followed along the path of contact, or over a turn"),
+        ));
+    }
+    let given = table.optional_quantity("duration", Dimension::TIME, DURATION)?;
+    match given {
+        Some(given) if given > passage.duration * (1.0 + 1e-9) => Err(table.error(
+            "duration",
+            format!(
+                "the contact of the machine lasts {} s; without `duration` all of it is solved",
+                digits(passage.duration, 4)
+            ),
+        )),
+        _ => Ok(given.unwrap_or(passage.duration)),
+    }
+}
+
+/// The layer of oil over time, of a contact that has one.
+fn oil_layer(reader: &mut Reader<'_, '_>, supply: &Supply) -> Result<Option<Course>, InputError> {
+    let base = match supply {
+        Supply::OilLayer { thickness } => *thickness,
+        Supply::Flooded | Supply::Meniscus { .. } => {
+            return match reader.table.contains("oil_layer") {
+                false => Ok(None),
+                true => Err(reader
+                    .table
+                    .error(
+                        "oil_layer",
+                        "a layer that changes is one that there is at t = 0",
+                    )
+                    .with_help("give `oil_layer` in [inlet]")),
+            };
+        }
+    };
+    reader.course("oil_layer", base, Dimension::LENGTH, LAYER)
 }
 
 /// Refuses what is not solved in time.
@@ -95,16 +254,8 @@ fn check(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
             "[thermal]: heat is not solved in time; leave it out, or set isothermal = true in [solver]",
         ),
         (
-            case.supply != Supply::Flooded,
-            "[inlet]: a starved inlet is not solved in time",
-        ),
-        (
             !case.motion.is_straight(),
             "spin or skew: surfaces that move along the entrainment alone are solved in time",
-        ),
-        (
-            case.whole.is_some(),
-            "a whole machine: choose one of its contacts in [machine]",
         ),
         (
             case.elastic_model() != ElasticModel::HalfSpace,
@@ -140,13 +291,17 @@ fn check(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
 }
 
 /// What the results leave out that the case describes.
-pub(super) fn warnings(case: &Case) -> Option<Warning> {
+pub(super) fn warnings(case: &Case) -> Vec<Warning> {
+    let changes = (case.transient.as_ref()).is_some_and(|t| t.temperature.is_some());
+    let keys = changes.then_some("temperature");
+    let ignored = (case.lubricant).temperature_ignored(keys, "changes in time");
     let is_rough = case.transient.is_some() && case.roughness.is_some();
-    is_rough.then(|| {
+    let rough = is_rough.then(|| {
         Warning::from(
             "the roughness counts for nothing in time: films over it give the lambda ratio at each instant".to_owned(),
         )
-    })
+    });
+    ignored.into_iter().chain(rough).collect()
 }
 
 fn output_times(table: &mut Table<'_>, duration: f64) -> Result<Vec<f64>, InputError> {
@@ -279,7 +434,11 @@ impl Reader<'_, '_> {
                 Course::Table(vec![[start, base], [end, to]])
             }
             Kind::Sine => {
-                let amplitude = quantity(&mut table, "amplitude", dimension, Bounds::ANY)?;
+                let of_amplitude = match dimension == Dimension::TEMPERATURE {
+                    true => Dimension::TEMPERATURE_DIFFERENCE,
+                    false => dimension,
+                };
+                let amplitude = quantity(&mut table, "amplitude", of_amplitude, Bounds::ANY)?;
                 let period =
                     table.required_quantity("period", Dimension::TIME, Bounds::POSITIVE)?;
                 for end in [base - amplitude, base + amplitude] {
@@ -416,9 +575,9 @@ fn quantity(
 }
 
 impl Transient {
-    /// The largest entrainment speed, m/s, and load that occur, by which all others are measured. Where bodies come near to each other from afar, the speed of oil that leaves
+    /// By what all else is measured: the largest entrainment speed, load and radius that occur. Where bodies come near to each other from afar, the speed of oil that leaves
     /// the contact, V R/a, and the force of their impact count, too.
-    pub fn reference(&self, case: &Case) -> [f64; 2] {
+    pub fn reference(&self, case: &Case) -> Reference {
         let speed = match &self.speeds {
             Speeds::Mean { entrainment, .. } => entrainment.largest(self.duration),
             Speeds::Each(each) => {
@@ -428,14 +587,39 @@ impl Transient {
             }
         };
         let load = self.load.largest(self.duration);
+        let radius = (self.radius.as_ref())
+            .map_or(case.contact.radius, |radius| radius.largest(self.duration));
         if self.start == Start::Steady {
-            return [speed, load];
+            return Reference {
+                speed,
+                load,
+                radius,
+            };
         }
         let [velocity, load] = approach::reference(case, &self.approach, self.start, load);
-        let mut contact = case.contact.clone();
-        contact.load = load;
+        let contact = with(case, load, radius);
         let half_width = Hertz::new(&contact, case.reduced_modulus()).half_width;
-        [speed.max(velocity * contact.radius / half_width), load]
+        Reference {
+            speed: speed.max(velocity * radius / half_width),
+            load,
+            radius,
+        }
+    }
+
+    /// Largest pressure of the dry contact over time, Pa, where `largest` N or N/m is the largest force.
+    fn hertz_pressure(&self, case: &Case, largest: f64) -> f64 {
+        let pressure = |load: f64, radius: f64| {
+            Hertz::new(&with(case, load, radius), case.reduced_modulus()).pressure
+        };
+        let Some(radius) = &self.radius else {
+            return pressure(largest, case.contact.radius);
+        };
+        let apart = self.start != Start::Steady;
+        let instants = (0..=SAMPLES).map(|i| self.duration * f64::from(i) / f64::from(SAMPLES));
+        let load = |time: f64| if apart { largest } else { self.load.at(time) };
+        instants
+            .map(|time| pressure(load(time), radius.at(time)))
+            .fold(0.0, f64::max)
     }
 
     fn entrainment(&self, time: f64) -> f64 {
@@ -446,7 +630,7 @@ impl Transient {
     /// Refuses starts without a steady film and loads beyond what a contact bears.
     fn check(&self, case: &Case, root: &Table<'_>) -> Result<(), InputError> {
         let start = self.entrainment(0.0);
-        let [speed, load] = self.reference(case);
+        let Reference { speed, load, .. } = self.reference(case);
         let is_steady = self.start == Start::Steady;
         if is_steady && (start < 1e-6 * speed || start <= 0.0) {
             return Err(root
@@ -462,15 +646,13 @@ impl Transient {
                 "nothing moves: the surfaces are at rest, and the bodies do not come near to each other",
             ));
         }
-        let mut contact = case.contact.clone();
-        contact.load = load;
-        let hertz = Hertz::new(&contact, case.reduced_modulus());
-        if !super::check::HERTZ_PRESSURE.contains(hertz.pressure) {
+        let pressure = self.hertz_pressure(case, load);
+        if !super::check::HERTZ_PRESSURE.contains(pressure) {
             return Err(root.error(
                 "transient",
                 format!(
                     "the largest force gives a Hertz pressure of {}, outside 1 kPa to 5 GPa",
-                    crate::words::pressure(hertz.pressure)
+                    crate::words::pressure(pressure)
                 ),
             ));
         }

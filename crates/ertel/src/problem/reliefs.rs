@@ -35,7 +35,7 @@ pub fn largest_cell(shape: &Shape) -> f64 {
     let finest = (shape.gap.terms.iter())
         .filter_map(|term| match term {
             GapTerm::Relief(relief) => Some(relief.form.finest()),
-            GapTerm::Roller(_) => None,
+            GapTerm::Roller(_) | GapTerm::Curvature(_) => None,
         })
         .fold(f64::INFINITY, f64::min);
     finest / CELLS_OVER_RELIEF / shape.zone.axis_ratio.max(1.0)

@@ -3,17 +3,21 @@
 use std::sync::Arc;
 
 use ertel_fem::platform::Instant as Clock;
+use serde::{Deserialize, Serialize};
 
-use crate::case::{Case, Transient};
-use crate::contact::{Hertz, Motion};
+use super::checkpoint::{Checkpoint, Collected};
+
+use crate::case::{Case, Reference, Transient, contact_with};
+use crate::contact::{Hertz, Motion, Supply};
 use crate::engine::Observer;
 use crate::params::Method;
 use crate::plausible;
 use crate::problem::{largest_cell, problem_by_slices, with_reliefs};
 use crate::solution::{Figure, Measured};
+use crate::transient;
 use crate::transient::{
     Approach, Conditions, Course, Info, Instant, Mover, Params, Speeds, Start, TransientError,
-    TransientObserver, march,
+    TransientObserver, march, resume,
 };
 use crate::volumes::Plan;
 use crate::volumes::engine::LEAST_GRIDS;
@@ -28,6 +32,14 @@ use crate::words::{digits, pressure};
 pub trait InstantObserver: Observer {
     /// An instant is solved.
     fn instant(&mut self, _reached: &Reached) {}
+
+    /// Whether a checkpoint is wanted after this step.
+    fn wants_checkpoint(&self) -> bool {
+        false
+    }
+
+    /// It is told where it was wanted, and where the user stops the run.
+    fn checkpoint(&mut self, _checkpoint: Checkpoint) {}
 }
 
 impl InstantObserver for crate::solve::NoObserver {}
@@ -48,7 +60,7 @@ pub struct Reached {
 }
 
 /// A contact at an instant, SI.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct InstantSolution {
     /// Time, s.
     pub time: f64,
@@ -56,6 +68,12 @@ pub struct InstantSolution {
     pub speeds: [f64; 2],
     /// Load, N, of line contacts N/m.
     pub load: f64,
+    /// Radius along the motion, m.
+    pub radius: f64,
+    /// Temperature of bodies and oil, K.
+    pub temperature: f64,
+    /// Thickness of the layer of oil at the edge of the contact area, m; none where the contact is flooded.
+    pub oil_layer: Option<f64>,
     /// By how much the bodies have come nearer since t = 0, m.
     pub approach: f64,
     /// Its rate, m/s; negative where they part.
@@ -73,7 +91,7 @@ pub struct InstantSolution {
 }
 
 /// The centreline at an instant, SI.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct InstantProfile {
     /// Time, s.
     pub time: f64,
@@ -86,7 +104,7 @@ pub struct InstantProfile {
 }
 
 /// The film on the centreline about the contact over all instants.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
 pub struct FilmMap {
     /// Places along the motion, m.
     pub x: Vec<f64>,
@@ -153,26 +171,40 @@ const REACH_APART: f64 = 20.0;
 /// # Panics
 /// For a case without.
 pub fn solve(case: &Case, observer: &mut dyn InstantObserver) -> TransientSolution {
+    solve_from(case, None, observer)
+}
+
+/// The same from where another run of it stopped, with the instants before.
+///
+/// # Panics
+/// For a case without `[transient]`.
+pub fn solve_from(
+    case: &Case,
+    from: Option<Checkpoint>,
+    observer: &mut dyn InstantObserver,
+) -> TransientSolution {
     let transient = case.transient.clone().expect("the case has [transient]");
     // On a thread of the pool, as steady contacts.
-    rayon::scope(|_| solve_here(case, &transient, observer))
+    rayon::scope(|_| solve_here(case, &transient, from, observer))
 }
 
 fn solve_here(
     case: &Case,
     transient: &Arc<Transient>,
+    from: Option<Checkpoint>,
     observer: &mut dyn InstantObserver,
 ) -> TransientSolution {
     let clock = Clock::now();
-    let [speed, load] = transient.reference(case);
+    let by = transient.reference(case);
+    let Reference { speed, load, .. } = by;
     let mut reference = case.clone();
-    reference.contact.load = load;
+    reference.contact = contact_with(case, load, by.radius);
     reference.motion = Motion::straight(speed, case.motion.slide_to_roll_ratio);
     reference.solver.method = Some(Method::FiniteVolumes);
     let mut problem = problem_by_slices(&reference).with_plan(plan(&reference));
     let (length, film) = (problem.scales.length, problem.scales.film);
     let unit = length / speed;
-    let conditions = conditions(transient, [speed, load, film], unit);
+    let conditions = conditions(transient, by, film, unit);
     if let Start::Apart { gap, .. } = conditions.start {
         // Oil leaves to all sides, from where the case does not say otherwise.
         problem.start_film = gap.max(problem.start_film.min(1.0));
@@ -196,23 +228,38 @@ fn solve_here(
     problem.shape = with_reliefs(problem.shape, &case.reliefs, &mut problem.scales);
     problem.load = problem.scales.load;
     problem.plan.largest_cell = largest_cell(&problem.shape);
+    let (from, before) = match from {
+        Some(from) => (Some(from.physics), (from.collected, from.wall_seconds)),
+        None => (None, (Collected::default(), 0.0)),
+    };
+    let (collected, wall_seconds) = before;
     let mut collector = Collector {
+        case,
         observer,
         clock,
+        begun: from.as_ref().map_or(0.0, |from| from.time * unit),
         scales: [length, film, problem.scales.pressure],
         unit,
         speed,
         load,
-        duration: transient.duration,
+        transient,
+        steady: Steady {
+            radius: case.contact.along_motion().radius,
+            temperature: case.lubricant.temperature,
+            oil_layer: match case.supply {
+                Supply::OilLayer { thickness } => Some(thickness),
+                Supply::Flooded | Supply::Meniscus { .. } => None,
+            },
+        },
         found: TransientSolution {
-            instants: Vec::new(),
-            profiles: Vec::new(),
-            map: FilmMap::default(),
+            instants: collected.instants,
+            profiles: collected.profiles,
+            map: collected.map,
             half_width: length,
             info: Info::default(),
             failure: None,
             warnings: case.warnings.clone(),
-            wall_seconds: 0.0,
+            wall_seconds,
         },
     };
     let params = Params {
@@ -221,7 +268,10 @@ fn solve_here(
     };
     let end = with_rows_by_film(problem, collector.observer)
         .map_err(TransientError::from)
-        .and_then(|problem| march(problem, &conditions, &params, &mut collector));
+        .and_then(|problem| match &from {
+            None => march(problem, &conditions, &params, &mut collector),
+            Some(from) => resume(problem, &conditions, &params, from, &mut collector),
+        });
     let mut found = collector.found;
     match end {
         Ok(info) => found.info = info,
@@ -248,7 +298,7 @@ fn solve_here(
     found
         .warnings
         .extend(plausible::in_time(case, friction, film));
-    found.wall_seconds = clock.elapsed().as_secs_f64();
+    found.wall_seconds += clock.elapsed().as_secs_f64();
     found
 }
 
@@ -260,8 +310,13 @@ fn plan(case: &Case) -> Plan {
     }
 }
 
-/// What changes, over the scales of the contact: speed, load, film thickness, and seconds in T.
-fn conditions(transient: &Transient, [speed, load, film]: [f64; 3], unit: f64) -> Conditions {
+/// What changes, over the scales of the contact; the film thickness in m, and seconds in T.
+fn conditions(transient: &Transient, by: Reference, film: f64, unit: f64) -> Conditions {
+    let Reference {
+        speed,
+        load,
+        radius,
+    } = by;
     let over = |course: &Course, value: f64| course.scaled(1.0 / unit, 1.0 / value);
     Conditions {
         speeds: match &transient.speeds {
@@ -275,6 +330,10 @@ fn conditions(transient: &Transient, [speed, load, film]: [f64; 3], unit: f64) -
             Speeds::Each(speeds) => Speeds::Each(speeds.each_ref().map(|u| over(u, speed))),
         },
         load: over(&transient.load, load),
+        radius: (transient.radius.as_ref()).map_or(Course::Constant(1.0), |own| over(own, radius)),
+        temperature: (transient.temperature.as_ref()).map(|own| over(own, 1.0)),
+        layer: (transient.oil_layer.as_ref()).map(|own| over(own, film)),
+        cavities: transient.cavities,
         approach: match &transient.approach {
             Approach::Massless => Approach::Massless,
             Approach::Given(course) => Approach::Given(over(course, film)),
@@ -298,6 +357,9 @@ fn conditions(transient: &Transient, [speed, load, film]: [f64; 3], unit: f64) -
 
 /// Collects what the results tell.
 struct Collector<'a> {
+    case: &'a Case,
+    /// Time at which this run began, s.
+    begun: f64,
     observer: &'a mut dyn InstantObserver,
     clock: Clock,
     /// Length, film and pressure.
@@ -306,8 +368,16 @@ struct Collector<'a> {
     unit: f64,
     speed: f64,
     load: f64,
-    duration: f64,
+    transient: &'a Transient,
+    steady: Steady,
     found: TransientSolution,
+}
+
+/// Conditions that may stay as they are: m, K, m.
+struct Steady {
+    radius: f64,
+    temperature: f64,
+    oil_layer: Option<f64>,
 }
 
 impl TransientObserver for Collector<'_> {
@@ -354,6 +424,13 @@ impl TransientObserver for Collector<'_> {
             time,
             speeds: instant.speeds.map(|u| u * self.speed),
             load: instant.load * self.load,
+            radius: (self.transient.radius.as_ref()).map_or(self.steady.radius, |own| own.at(time)),
+            temperature: (self.transient.temperature.as_ref())
+                .map_or(self.steady.temperature, |own| own.at(time)),
+            oil_layer: match &self.transient.oil_layer {
+                Some(own) => Some(own.at(time)),
+                None => self.steady.oil_layer,
+            },
             approach: instant.approach * film,
             approach_velocity: instant.approach_velocity * film / self.unit,
             film_force: instant.film_force * self.load,
@@ -363,10 +440,10 @@ impl TransientObserver for Collector<'_> {
             mass_error: instant.mass_error,
         });
         let elapsed = self.clock.elapsed().as_secs_f64();
-        let share = time / self.duration;
+        let share = (time - self.begun) / (self.transient.duration - self.begun);
         self.observer.instant(&Reached {
             time,
-            duration: self.duration,
+            duration: self.transient.duration,
             steps: self.found.instants.len() - 1,
             seconds_left: elapsed * (1.0 - share).max(0.0) / share,
             film_central: central,
@@ -379,6 +456,16 @@ impl TransientObserver for Collector<'_> {
 
     fn cancelled(&self) -> bool {
         self.observer.cancelled()
+    }
+
+    fn wants_checkpoint(&self) -> bool {
+        self.observer.wants_checkpoint()
+    }
+
+    fn checkpoint(&mut self, checkpoint: transient::Checkpoint) {
+        let seconds = self.found.wall_seconds + self.clock.elapsed().as_secs_f64();
+        let checkpoint = Checkpoint::new(self.case, checkpoint, &self.found, seconds);
+        self.observer.checkpoint(checkpoint);
     }
 }
 

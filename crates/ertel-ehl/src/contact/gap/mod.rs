@@ -8,11 +8,13 @@
 //!
 //! A term is a file of its own here and a variant of [`GapTerm`]; nothing else changes for a new one.
 
+mod curvature;
 mod form;
 mod map;
 mod relief;
 mod roller;
 
+pub use curvature::Curvature;
 pub use form::{Form, Repeat};
 pub use map::HeightMap;
 pub use relief::Relief;
@@ -56,6 +58,8 @@ pub enum GapTerm {
     Roller(RollerGap),
     /// A dent, a ridge, waves on one of the surfaces.
     Relief(Relief),
+    /// What a changed radius adds.
+    Curvature(Curvature),
 }
 
 impl GapTerm {
@@ -65,6 +69,7 @@ impl GapTerm {
         match self {
             GapTerm::Roller(roller) => roller.at(place),
             GapTerm::Relief(relief) => relief.at(place),
+            GapTerm::Curvature(curvature) => curvature.at(place),
         }
     }
 
@@ -74,6 +79,8 @@ impl GapTerm {
             // A roller is body 2, on a plane.
             GapTerm::Roller(_) => Body::Second,
             GapTerm::Relief(relief) => relief.body,
+            // On a plane, as the paraboloid.
+            GapTerm::Curvature(_) => Body::Second,
         }
     }
 }

@@ -37,7 +37,7 @@ fn with_layer(half: bool, entrainment: Planar) -> (System, State) {
     (system, state)
 }
 
-/// The linearised balances against central differences where contents follow the pressures, halves and wholes, with spin.
+/// The linearised balances against central differences where contents follow the pressures, halves and wholes, with spin, and in time.
 ///
 /// Theory: Starved inlets.
 #[test]
@@ -46,8 +46,17 @@ fn jacobian_with_contents_against_differences() {
         centre: [1.0, 0.2],
         spin: 0.3,
     };
-    for (half, entrainment) in [(true, Planar::along_x(1.0)), (false, spin)] {
-        let (system, state) = with_layer(half, entrainment);
+    let flows = [(true, Planar::along_x(1.0)), (false, spin)];
+    for ((half, entrainment), in_time) in flows
+        .into_iter()
+        .flat_map(|flow| [(flow, false), (flow, true)])
+    {
+        let (mut system, state) = with_layer(half, entrainment);
+        let n = system.grid.n_nodes();
+        system.storage = in_time.then(|| Storage {
+            rate: 2.0,
+            past: (0..n).map(|k| -0.3 + 0.01 * (k as f64).sin()).collect(),
+        });
         let at = system.linearise(&state);
         let n = at.contents.iter().filter(|content| content.is_finite());
         assert!(n.count() > 20);
@@ -91,7 +100,7 @@ fn a_layer_arrives_unchanged() {
         let given: Vec<f64> = (grid.nodes())
             .map(|[i, j]| if grid.is_unknown(i, j) { 0.15 } else { 0.075 })
             .collect();
-        let contents = distribute(grid, &mut faces, &state.wetted, &given);
+        let contents = distribute(grid, &mut faces, None, &state.wetted, &given);
         let lowest = contents.iter().copied().fold(f64::INFINITY, f64::min);
         assert_relative_eq!(lowest, 0.075, max_relative = 1e-9);
     }

@@ -393,7 +393,7 @@ fn contacts(turn: &[CamPoint]) -> Vec<MachineContact> {
 }
 
 /// Whether a point is a contact that Hertz theory covers.
-fn is_contact(point: &CamPoint) -> bool {
+pub(super) fn is_contact(point: &CamPoint) -> bool {
     !point.contact_lost
         && RADIUS.contains(point.reduced_radius)
         && HERTZ_PRESSURE.contains(point.hertz_pressure)

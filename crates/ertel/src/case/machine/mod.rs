@@ -10,6 +10,7 @@ mod cam;
 mod cam_turn;
 mod gears;
 mod loaded_bearing;
+mod passage;
 mod roller_bearing;
 mod spin;
 mod whole;
@@ -17,6 +18,7 @@ mod whole;
 pub use cam_turn::CamMechanics;
 pub use gears::{GearLimits, GearMechanics};
 pub use loaded_bearing::{BearingMechanics, ContactKind, Contamination, LifeInputs};
+pub(super) use passage::Passage;
 pub(super) use whole::contacts;
 pub use whole::{Axis as MachineAxis, MachineContact, MachineContacts, RINGS, WholeMachine};
 

@@ -38,6 +38,9 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
                 "body_1_speed": instant.speeds[0],
                 "body_2_speed": instant.speeds[1],
                 "load": instant.load,
+                "radius": instant.radius,
+                "temperature": instant.temperature,
+                "oil_layer": instant.oil_layer,
                 "approach": instant.approach,
                 "approach_velocity": instant.approach_velocity,
                 "film_force": instant.film_force,
@@ -61,6 +64,9 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
         .collect();
     let mut units = units(is_line);
     for (name, unit) in [
+        ("radius", "m"),
+        ("temperature", "K"),
+        ("oil_layer", "m"),
         ("approach", "m"),
         ("approach_velocity", "m/s"),
         ("film_force", if is_line { "N/m" } else { "N" }),

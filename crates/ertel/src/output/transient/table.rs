@@ -17,6 +17,9 @@ pub fn transient_table(found: &TransientSolution, is_line: bool) -> String {
         "body_1_speed_m_per_s".to_owned(),
         "body_2_speed_m_per_s".to_owned(),
         titled("load", load_unit),
+        "radius_m".to_owned(),
+        "temperature_K".to_owned(),
+        "oil_layer_m".to_owned(),
         "approach_m".to_owned(),
         "approach_velocity_m_per_s".to_owned(),
         titled("film_force", load_unit),
@@ -32,11 +35,14 @@ pub fn transient_table(found: &TransientSolution, is_line: bool) -> String {
         let [first, second] = instant.speeds;
         let _ = write!(
             text,
-            "{},{:e},{:e},{first:e},{second:e},{:e},{:e},{:e},{:e}",
+            "{},{:e},{:e},{first:e},{second:e},{:e},{:e},{:e},{},{:e},{:e},{:e}",
             i + 1,
             instant.time,
             0.5 * (first + second),
             instant.load,
+            instant.radius,
+            instant.temperature,
+            (instant.oil_layer).map_or_else(String::new, |layer| format!("{layer:e}")),
             instant.approach,
             instant.approach_velocity,
             instant.film_force

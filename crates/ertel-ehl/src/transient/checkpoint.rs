@@ -1,0 +1,52 @@
+//! What a run needs to go on from an instant as if it had not stopped.
+//!
+//! Grids, operators and the fluid follow from the problem anew; what is kept are the states and what the steps remember. Sums are taken in the same order, so that
+//! a run that goes on ends with the same digits.
+
+use serde::{Deserialize, Serialize};
+
+use super::Info;
+
+/// A run at the end of a step.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct Checkpoint {
+    /// T.
+    pub time: f64,
+    /// Length of the next step, in T.
+    pub(super) step: f64,
+    /// How far both bodies have moved, in half-widths.
+    pub(super) moved: [f64; 2],
+    /// How it went so far.
+    pub info: Info,
+    /// What the grids remember.
+    pub(super) memory: Memory,
+}
+
+/// States of all grids, and the instants before that count.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub(super) struct Memory {
+    /// T of the instants, the newest first.
+    pub times: Vec<f64>,
+    /// The grids, coarse to fine.
+    pub grids: Vec<GridMemory>,
+}
+
+/// A grid.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub(super) struct GridMemory {
+    pub pressure: Vec<f64>,
+    pub wetted: Vec<bool>,
+    pub contents: Vec<f64>,
+    /// What nodes held at the instants, the newest first.
+    pub stored: Vec<Vec<f64>>,
+    /// H_0(0).
+    pub origin: f64,
+    /// H_0 and V at the instants.
+    pub places: Vec<f64>,
+    pub velocities: Vec<f64>,
+}
+
+/// Why a run cannot go on from a checkpoint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the checkpoint has other grids than this case")]
+pub struct OtherGrids;

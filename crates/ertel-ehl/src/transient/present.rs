@@ -1,0 +1,163 @@
+//! A contact as it is at an instant.
+
+use super::body::{Approach, Start};
+use super::conditions::Conditions;
+use super::levels::Levels;
+use super::{Course, TransientError};
+use crate::contact::gap::{Body, Curvature, GapTerm};
+use crate::contact::{Inlet, OilLayer, Planar};
+use crate::engine::{Engine, Observer, Problem};
+use crate::film::FilmFluid;
+use crate::solve::SolveError;
+use crate::volumes::{FiniteVolumes, Plan};
+
+/// Gives the problem the conditions of an instant; load and λ are those of reference at first.
+pub(super) struct Present<'a> {
+    pub conditions: &'a Conditions,
+    /// ∫P_r.
+    pub load: f64,
+    lambda: f64,
+    /// The fluid at the temperature of reference.
+    fluid: FilmFluid,
+}
+
+/// Speed over that of reference below which the film is at rest.
+const REST: f64 = 1e-6;
+
+/// Force over the load of reference below which the film bears none.
+const NO_FORCE: f64 = 1e-9;
+
+/// Slowest speed over that of reference for whose steady film there are grids: below, films are those that came before.
+const SLOWEST: f64 = 0.1;
+
+/// Share of what the start has below which a slower speed, a smaller radius and a thinner layer need grids of their own.
+const LESS: f64 = 0.9;
+
+/// The same of a temperature above that of the start, K.
+const WARMER: f64 = 2.0;
+
+impl<'a> Present<'a> {
+    /// Of a problem in the scales of reference, which gets what changes in its shape.
+    pub fn new(problem: &mut Problem<Plan>, conditions: &'a Conditions) -> Present<'a> {
+        if conditions.radius != Course::Constant(1.0) {
+            let ratio = problem.shape.gap.curvature_ratio;
+            let curvature = Curvature { excess: 0.0, ratio };
+            problem.shape.gap.terms.push(GapTerm::Curvature(curvature));
+        }
+        Present {
+            conditions,
+            load: problem.load,
+            lambda: problem.scales.lambda,
+            fluid: problem.fluid.clone(),
+        }
+    }
+
+    /// Lets grids be as fine as the steady film needs them that is the thinnest: under the largest load at the slowest speed, with the smallest radius, the thinnest layer and
+    /// the warmest oil. Its pressures count for nothing.
+    pub fn refine_for_thinnest(
+        &self,
+        problem: &mut Problem<Plan>,
+        observer: &mut dyn Observer,
+    ) -> Result<(), TransientError> {
+        let conditions = self.conditions;
+        let slowest = conditions.slowest().max(SLOWEST);
+        let radius = conditions.least(&conditions.radius);
+        let layer =
+            (conditions.layer.as_ref()).map(|course| [course.at(0.0), conditions.least(course)]);
+        let warmest = (conditions.temperature.as_ref())
+            .map(|course| [course.at(0.0), course.largest(conditions.duration)]);
+        if slowest > LESS * problem.entrainment.centre[0]
+            && radius > LESS * conditions.radius.at(0.0)
+            && layer.is_none_or(|[start, least]| least > LESS * start)
+            && warmest.is_none_or(|[start, most]| most < start + WARMER)
+        {
+            return Ok(());
+        }
+        problem.entrainment = Planar::along_x(slowest);
+        problem.load = self.load;
+        set_radius(problem, radius);
+        if let Some([_, least]) = layer {
+            self.set_layer(problem, least);
+        }
+        if let Some([_, most]) = warmest {
+            problem.fluid = problem.fluid.at_bulk(most);
+        }
+        match FiniteVolumes.solve(problem, observer) {
+            Ok(found) => {
+                let finest = found
+                    .levels
+                    .last()
+                    .map(|level| level.system.grid.spacing[0]);
+                let cell = &mut problem.plan.largest_cell;
+                *cell = finest.map_or(*cell, |finest| cell.min(finest));
+                Ok(())
+            }
+            Err(SolveError::Interrupted) => Err(TransientError::Interrupted),
+            // Time may never come to such a steady state.
+            Err(_) => Ok(()),
+        }
+    }
+
+    /// The same in the scales of the speed at an instant, in which what is read off the film in SI is that of a steady contact at this speed; a film at rest keeps those of
+    /// reference.
+    /// Friction is measured by what the film bears.
+    pub fn in_own_scales(&self, problem: &mut Problem<Plan>, levels: &Levels) {
+        if self.conditions.approach != Approach::Massless || self.conditions.start != Start::Steady
+        {
+            let force = levels.force(problem.load);
+            // Nothing is told over a force that vanishes.
+            problem.scales.load = if force > NO_FORCE * self.load {
+                force
+            } else {
+                f64::NAN
+            };
+        }
+        let [speed, _] = problem.entrainment.centre;
+        if speed.abs() > REST {
+            problem.scales.lambda *= speed.abs();
+            problem.entrainment = Planar::along_x(speed.signum());
+        }
+    }
+
+    /// The conditions at an instant, and where reliefs are that have moved with their bodies.
+    pub fn set(&self, problem: &mut Problem<Plan>, time: f64, moved: [f64; 2]) {
+        let [first, second] = self.conditions.speeds.at(time);
+        problem.scales.lambda = self.lambda;
+        problem.entrainment = Planar::along_x(0.5 * (first + second));
+        let sliding = Planar::along_x(second - first);
+        let fluid = match &self.conditions.temperature {
+            Some(course) => &self.fluid.at_bulk(course.at(time)),
+            None => &self.fluid,
+        };
+        problem.fluid = fluid.sliding_by(&sliding, &problem.scales);
+        set_radius(problem, self.conditions.radius.at(time));
+        if let Some(course) = &self.conditions.layer {
+            self.set_layer(problem, course.at(time));
+        }
+        problem.load = self.load * self.conditions.load.at(time);
+        // What friction is measured by.
+        problem.scales.load = problem.load;
+        for term in &mut problem.shape.gap.terms {
+            if let GapTerm::Relief(relief) = term {
+                relief.moved = match relief.body {
+                    Body::First => moved[0],
+                    Body::Second => moved[1],
+                };
+            }
+        }
+    }
+
+    fn set_layer(&self, problem: &mut Problem<Plan>, thickness: f64) {
+        let lambda = self.lambda;
+        problem.shape.inlet = Inlet::Layer(OilLayer { thickness, lambda });
+    }
+}
+
+/// Gives the gap a radius over that of reference, where it changes.
+fn set_radius(problem: &mut Problem<Plan>, radius: f64) {
+    for term in &mut problem.shape.gap.terms {
+        if let GapTerm::Curvature(curvature) = term {
+            curvature.excess = 1.0 / radius - 1.0;
+        }
+    }
+}

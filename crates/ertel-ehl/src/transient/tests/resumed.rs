@@ -1,0 +1,129 @@
+//! Runs that stop and go on.
+
+use super::{Given, Params, line, ramp, steady};
+use crate::contact::Contact;
+use crate::engine::{NoObserver, Observer, Problem};
+use crate::solution::Measured;
+use crate::transient::{
+    Approach, Cavities, Checkpoint, Conditions, Course, Info, Instant, Mover, OtherGrids,
+    TransientError, TransientObserver, march, resume,
+};
+use crate::volumes::Plan;
+
+/// Notes the instants, and stops after some of them.
+struct Stopping {
+    most: usize,
+    told: Vec<(f64, Measured, f64, f64)>,
+    checkpoint: Option<Checkpoint>,
+    quiet: NoObserver,
+}
+
+impl Stopping {
+    fn after(most: usize) -> Stopping {
+        Stopping {
+            most,
+            told: Vec::new(),
+            checkpoint: None,
+            quiet: NoObserver,
+        }
+    }
+}
+
+impl TransientObserver for Stopping {
+    fn instant(&mut self, instant: &Instant<'_>) {
+        self.told.push((
+            instant.time,
+            instant.measured,
+            instant.approach,
+            instant.mass_error,
+        ));
+    }
+
+    fn start(&mut self) -> &mut dyn Observer {
+        &mut self.quiet
+    }
+
+    fn cancelled(&self) -> bool {
+        self.told.len() >= self.most
+    }
+
+    fn checkpoint(&mut self, checkpoint: Checkpoint) {
+        self.checkpoint = Some(checkpoint);
+    }
+}
+
+fn params() -> Params {
+    Params {
+        tolerance: 2e-2,
+        ..Params::default()
+    }
+}
+
+/// Stops a run after each of some numbers of instants, the last one of them, and goes on: to the digit what the run without a stop tells.
+fn assert_goes_on(problem: &dyn Fn() -> Problem<Plan>, conditions: &Conditions) {
+    let mut whole = Stopping::after(usize::MAX);
+    let all = march(problem(), conditions, &params(), &mut whole).unwrap();
+    let n = whole.told.len();
+    for stop in [2, 3, n / 2, n - 1] {
+        let mut first = Stopping::after(stop);
+        let error = march(problem(), conditions, &params(), &mut first).unwrap_err();
+        assert!(matches!(error, TransientError::Interrupted));
+        let checkpoint = first.checkpoint.unwrap();
+        let mut rest = Stopping::after(usize::MAX);
+        let info = resume(problem(), conditions, &params(), &checkpoint, &mut rest).unwrap();
+        first.told.extend(rest.told);
+        assert_eq!(first.told, whole.told);
+        assert_eq!(info, all);
+    }
+}
+
+/// Ramps with kinks, cavities that hold what has flown in, and a body that moves by its inertia.
+#[test]
+fn a_run_that_stopped_goes_on_to_the_digit() {
+    assert_goes_on(&|| line().problem(), &ramp(5.0));
+    let conserved = Conditions {
+        cavities: Cavities::Conserved,
+        ..ramp(1.5)
+    };
+    assert_goes_on(&|| line().problem(), &conserved);
+    let swings = Conditions {
+        load: Course::Table(vec![[0.0, 1.0], [1.0, 1.1]]),
+        approach: Approach::Body(Mover {
+            mass: 0.01,
+            damping: 0.3,
+            stiffness: 0.2,
+        }),
+        ..steady(2.0)
+    };
+    assert_goes_on(&|| line().problem(), &swings);
+}
+
+/// A checkpoint of a line is none of a circle.
+#[test]
+fn other_grids_are_refused() {
+    let mut first = Stopping::after(2);
+    march(line().problem(), &ramp(5.0), &params(), &mut first).unwrap_err();
+    let circle = Given {
+        contact: Contact::circular(0.016, 100.0),
+        target: 5e-2,
+        ..line()
+    };
+    let checkpoint = first.checkpoint.unwrap();
+    let mut rest = Stopping::after(usize::MAX);
+    let end = resume(
+        circle.problem(),
+        &ramp(5.0),
+        &params(),
+        &checkpoint,
+        &mut rest,
+    );
+    assert!(matches!(end, Err(TransientError::OtherGrids(OtherGrids))));
+    assert!(rest.told.is_empty());
+    assert_eq!(
+        checkpoint.info,
+        Info {
+            steps: 1,
+            ..checkpoint.info
+        }
+    );
+}
