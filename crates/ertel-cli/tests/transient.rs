@@ -163,3 +163,99 @@ fn bodies_that_are_apart_come_near() {
     // 0.866 without the weight of the ball.
     assert!((rebound - 0.866).abs() < 0.01, "{rebound}");
 }
+
+/// A run that is killed goes on from its checkpoint to the same table; a checkpoint of another case, a forgotten one and none are refused.
+#[test]
+fn a_killed_run_goes_on() {
+    let folder = workspace(CASE);
+    let solve = |more: &[&str]| {
+        let arguments = [&["solve", "case.toml", "--quiet"], more].concat();
+        ertel(&folder, &arguments)
+    };
+    assert_eq!(solve(&["-o", "whole"]).status.code(), Some(0));
+    let mut run = std::process::Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .current_dir(folder.path())
+        .args(["solve", "case.toml", "-o", "out", "--checkpoint", "0 s"])
+        .stderr(std::process::Stdio::null())
+        .stdout(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    let file = folder.path().join("out.checkpoint");
+    while !file.exists() && run.try_wait().unwrap().is_none() {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    run.kill().unwrap();
+    run.wait().unwrap();
+    assert!(file.exists());
+    for (more, said) in [
+        (
+            &["-o", "out", "--checkpoint", "1 min"][..],
+            "go on from there with --resume",
+        ),
+        (
+            &["-o", "out", "--resume", "--set", "contact.load=90 kN/m"],
+            "of a case with other values",
+        ),
+        (&["-o", "none", "--resume"], "none.checkpoint"),
+        (&["-o", "out", "--checkpoint", "1 kg"], "a time is needed"),
+    ] {
+        let output = solve(more);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.contains(said), "{message}");
+    }
+    let damaged = std::fs::read(&file).unwrap();
+    std::fs::write(&file, &damaged[..damaged.len() / 2]).unwrap();
+    let output = solve(&["-o", "out", "--resume"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("damaged"));
+    std::fs::write(&file, damaged).unwrap();
+    let output = solve(&["-o", "out", "--resume"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(!file.exists());
+    let table = |name: &str| std::fs::read(folder.path().join(name).join("transient.csv")).unwrap();
+    assert_eq!(table("out"), table("whole"));
+}
+
+/// A pair of teeth along its path: load, radius and speeds at the pitch point are those of the machine, and the film under a load that has just doubled is thinner than the steady one there
+/// (numbers of the guide).
+#[test]
+fn teeth_along_their_path() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/spur-gear-in-time.toml");
+    let output = ertel(
+        &folder,
+        &["solve", case.to_str().unwrap(), "--quiet", "-o", "out"],
+    );
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let result = json(&folder.path().join("out/transient.json"));
+    let instants = result["instants"].as_array().unwrap();
+    let of = |instant: &serde_json::Value, key: &str| instant[key].as_f64().unwrap();
+    // 10.117 mm along the line of action at 2π 25 Hz times the base radius 40 cos 20° mm.
+    let pitch = 10.117_152_95e-3 / (50.0 * std::f64::consts::PI * 0.04 * 20_f64.to_radians().cos());
+    let near = instants
+        .windows(2)
+        .find(|pair| of(&pair[1], "time") >= pitch)
+        .unwrap();
+    let share = (pitch - of(&near[0], "time")) / (of(&near[1], "time") - of(&near[0], "time"));
+    let at = |key: &str| of(&near[0], key) + share * (of(&near[1], key) - of(&near[0], key));
+    // R_1 = 40 sin 20° mm and twice that of the wheel; 100 N m over the base radius and 20 mm.
+    assert!((at("radius") / 9.120_53e-3 - 1.0).abs() < 1e-4);
+    assert!((at("load") / 133_022.0 - 1.0).abs() < 1e-4);
+    for body in ["body_1_speed", "body_2_speed"] {
+        assert!((at(body) / 2.148_98 - 1.0).abs() < 1e-4);
+    }
+    let film = |instant: &serde_json::Value, figure: &str| {
+        instant["figures"][figure]["value"].as_f64().unwrap()
+    };
+    let about = |instant: &&serde_json::Value| (1.2e-3..1.35e-3).contains(&of(instant, "time"));
+    let doubled = || instants.iter().filter(about);
+    let thinnest = doubled()
+        .map(|i| film(i, "film_minimum"))
+        .fold(1.0, f64::min);
+    let thickest = doubled()
+        .map(|i| film(i, "film_central"))
+        .fold(0.0, f64::max);
+    assert!((thinnest / 211e-9 - 1.0).abs() < 0.02, "{thinnest}");
+    assert!((thickest / 352e-9 - 1.0).abs() < 0.02, "{thickest}");
+}

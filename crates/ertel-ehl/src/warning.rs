@@ -13,6 +13,8 @@ use serde::{Deserialize, Serialize};
 pub enum WarningKind {
     /// Something that has no kind of its own.
     Other,
+    /// How long what changes at the inlet edge takes to the contact.
+    OnItsWay,
     /// A value of the case far from those of such contacts.
     UnusualInput,
     /// Surfaces that move in opposite directions.
@@ -90,6 +92,7 @@ impl WarningKind {
                 | WarningKind::RollingStress
                 | WarningKind::WideAreaUnfelt
                 | WarningKind::Method
+                | WarningKind::OnItsWay
         )
     }
 }

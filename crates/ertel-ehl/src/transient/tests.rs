@@ -313,3 +313,36 @@ fn a_dent_passes_through_a_circular_contact() {
     assert_relative_eq!(last[2], minimum, max_relative = 2e-2);
     assert!(mass_error(&films) < 1e-2);
 }
+
+/// Central films at T = 6 with a speed that swings, by steps that take the oil equally far: errors fall with the square of it.
+///
+/// Theory: Time.
+#[test]
+fn films_converge_with_the_square_of_the_step() {
+    let film = |step: f64| {
+        let conditions = Conditions {
+            speeds: Speeds::Mean {
+                entrainment: Course::Sine {
+                    mean: 1.0,
+                    amplitude: -0.4,
+                    period: 8.0,
+                    start: 0.0,
+                },
+                slide_to_roll_ratio: Course::Constant(0.0),
+            },
+            ..steady(6.0)
+        };
+        let params = Params {
+            // So much that they are as long as they may be.
+            tolerance: 3e-2,
+            longest_step: step,
+            ..Params::default()
+        };
+        let mut problem = line().problem();
+        problem.plan.newton.krylov_tolerance = 1e-6;
+        run(problem, &conditions, &params).0.0.last().unwrap()[1]
+    };
+    let [a, b, c] = [0.2, 0.1, 0.05].map(film);
+    let order = ((a - b) / (b - c)).abs().log2();
+    assert!((1.6..2.6).contains(&order), "{order}: {a} {b} {c}");
+}

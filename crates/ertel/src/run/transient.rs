@@ -26,7 +26,7 @@ use crate::volumes::film::PatchedFilm;
 use crate::volumes::patches::widest;
 use crate::volumes::roller_zone::with_rows_by_film;
 use crate::warning::{Warning, WarningKind};
-use crate::words::{digits, pressure};
+use crate::words::{digits, length, pressure};
 
 /// Follows a case through time.
 pub trait InstantObserver: Observer {
@@ -225,6 +225,7 @@ fn solve_here(
     extents.inlet = extents.inlet.max(-widest);
     extents.outlet = extents.outlet.min(widest);
     extents.side = extents.side.min(widest);
+    let on_its_way = on_its_way(transient, -problem.extents.inlet * length);
     problem.shape = with_reliefs(problem.shape, &case.reliefs, &mut problem.scales);
     problem.load = problem.scales.load;
     problem.plan.largest_cell = largest_cell(&problem.shape);
@@ -280,6 +281,7 @@ fn solve_here(
             found.failure = Some(error);
         }
     }
+    found.warnings.extend(on_its_way);
     found.warnings.extend(warnings(&found));
     found.warnings.extend(too_hard(case, &found));
     let largest = |figure| {
@@ -467,6 +469,22 @@ impl TransientObserver for Collector<'_> {
         let checkpoint = Checkpoint::new(self.case, checkpoint, &self.found, seconds);
         self.observer.checkpoint(checkpoint);
     }
+}
+
+/// Tells how far (m) a layer of oil that changes is carried to the contact.
+fn on_its_way(transient: &Transient, distance: f64) -> Option<Warning> {
+    let changes = transient.oil_layer.is_some();
+    let [first, second] = transient.speeds.at(0.0);
+    let seconds = distance / (0.5 * (first + second));
+    let text = format!(
+        "`oil_layer` is that at the inlet edge, {} before the centre: at the speed of the start it takes {} s to there",
+        length(distance),
+        digits(seconds, 3)
+    );
+    changes.then(|| match seconds < transient.duration {
+        true => Warning::new(WarningKind::OnItsWay, text),
+        false => Warning::from(format!("{text}, longer than the duration")),
+    })
 }
 
 /// Hertz pressure beyond which no law of a film holds, Pa.
