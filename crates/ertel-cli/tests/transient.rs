@@ -150,7 +150,7 @@ fn bodies_that_are_apart_come_near() {
     assert!((film.as_f64().unwrap() / 3e-6 - 1.0).abs() < 1e-9, "{film}");
     assert!(result["coefficient_of_restitution"].is_null());
     let table = std::fs::read_to_string(folder.path().join("out/transient.csv")).unwrap();
-    assert!(table.contains("load_N_per_m,approach_m,approach_velocity_m_per_s,film_force_N_per_m"));
+    assert!(table.contains("load_N_per_m,radius_m,temperature_K,oil_layer_m,approach_m,approach_velocity_m_per_s,film_force_N_per_m"));
     let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/impact.toml");
     let output = ertel(
         &folder,
@@ -240,7 +240,8 @@ fn teeth_along_their_path() {
     let share = (pitch - of(&near[0], "time")) / (of(&near[1], "time") - of(&near[0], "time"));
     let at = |key: &str| of(&near[0], key) + share * (of(&near[1], key) - of(&near[0], key));
     // R_1 = 40 sin 20° mm and twice that of the wheel; 100 N m over the base radius and 20 mm.
-    assert!((at("radius") / 9.120_53e-3 - 1.0).abs() < 1e-4);
+    // Between the steps straight lines.
+    assert!((at("radius") / 9.120_53e-3 - 1.0).abs() < 1e-3);
     assert!((at("load") / 133_022.0 - 1.0).abs() < 1e-4);
     for body in ["body_1_speed", "body_2_speed"] {
         assert!((at(body) / 2.148_98 - 1.0).abs() < 1e-4);

@@ -3,6 +3,7 @@
 use approx::assert_relative_eq;
 
 use super::*;
+use crate::contact::gap::{Body, Form, GapTerm, Relief};
 use crate::contact::{Inlet, OilLayer};
 
 /// A system on a row of nodes at some state that is no solution.
@@ -145,4 +146,78 @@ fn a_thin_layer_is_the_film() {
     let film = measured.find(Figure::FilmCentral).unwrap();
     let error = (film.value - layer).abs();
     assert!(error < 0.01 * layer, "{film:?}");
+}
+
+/// Waves on a body at rest under a body that slides: what is entrained is the same at all places of the thick oil, so that the film follows what compressibility leaves, H/A = C/(1 + C), and pressures
+/// are P/A = (E'w/4)/(1 + C), w = 2π/λ, C = h E'w/(4B), B = ρ dp/dρ (Hooke, Proc. IMechE J 220, 2006, 259, for Q → ∞). Films of 2 %, a half and a quarter of a half-width long, against the same
+/// without waves. First order in A, and B and h change over a wave.
+///
+/// Theory: Surfaces.
+#[test]
+fn standing_waves_under_sliding_are_those_of_hooke() {
+    let given = |waves: Option<[f64; 2]>| {
+        let contact = Contact::line(0.01, 1e5);
+        let mut problem = problem_of(&contact, &Motion::straight(0.8, 2.0), 1e-3);
+        problem.plan.largest_cell = 0.25 / 32.0;
+        if let Some([wavelength, amplitude]) = waves {
+            let form = Form::Waves {
+                wavelength,
+                amplitude,
+                direction: 0.0,
+            };
+            problem.shape.gap.terms.push(GapTerm::Relief(Relief {
+                form,
+                body: Body::First,
+                place: [1.25, 0.0],
+                moved: 0.0,
+                turn: Turn::NONE,
+            }));
+        }
+        let found = solved(&problem);
+        (problem, found)
+    };
+    let fields = |found: &Volumes, x: f64| {
+        let level = found.levels.last().unwrap();
+        let grid = &level.system.grid;
+        let [i, j] = grid.centre();
+        let k = grid.index(i, j) as i64 + (x / grid.spacing[0]).round() as i64;
+        let k = k as usize;
+        (grid.place(k, 0)[0], level.films[k], level.state.pressure[k])
+    };
+    let (smooth, found) = given(None);
+    let (_, film, pressure) = fields(&found, 0.0);
+    let [rho, rho_p, _] = smooth.fluid.at(pressure).density;
+    let scales = &smooth.scales;
+    for wavelength in [0.5, 0.25] {
+        let amplitude = 0.02 * film;
+        let (_, rough) = given(Some([wavelength, amplitude]));
+        let wave = std::f64::consts::TAU / (wavelength * scales.length);
+        let modulus = 230.769_230_77e9;
+        let bulk = scales.pressure * rho / rho_p;
+        let c = film * scales.film * modulus * wave / (4.0 * bulk);
+        // The first harmonic over the wave about the centre.
+        let n = 64;
+        let mut sums = [[0.0; 2]; 2];
+        for m in 0..n {
+            let at = wavelength * ((f64::from(m) + 0.5) / f64::from(n) - 0.5);
+            let (x, h, p) = fields(&rough, at);
+            let (_, h_0, p_0) = fields(&found, at);
+            let (sin, cos) = (std::f64::consts::TAU * x / wavelength).sin_cos();
+            for (sums, difference) in sums.iter_mut().zip([h - h_0, p - p_0]) {
+                *sums = [sums[0] + difference * cos, sums[1] + difference * sin];
+            }
+        }
+        let [of_film, of_pressure] = sums.map(|[a, b]| 2.0 * a.hypot(b) / f64::from(n));
+        println!(
+            "{wavelength} {} {} {} {}",
+            of_film / amplitude,
+            c / (1.0 + c),
+            of_pressure * scales.pressure / (amplitude * scales.film),
+            0.25 * modulus * wave / (1.0 + c)
+        );
+        assert_relative_eq!(of_film / amplitude, c / (1.0 + c), max_relative = 0.05);
+        let stiffness = 0.25 * modulus * wave / (1.0 + c);
+        let of_pressure = of_pressure * scales.pressure / (amplitude * scales.film);
+        assert_relative_eq!(of_pressure, stiffness, max_relative = 0.05);
+    }
 }
