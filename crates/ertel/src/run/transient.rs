@@ -1,6 +1,11 @@
 //! A case in time, by finite volumes.
 
+mod amplitude;
+mod fields;
+
 use std::sync::Arc;
+
+pub use self::fields::InstantFields;
 
 use ertel_fem::platform::Instant as Clock;
 
@@ -85,13 +90,15 @@ pub struct InstantProfile {
     pub film: Vec<f64>,
 }
 
-/// The film on the centreline about the contact over all instants.
+/// Film and pressure on the centreline about the contact over all instants.
 #[derive(Clone, Debug, Default)]
 pub struct FilmMap {
     /// Places along the motion, m.
     pub x: Vec<f64>,
     /// Film thickness there, m, for each instant.
     pub films: Vec<Vec<f32>>,
+    /// Pressure there, Pa, for each instant.
+    pub pressures: Vec<Vec<f32>>,
 }
 
 /// What became of a case in time.
@@ -101,8 +108,13 @@ pub struct TransientSolution {
     pub instants: Vec<InstantSolution>,
     /// Centrelines at the output times.
     pub profiles: Vec<InstantProfile>,
-    /// The film over place and time.
+    /// Pressure and film on and off the centreline at the same times.
+    pub fields: InstantFields,
+    /// Film and pressure over place and time.
     pub map: FilmMap,
+    /// A_d/A_i at each instant, what the film in the centre keeps of the amplitude of waves while one of them passes: as long as no whole wave has passed, none; empty where no waves pass
+    /// or where other reliefs are there.
+    pub amplitude_ratios: Vec<Option<f64>>,
     /// Half-width of the dry contact under the largest load, m.
     pub half_width: f64,
     /// How it went.
@@ -204,10 +216,13 @@ fn solve_here(
         speed,
         load,
         duration: transient.duration,
+        n_outputs: transient.output_times.len(),
         found: TransientSolution {
             instants: Vec::new(),
             profiles: Vec::new(),
+            fields: InstantFields::default(),
             map: FilmMap::default(),
+            amplitude_ratios: Vec::new(),
             half_width: length,
             info: Info::default(),
             failure: None,
@@ -230,6 +245,7 @@ fn solve_here(
             found.failure = Some(error);
         }
     }
+    found.amplitude_ratios = amplitude::amplitude_ratios(case, &found.instants);
     found.warnings.extend(warnings(&found));
     found.warnings.extend(too_hard(case, &found));
     let largest = |figure| {
@@ -307,6 +323,7 @@ struct Collector<'a> {
     speed: f64,
     load: f64,
     duration: f64,
+    n_outputs: usize,
     found: TransientSolution,
 }
 
@@ -331,13 +348,25 @@ impl TransientObserver for Collector<'_> {
         let films: Vec<f64> = profile.fields.iter().map(|f| f.film * film).collect();
         let x: Vec<f64> = profile.x.iter().map(|x| x * length).collect();
         // The grids stay where they are, and so do the places.
-        let mut own = x.iter().zip(&films);
+        let mut own = x.iter().zip(profile.fields.iter().zip(&films));
         let row = map.x.iter().map(|place| {
             own.find(|(x, _)| *x >= place)
-                .map_or(f32::NAN, |(_, film)| *film as f32)
+                .map_or([f32::NAN; 2], |(_, (at, film))| {
+                    [*film, at.pressure * pressure].map(|v| v as f32)
+                })
         });
-        map.films.push(row.collect());
+        let (films_there, pressures) = row.map(|[film, pressure]| (film, pressure)).unzip();
+        map.films.push(films_there);
+        map.pressures.push(pressures);
         if instant.is_asked {
+            self.found.fields.push(
+                time,
+                &patched,
+                &profile,
+                &instant.problem.shape,
+                self.scales,
+                self.n_outputs,
+            );
             self.found.profiles.push(InstantProfile {
                 time,
                 pressure: profile
