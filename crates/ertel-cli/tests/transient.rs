@@ -200,10 +200,11 @@ fn waves_keep_the_amplitudes_of_venner() {
         let last = column(table.lines().last().unwrap(), "amplitude_ratio").unwrap();
         assert_eq!(last.parse::<f64>().unwrap(), ratio);
         let shown = text(&output.stdout);
+        let (_, rest) = shown.split_once("amplitude ratio of the waves").unwrap();
+        let told = rest.split_whitespace().next().unwrap();
         assert!(
-            shown.contains("amplitude ratio of the waves")
-                && shown.contains(&format!("{ratio:.3}")),
-            "{shown}"
+            (told.parse::<f64>().unwrap() - ratio).abs() < 1e-3,
+            "{told}"
         );
         let bytes = std::fs::read(out.join("result.nc")).unwrap();
         assert!(bytes.windows(8).any(|w| w == ratio.to_be_bytes()));
@@ -239,7 +240,7 @@ fn fields_of_instants_are_written_on_request() {
     let chunks = |name: &[u8]| animation.windows(4).filter(|w| *w == name).count();
     assert_eq!([chunks(b"acTL"), chunks(b"fcTL")], [1, 2]);
     let page = text(&read("report.html")).to_owned();
-    assert!(page.len() < 2_000_000 && page.contains("\"film_end\":"));
+    assert!(page.len() < 2_000_000 && page.contains("\"film_axis\":"));
     std::fs::write(folder.path().join("case.toml"), CASE).unwrap();
     let output = solve();
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));

@@ -5,7 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 
 use super::data::bytes;
-use crate::output::transient::film_range;
+use crate::output::transient::{film_axis, film_range};
 use crate::run::transient::TransientSolution;
 
 /// Bytes of the centrelines of all instants, and of the maps, at most, before they are written as text.
@@ -61,10 +61,11 @@ pub fn instants(found: &TransientSolution) -> Value {
     json!({
         "times": shown.iter().map(|i| times[*i]).collect::<Vec<_>>(),
         "half_width": found.half_width,
+        "is_rolling": found.instants.iter().any(|i| i.speeds[0] + i.speeds[1] != 0.0),
         "x": STANDARD.encode(bytes(&places, f32::to_le_bytes)),
         "film": line(&map.films, &fields.film, [0.0, BEYOND * high]),
         "pressure": line(&map.pressures, &fields.pressure, [0.0, highest]),
-        "film_end": high,
+        "film_axis": film_axis([low, high]),
         "map": if is_line { Value::Null } else { maps(found, &shown, [low, high]) },
     })
 }

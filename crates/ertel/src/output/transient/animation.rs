@@ -2,7 +2,7 @@
 
 use super::super::OutputError;
 use super::super::pictures::film_unit;
-use super::picture::{Scales, colour_of, coloured, film_range};
+use super::picture::{Scales, colour_of, coloured, film_axis, film_range};
 use super::report::{at, time_unit};
 use crate::run::transient::TransientSolution;
 use ertel_plot::axis::Axis;
@@ -43,7 +43,7 @@ pub fn animation(title: &str, found: &TransientSolution) -> Result<Option<Vec<u8
     let highest = fields.pressure.iter().flatten().copied();
     let highest = f64::from(highest.fold(0.0, f32::max));
     let frame = |i: usize| match fields.is_line() {
-        true => Ok(centreline(title, found, i, range[1], highest)),
+        true => Ok(centreline(title, found, i, film_axis(range), highest)),
         false => map(title, found, i, range),
     };
     let frames = shown.into_iter().map(frame);
@@ -62,7 +62,7 @@ fn centreline(
     title: &str,
     found: &TransientSolution,
     i: usize,
-    highest_film: f64,
+    [lowest_film, highest_film]: [f64; 2],
     highest_pressure: f64,
 ) -> Drawing {
     let fields = &found.fields;
@@ -75,7 +75,7 @@ fn centreline(
         along(found, i, [first, last]),
         Axis::linear(
             &format!("Film thickness *h* ({unit}), solid"),
-            0.0,
+            factor * lowest_film,
             factor * highest_film,
         ),
     );

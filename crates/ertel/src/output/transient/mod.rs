@@ -12,7 +12,7 @@ pub use animation::animation;
 pub(super) use fields::is_file_of_instant;
 pub use json::{TRANSIENT_FORMAT, transient_json};
 pub use netcdf::transient_netcdf;
-pub(super) use picture::film_range;
+pub(super) use picture::{film_axis, film_range};
 pub use picture::{film_over_time, map_of_film};
 pub use report::transient_report;
 pub(super) use report::write_results;

@@ -228,6 +228,11 @@ pub(super) fn colour_of(film: f64, [low, high]: [f64; 2]) -> [u8; 3] {
     [colour.r, colour.g, colour.b]
 }
 
+/// Ends of an axis of films on a centreline, m, from the range of all.
+pub(in crate::output) fn film_axis([low, high]: [f64; 2]) -> [f64; 2] {
+    [0.9 * low, high]
+}
+
 /// The films that colours tell apart, m: from the smallest one to a multiple of the largest central one.
 pub(in crate::output) fn film_range(found: &TransientSolution) -> [f64; 2] {
     let of = |figure| {

@@ -5,17 +5,21 @@ const PLAY = { whole: 8000, shortest: 40, longest: 600 };
 
 // A map of which nothing is read but its colours.
 class InstantMap extends FieldMap {
-  constructor(host, caption, window) {
+  constructor(host, caption, window, isRolling) {
     super(host, { caption, window, zone: [], onCursor: () => {}, describe: caption });
     this.canvas.removeAttribute("tabindex");
     this.canvas.removeAttribute("aria-describedby");
     this.canvas.setAttribute("role", "img");
+    this.isRolling = isRolling;
   }
 
   name(caption) {
     this.caption = caption;
     this.canvas.setAttribute("aria-label", caption);
   }
+
+  // Surfaces at rest have no direction.
+  paintMotion(ctx) { if (this.isRolling) super.paintMotion(ctx); }
 
   paintZone() {}
 
@@ -28,7 +32,7 @@ class InstantsView {
     this.data = data;
     this.n = data.times.length;
     this.x = Array.from(decode(data.x, Float32Array), (x) => x / data.half_width);
-    this.film = { ...data.film, values: decode(data.film.values, Uint16Array), unit: unitOf("m", data.film_end / 2) };
+    this.film = { ...data.film, values: decode(data.film.values, Uint16Array), unit: unitOf("m", data.film_axis[1] / 2) };
     this.pressure = { ...data.pressure, values: decode(data.pressure.values, Uint16Array), unit: unitOf("Pa", data.pressure.high) };
     this.time = unitOf("s", data.times[this.n - 1] / 2);
     this.slider = element("instant");
@@ -41,7 +45,7 @@ class InstantsView {
     if (data.map) {
       const over = (ends) => ends.map((v) => v / data.half_width);
       this.films = decode(data.map.values, Uint8Array);
-      this.map = new InstantMap(element("instant-map"), "Film thickness", [over(data.map.x), over(data.map.y)]);
+      this.map = new InstantMap(element("instant-map"), "Film thickness", [over(data.map.x), over(data.map.y)], data.is_rolling);
     }
     this.show(this.n - 1);
     addEventListener("beforeprint", () => { this.stop(); this.before = this.at; this.show(this.n - 1); });
@@ -73,11 +77,12 @@ class InstantsView {
       drawn.chart.setData([this.x, film, pressure]);
       drawn.chart.root.querySelector(".u-wrap").setAttribute("aria-label", describe);
     } else {
-      const ends = [this.film.unit.show(this.data.film_end), this.pressure.unit.show(1.05 * this.pressure.high)];
+      const films = this.data.film_axis.map(this.film.unit.show);
+      const highest = this.pressure.unit.show(1.05 * this.pressure.high);
       lineChart("instant-profile", {
         x: { label: "x/a", data: this.x }, describe,
-        y: { label: `Film thickness (${this.film.unit.name})`, range: () => [0, ends[0]] },
-        right: { label: `Pressure (${this.pressure.unit.name})`, range: () => [0, ends[1]] },
+        y: { label: `Film thickness (${this.film.unit.name})`, range: () => films },
+        right: { label: `Pressure (${this.pressure.unit.name})`, range: () => [0, highest] },
         series: [
           { label: "film thickness", unit: this.film.unit.name, data: film },
           { label: "pressure", unit: this.pressure.unit.name, data: pressure, scale: "right", dash: [6, 4] },
