@@ -129,7 +129,7 @@ pub struct TransientSolution {
 
 /// Half-widths about the centre of the map of films, and places in it at most.
 const MAP: f64 = 1.5;
-const MAP_PLACES: usize = 240;
+const MAP_PLACES: usize = 480;
 
 /// Mass error from which a warning is given.
 const MASS_ERROR: f64 = 1e-2;

@@ -9,7 +9,7 @@ use crate::output::transient::{film_axis, film_range};
 use crate::run::transient::TransientSolution;
 
 /// Bytes of the centrelines of all instants, and of the maps, at most, before they are written as text.
-const MOST_PROFILE_BYTES: usize = 225_000;
+const MOST_PROFILE_BYTES: usize = 300_000;
 const MOST_MAP_BYTES: usize = 180_000;
 /// Maps at most.
 const MOST_MAPS: usize = 60;

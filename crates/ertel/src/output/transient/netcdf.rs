@@ -26,8 +26,8 @@ pub fn transient_netcdf(case: &CaseEcho, found: &TransientSolution) -> Vec<u8> {
         ],
         variables: Vec::new(),
     };
-    let mut add = |name: &str, dimensions: &[usize], unit, words: &str, values| {
-        let unit = if unit == "" { "1" } else { unit };
+    let mut add = |name: &str, dimensions: &[usize], unit: &str, words: &str, values| {
+        let unit = if unit.is_empty() { "1" } else { unit };
         let attributes = vec![
             ("units", text(unit)),
             ("long_name", text(words)),

@@ -96,7 +96,7 @@ class InstantsView {
     const { n: [nx, ny], range } = this.data.map;
     const [low, high] = range.map(this.film.unit.show);
     const values = this.films.subarray(i * nx * ny, (i + 1) * nx * ny);
-    this.map.name(`Film thickness at t = ${this.text(i)}`);
+    this.map.name(`Film thickness at t = ${this.text(i)}.`);
     const sample = (window, width, height) => {
       const out = new Float32Array(width * height);
       const across = Array.from({ length: width }, (_, k) => Math.max(0, Math.min(nx - 1.001, (k + 0.5) / width * (nx - 1))));
