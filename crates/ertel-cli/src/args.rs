@@ -71,7 +71,8 @@ pub enum Command {
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Files of a result: report.html (a page with maps), report.txt, result.json (all figures), case.toml, centreline.csv, surface.vtu, pictures; on request
-result.nc (`netcdf = true` in [output]), body.vtu (`body_field = true`), temperature.vtu (`field = true` in [thermal]). A curve has curve.csv and
+result.nc (`netcdf = true` in [output]), body.vtu (`body_field = true`), temperature.vtu (`field = true` in [thermal]); of a case in time
+fields.pvd (`vtu = true`) and animation.png (`animation = true`). A curve has curve.csv and
 curve.json, a machine machine.csv and machine.json.")]
 pub struct SolveArgs {
     /// The case files (TOML), each solved into a folder of its own; `-` reads one from standard input

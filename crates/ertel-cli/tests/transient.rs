@@ -260,3 +260,88 @@ fn teeth_along_their_path() {
     assert!((thinnest / 211e-9 - 1.0).abs() < 0.02, "{thinnest}");
     assert!((thickest / 352e-9 - 1.0).abs() < 0.02, "{thickest}");
 }
+
+/// Waves of 1, 1/2 and 1/4 half-widths keep 0.183, 0.394 and 0.660 of their amplitude (Venner, Couhier, Lubrecht and Greenwood 1997, table 1: M = 100, L = 11), to 3 %, as far as
+/// the table's own numbers differ with the amplitude; in the tables, in the report and in netCDF.
+#[test]
+fn waves_keep_the_amplitudes_of_venner() {
+    let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/waves.toml");
+    let shipped = std::fs::read_to_string(case).unwrap();
+    for (wavelength, duration, expected) in [
+        ("0.3457 mm", "2.6 ms", 0.183),
+        ("0.173 mm", "2.2 ms", 0.394),
+        ("0.0864 mm", "2.1 ms", 0.660),
+    ] {
+        let text_of = shipped
+            .replace("0.173 mm", wavelength)
+            .replace("2.2 ms", duration)
+            + "\n[output]\nnetcdf = true\n";
+        let folder = workspace(&text_of);
+        let output = ertel(&folder, &["solve", "case.toml", "--output", "out"]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let out = folder.path().join("out");
+        let result = json(&out.join("transient.json"));
+        let instants = result["instants"].as_array().unwrap();
+        assert!(instants[0]["amplitude_ratio"].is_null());
+        let ratio = instants[instants.len() - 1]["amplitude_ratio"].as_f64();
+        let ratio = ratio.expect("a whole wave has passed");
+        assert!(
+            (ratio / expected - 1.0).abs() < 0.03,
+            "{wavelength}: {ratio}"
+        );
+        let table = std::fs::read_to_string(out.join("transient.csv")).unwrap();
+        let column = |row: &str, title: &str| {
+            let at = table.lines().next()?.split(',').position(|t| t == title)?;
+            row.split(',').nth(at).map(str::to_owned)
+        };
+        let last = column(table.lines().last().unwrap(), "amplitude_ratio").unwrap();
+        assert_eq!(last.parse::<f64>().unwrap(), ratio);
+        let shown = text(&output.stdout);
+        let (_, rest) = shown.split_once("amplitude ratio of the waves").unwrap();
+        let told = rest.split_whitespace().next().unwrap();
+        assert!(
+            (told.parse::<f64>().unwrap() - ratio).abs() < 1e-3,
+            "{told}"
+        );
+        let bytes = std::fs::read(out.join("result.nc")).unwrap();
+        assert!(bytes.windows(8).any(|w| w == ratio.to_be_bytes()));
+    }
+}
+
+/// Fields, netCDF and animation on request: a file for each output time, named in a collection with its time; without the keys there is none, and the folder of one run is replaced by another one.
+#[test]
+fn fields_of_instants_are_written_on_request() {
+    let asked = format!("{CASE}\n[output]\nvtu = true\nnetcdf = true\nanimation = true\n");
+    let folder = workspace(&asked);
+    let solve = || ertel(&folder, &["solve", "case.toml", "--output", "out"]);
+    let output = solve();
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let out = folder.path().join("out");
+    let read = |name: &str| std::fs::read(out.join(name)).unwrap();
+    let collection = text(&read("fields.pvd")).to_owned();
+    for (time, file) in [("0e0", "fields-001.vtu"), ("5e-4", "fields-002.vtu")] {
+        let line = format!("<DataSet timestep=\"{time}\" part=\"0\" file=\"{file}\"/>");
+        assert!(collection.contains(&line), "{collection}");
+        let fields = text(&read(file)).to_owned();
+        for array in [
+            "Float32\" Name=\"pressure_Pa",
+            "Name=\"film_thickness_m",
+            "Name=\"TimeValue",
+        ] {
+            assert!(fields.contains(array), "{array}");
+        }
+    }
+    assert!(!out.join("fields-003.vtu").exists());
+    assert!(read("result.nc").starts_with(b"CDF\x02"));
+    let animation = read("animation.png");
+    let chunks = |name: &[u8]| animation.windows(4).filter(|w| *w == name).count();
+    assert_eq!([chunks(b"acTL"), chunks(b"fcTL")], [1, 2]);
+    let page = text(&read("report.html")).to_owned();
+    assert!(page.len() < 2_000_000 && page.contains("\"film_axis\":"));
+    std::fs::write(folder.path().join("case.toml"), CASE).unwrap();
+    let output = solve();
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    for name in ["fields.pvd", "fields-001.vtu", "result.nc", "animation.png"] {
+        assert!(!out.join(name).exists(), "{name}");
+    }
+}

@@ -309,6 +309,10 @@ pub struct OutputParams {
     pub body_field: bool,
     /// Write the fields on a regular grid and all figures as netCDF (`result.nc`).
     pub netcdf: bool,
+    /// Write the fields at each output time of a case in time as VTU files (`fields.pvd`).
+    pub vtu: bool,
+    /// Write an animation of a case in time (`animation.png`).
+    pub animation: bool,
     /// Picture of a point contact by the interference of light.
     pub interferogram: Option<Interferometer>,
     /// Which derivatives of the figures by inputs are computed.
@@ -323,6 +327,8 @@ impl std::fmt::Debug for OutputParams {
             pictures,
             body_field,
             netcdf,
+            vtu,
+            animation,
             interferogram,
             sensitivities,
         } = self;
@@ -332,8 +338,10 @@ impl std::fmt::Debug for OutputParams {
             .field("body_field", body_field)
             .field("interferogram", interferogram)
             .field("sensitivities", sensitivities);
-        if *netcdf {
-            text.field("netcdf", netcdf);
+        for (name, is_on) in [("netcdf", netcdf), ("vtu", vtu), ("animation", animation)] {
+            if *is_on {
+                text.field(name, is_on);
+            }
         }
         text.finish()
     }

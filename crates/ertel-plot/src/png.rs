@@ -17,12 +17,67 @@ const PER_METRE: u32 = 11_811;
 
 /// The file of a picture.
 pub(crate) fn write(drawing: &Drawing) -> Result<Vec<u8>, DrawingError> {
-    let pixels = |length: f64| (SCALE * length).ceil().clamp(0.0, f64::from(u32::MAX)) as u32;
-    let (width, height) = (pixels(drawing.width), pixels(drawing.height));
+    let (width, height) = size(drawing, SCALE);
+    let data = pixels(drawing, SCALE, (width, height))?;
+    encode(width, height, &data, Some(PER_METRE))
+}
+
+/// An animated PNG file (APNG) that shows pictures one after the other again and again, each for so many milliseconds, in pixels of the given number to a px. All have the size of the first one; each is drawn as
+/// it comes. Programs that know no animations show the first one.
+///
+/// # Errors
+/// [`DrawingError`] as of a picture; that of a size without pictures.
+pub fn animate(
+    frames: impl ExactSizeIterator<Item = Result<Drawing, DrawingError>>,
+    milliseconds: u16,
+    scale: f64,
+) -> Result<Vec<u8>, DrawingError> {
+    let n = frames.len();
+    let mut frames = frames.peekable();
+    let (width, height) = match frames.peek() {
+        Some(Ok(first)) => size(first, scale),
+        _ => (0, 0),
+    };
+    if let Some(Err(error)) = frames.next_if(Result::is_err) {
+        return Err(error);
+    }
+    let mut bytes = Vec::new();
+    let mut encoder = png_image::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png_image::ColorType::Rgb);
+    encoder.set_depth(png_image::BitDepth::Eight);
+    encoder.set_source_srgb(png_image::SrgbRenderingIntent::Perceptual);
+    if n > 1 {
+        encoder.set_animated(n as u32, 0)?;
+        encoder.set_frame_delay(milliseconds, 1000)?;
+    }
+    if n == 0 {
+        return Err(DrawingError::Size { width, height });
+    }
+    let mut writer = encoder.write_header()?;
+    for drawing in frames {
+        writer.write_image_data(&pixels(&drawing?, scale, (width, height))?)?;
+    }
+    writer.finish()?;
+    Ok(bytes)
+}
+
+/// Pixels along both sides.
+fn size(drawing: &Drawing, scale: f64) -> (u32, u32) {
+    let pixels = |length: f64| (scale * length).ceil().clamp(0.0, f64::from(u32::MAX)) as u32;
+    (pixels(drawing.width), pixels(drawing.height))
+}
+
+/// Pixels of a picture, row by row from the top, red, green and blue.
+fn pixels(
+    drawing: &Drawing,
+    scale: f64,
+    (width, height): (u32, u32),
+) -> Result<Vec<u8>, DrawingError> {
     let failed = || DrawingError::Size { width, height };
     let mut canvas = Canvas {
         pixmap: Pixmap::new(width, height).ok_or_else(failed)?,
         clip: None,
+        scale: Transform::from_scale(scale as f32, scale as f32),
     };
     canvas.pixmap.fill(tiny_skia::Color::WHITE);
     for element in &drawing.elements {
@@ -30,10 +85,9 @@ pub(crate) fn write(drawing: &Drawing) -> Result<Vec<u8>, DrawingError> {
     }
     // Nothing shines through the white page: the pixels are opaque.
     let opaque = canvas.pixmap.pixels().iter();
-    let data: Vec<u8> = opaque
+    Ok(opaque
         .flat_map(|p| [p.red(), p.green(), p.blue()])
-        .collect();
-    encode(width, height, &data, Some(PER_METRE))
+        .collect())
 }
 
 /// A PNG file of pixels, row by row from the top, red, green and blue; with its resolution, dots per metre.
@@ -63,6 +117,8 @@ pub fn encode(
 struct Canvas {
     pixmap: Pixmap,
     clip: Option<Mask>,
+    /// From px to pixels.
+    scale: Transform,
 }
 
 impl Canvas {
@@ -83,8 +139,9 @@ impl Canvas {
             Element::Text(text) => self.text(text),
             Element::BeginClip(place) => {
                 let mask = Mask::new(self.pixmap.width(), self.pixmap.height());
+                let scale = self.scale;
                 self.clip = mask.zip(rectangle(*place)).map(|(mut mask, path)| {
-                    mask.fill_path(&path, FillRule::Winding, true, scale());
+                    mask.fill_path(&path, FillRule::Winding, true, scale);
                     mask
                 });
             }
@@ -104,7 +161,7 @@ impl Canvas {
         if let Some(path) = path {
             let paint = paint(&line.colour);
             self.pixmap
-                .stroke_path(&path, &paint, &stroke, scale(), self.clip.as_ref());
+                .stroke_path(&path, &paint, &stroke, self.scale, self.clip.as_ref());
         }
     }
 
@@ -115,7 +172,7 @@ impl Canvas {
                 &path,
                 &paint,
                 FillRule::EvenOdd,
-                scale(),
+                self.scale,
                 self.clip.as_ref(),
             );
         }
@@ -134,7 +191,7 @@ impl Canvas {
             quality: FilterQuality::Bilinear,
             ..PixmapPaint::default()
         };
-        let place = place.post_concat(scale());
+        let place = place.post_concat(self.scale);
         self.pixmap
             .draw_pixmap(0, 0, image.as_ref(), &paint, place, self.clip.as_ref());
     }
@@ -168,7 +225,7 @@ impl Canvas {
         };
         let [x, y] = text.at.map(|v| v as f32);
         let place = Transform::from_rotate(text.turn as f32).post_translate(x, y);
-        let place = place.post_concat(scale());
+        let place = place.post_concat(self.scale);
         let paint = paint(&text.colour);
         self.pixmap
             .fill_path(&path, &paint, FillRule::Winding, place, self.clip.as_ref());
@@ -220,10 +277,6 @@ impl OutlineBuilder for Outline {
     }
 }
 
-fn scale() -> Transform {
-    Transform::from_scale(SCALE as f32, SCALE as f32)
-}
-
 fn paint(colour: &str) -> Paint<'static> {
     let [r, g, b] = rgb(colour);
     let mut paint = Paint::default();
@@ -265,6 +318,31 @@ fn ellipse(at: [f64; 2], radii: [f64; 2], turn: f64) -> Option<Path> {
 mod tests {
     use super::super::drawing;
     use super::*;
+
+    /// Two pictures of one size: the decoder finds two frames with their colours and their time, again and again.
+    #[test]
+    fn an_animation_is_read_back() {
+        let frame = |colour: &str| {
+            let mut drawing = Drawing::new(20.0, 10.0, "T");
+            drawing.rectangle(0.0, 0.0, 20.0, 10.0, colour);
+            Ok(drawing)
+        };
+        let frames = ["#ff0000", "#0000ff"].map(frame).into_iter();
+        let bytes = animate(frames, 250, 2.0).unwrap();
+        let decoder = png_image::Decoder::new(std::io::Cursor::new(bytes));
+        let mut reader = decoder.read_info().unwrap();
+        let control = *reader.info().animation_control().unwrap();
+        assert_eq!((control.num_frames, control.num_plays), (2, 0));
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        for expected in [[255, 0, 0], [0, 0, 255]] {
+            reader.next_frame(&mut pixels).unwrap();
+            let frame = reader.info().frame_control().unwrap();
+            assert_eq!((frame.width, frame.height), (40, 20));
+            assert_eq!((frame.delay_num, frame.delay_den), (250, 1000));
+            assert_eq!(pixels[3 * 410..3 * 411], expected);
+        }
+        assert!(animate(std::iter::empty(), 250, 2.0).is_err());
+    }
 
     /// A red square in a clip, a circle and text: read back by the decoder, with the colours where they belong.
     #[test]

@@ -13,6 +13,7 @@ use ertel::solution::{ContactFields, Solution};
 use ertel::study::CurveSolution;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 use crate::errors;
 
@@ -200,6 +201,40 @@ impl NativeTransient {
     /// `transient.csv`.
     fn table(&self) -> String {
         output::transient_table(&self.found, self.echo.contact.kind.is_line())
+    }
+
+    /// Output times, places along and across the motion.
+    fn grid<'py>(&self, py: Python<'py>) -> [Bound<'py, PyArray1<f64>>; 3] {
+        let fields = &self.found.fields;
+        [&fields.times, &fields.x, &fields.y].map(|values| values.clone().into_pyarray(py))
+    }
+
+    /// Pressure and film at the output time with this number, row by row.
+    fn fields<'py>(
+        &self,
+        py: Python<'py>,
+        number: usize,
+    ) -> Option<[Bound<'py, PyArray1<f32>>; 2]> {
+        let fields = &self.found.fields;
+        let own = [fields.pressure.get(number)?, fields.film.get(number)?];
+        Some(own.map(|values| values.clone().into_pyarray(py)))
+    }
+
+    /// `result.nc`.
+    fn netcdf<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        let bytes = crate::pool::detached(py, || {
+            output::transient::transient_netcdf(&self.echo, &self.found)
+        })?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// `animation.png`, if there are output times.
+    fn animation<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyBytes>>> {
+        let bytes = crate::pool::detached(py, || {
+            output::transient::animation(&self.echo.title, &self.found)
+        })?;
+        let bytes = bytes.map_err(errors::output)?;
+        Ok(bytes.map(|bytes| PyBytes::new(py, &bytes)))
     }
 
     /// Writes the files that `ertel solve` writes.

@@ -60,6 +60,64 @@ def test_a_folder_opens_again(solved: ertel.Transient, tmp_path: Path) -> None:
         ertel.read(tmp_path / "course")
 
 
+def test_output_times_have_fields(solved: ertel.Transient, tmp_path: Path) -> None:
+    first, second = solved.outputs
+    assert [first.time, second.time] == pytest.approx([0, 0.3e-3]) and solved[0].has_fields and not solved[1].has_fields
+    assert second.film.shape == second.pressure.shape == second.x.shape and second.y == [0]
+    profile = solved.profiles[1]
+    assert np.interp(0, second.x, second.film) == pytest.approx(np.interp(0, profile["x"], profile["film_thickness"]), rel=1e-6)
+    with pytest.raises(ertel.OutputError, match="output_times"):
+        solved[1].film
+    axes = solved.plot(0).axes
+    assert len(axes) == 2 and axes[1].get_ylabel().startswith("pressure")
+    # A folder has the centrelines, a pickle as well.
+    again = ertel.read(solved.save(tmp_path / "fields"))
+    assert isinstance(again, ertel.Transient)
+    for other in (again, pickle.loads(pickle.dumps(solved))):
+        assert other.outputs[1].pressure == pytest.approx(second.pressure, rel=1e-6)
+    with pytest.raises(ertel.OutputError, match="result.nc"):
+        again.to_netcdf(tmp_path / "no.nc")
+
+
+def test_netcdf_and_animation(solved: ertel.Transient, tmp_path: Path) -> None:
+    scipy_io = pytest.importorskip("scipy.io")
+    with scipy_io.netcdf_file(solved.to_netcdf(tmp_path / "time.nc"), mmap=False) as file:
+        variables = file.variables
+        assert dict(file.dimensions) == {"time": len(solved), "output_time": 2, "x": len(solved[0].x)}
+        assert variables["time"].data == pytest.approx(solved.time)
+        film, error = variables["film_central"], variables["film_central_error"]
+        assert film.data == pytest.approx(solved.series("film_central")) and film.units == b"m"
+        assert error.data[0] == pytest.approx(solved[0].film_central.error)
+        carried = variables["pressure"].data[1] @ np.gradient(variables["x"].data)
+        assert carried == pytest.approx(50e3, rel=5e-3)
+    content = solved.animate(tmp_path / "time.png").read_bytes()
+    assert content.startswith(b"\x89PNG") and content.count(b"acTL") == 1 and content.count(b"fcTL") == 2
+
+
+def test_a_point_contact_has_fields_across_the_motion(cases: Path, tmp_path: Path) -> None:
+    text = (cases / "ball-on-disc.toml").read_text()
+    extra = '\n[mesh]\ntarget_error = "10 %"\n[output]\nvtu = true\nanimation = true\nnetcdf = true\n[transient]\nduration = "20 us"\noutput_times = ["0 us", "20 us"]\n'
+    solved = ertel.Case.from_text(text + extra).solve()
+    assert isinstance(solved, ertel.Transient)
+    last = solved.outputs[-1]
+    assert last.film.shape == (len(last.y), len(last.x)) and last.film.size <= 12_000
+    # Alike on both sides, thinnest off the centreline, and the pressure there carries most of the load.
+    assert last.film == pytest.approx(last.film[::-1])
+    row = np.unravel_index(np.argmin(last.film), last.film.shape)[0]
+    assert row != len(last.y) // 2 and last.film.min() == pytest.approx(last.film_minimum.value, rel=0.1)
+    carried = np.gradient(last.y) @ last.pressure @ np.gradient(last.x)
+    assert carried == pytest.approx(last.load, rel=0.05)
+    again = ertel.read(solved.save(tmp_path / "ball"))
+    assert isinstance(again, ertel.Transient)
+    assert again.outputs[-1].film == pytest.approx(last.film) and again.outputs[-1].y == pytest.approx(last.y)
+    assert again.animate(tmp_path / "copy.png").read_bytes() == (tmp_path / "ball" / "animation.png").read_bytes()
+    assert again.to_netcdf(tmp_path / "copy.nc").exists()
+    assert again.plot(len(again) - 1).axes
+    (tmp_path / "ball" / "fields.pvd").unlink()
+    with pytest.raises(ertel.OutputError, match="vtu = true"):
+        ertel.read(tmp_path / "ball").outputs[0].film
+
+
 def test_start_and_studies_are_refused(case: ertel.Case) -> None:
     steady = ertel.Case.from_text(case.text[: case.text.index("[transient]")])
     result = steady.solve()

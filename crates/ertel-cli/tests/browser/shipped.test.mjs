@@ -72,7 +72,7 @@ async function look(name, file, expected, how, sheets) {
   const second = await page.$$eval("#table-y2", (all) => all.map((e) => e.selectedOptions[0]?.textContent));
   for (const text of second) assert.notEqual(text, "Point", name);
   // Colours of a film belong to the contact, not to the gap around it: the largest film in it is not far above the central one.
-  for (const ends of await page.$$eval(".map", (all) => all.map((map) => JSON.parse(map.dataset.axes).at(-1)))) {
+  for (const ends of await page.$$eval("#contact .map", (all) => all.map((map) => JSON.parse(map.dataset.axes).at(-1)))) {
     const [low, high] = [ends.low, ends.high];
     assert.ok(high < 6 * low, `${name}: a map from ${low} to ${high}`);
   }

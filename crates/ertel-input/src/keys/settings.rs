@@ -93,7 +93,11 @@ rows! {
             for none"#;
         body_field: Switch, default "false" => r"`true`: write the displacement of the whole body, `body.vtu`{}. It needs a finite-element body,
             which is used if `solver.elasticity` is absent; the solver uses only the surface, so the body is factorised once more for this file";
-        netcdf: Switch, default "false" => "`true`: write the fields on a regular grid and all figures as [netCDF](results.md#resultnc), `result.nc`";
+        netcdf: Switch, default "false" => r"`true`: write the fields on a regular grid and all figures as [netCDF](results.md#resultnc), `result.nc`; of a case in time
+            at the output times";
+        vtu: Switch, default "false" => r"`true`, of a case with [`[transient]`](#transient): write pressure and film at each output time as VTU files and `fields.pvd`, which
+            lists them ([content](results.md#cases-in-time))";
+        animation: Switch, default "false" => r"`true`, of a case with `[transient]`: write the film over the output times as an animated picture, `animation.png`";
         sensitivities: Switch => r"sensitivities of the results to each input ([below](#uncertain-inputs)). Default: all that cost little
             compared with the solve, and in curves and studies only if an input has an uncertainty; `true`: also for thermal contacts and for
             the length of rollers; `false`: none";

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from ._result import Result
+    from ._transient import Instant
 
 # Those of curves in the program's pictures.
 _PALETTE = _ertel.palette()
@@ -87,6 +88,29 @@ def field_map(result: Result, values: NDArray[np.float64], unit: str, words: str
     drawn = axes.tripcolor(triangulation, values * factor, shading="gouraud", vmin=low, vmax=high)
     axes.set(xlabel="x/a (-)", ylabel="y/a (-)", aspect="equal", xlim=(x_low, x_high), ylim=(y_low, y_high))
     figure.colorbar(drawn, label=label)
+    return figure
+
+
+def instant_figure(instant: Instant, title: str) -> Figure:
+    """Film and pressure of a line contact at an instant, or the film of another one."""
+    x, y, film = instant.x * 1e3, instant.y * 1e3, instant.film * 1e9
+    most = 1.5e9 * float(instant.film_central)
+    figure = _shown(figsize=(6.4, 4.6), layout="constrained")
+    axes = figure.add_subplot()
+    axes.set_title(f"{title}, t = {instant.time * 1e3:.4g} ms")
+    if len(y) < 2:
+        axes.plot(x, film, color=_PALETTE[0])
+        axes.set(xlabel="x (mm)", ylabel="film thickness (nm)", ylim=(0.0, most))
+        pressed = instant.pressure > 0.01 * instant.pressure.max()
+        if pressed.any():
+            axes.set_xlim(1.2 * x[pressed].min(), 1.2 * x[pressed].max())
+        pressure_axes = axes.twinx()
+        pressure_axes.plot(x, instant.pressure * 1e-6, color=_PALETTE[1], linestyle="--")
+        pressure_axes.set(ylabel="pressure (MPa), dashed", ylim=(0.0, None))
+        return figure
+    drawn = axes.pcolormesh(x, y, film, shading="gouraud", vmin=film.min(), vmax=max(most, film.min()))
+    axes.set(xlabel="x (mm)", ylabel="y (mm)", aspect="equal")
+    figure.colorbar(drawn, label="film thickness (nm)")
     return figure
 
 

@@ -193,12 +193,12 @@ def columns(path: Path) -> dict[str, Floats]:
     return {name: values[:, i].copy() for i, name in enumerate(rows[0])}
 
 
-_TYPES = {"Float64": "<f8", "Int64": "<i8", "UInt8": "u1"}
-_CORNERS = {3: 2, 5: 3}
+_TYPES = {"Float32": "<f4", "Float64": "<f8", "Int64": "<i8", "UInt8": "u1"}
+_CORNERS = {3: 2, 5: 3, 9: 4}
 
 
 def surface(path: Path) -> tuple[Floats, NDArray[np.uint32], dict[str, Floats]]:
-    """Points (m), cells and fields of ``surface.vtu``, fields by their names in Python."""
+    """Points (m), cells and fields of ``surface.vtu`` or of an instant, fields by their names in Python."""
     try:
         root = ET.fromstring(text_of(path))
     except ET.ParseError as error:
@@ -224,6 +224,15 @@ def surface(path: Path) -> tuple[Floats, NDArray[np.uint32], dict[str, Floats]]:
     except (KeyError, ValueError, TypeError, binascii.Error) as error:
         raise OutputError(f"{path}: damaged, or not written by ertel ({type(error).__name__}: {error})") from None
     return points, cells.astype(np.uint32), fields
+
+
+def collection(path: Path) -> list[tuple[float, Path]]:
+    """Times (s) and files of a collection of ParaView."""
+    try:
+        sets = ET.fromstring(text_of(path)).findall("./Collection/DataSet")
+        return [(float(found.attrib["timestep"]), path.parent / found.attrib["file"]) for found in sets]
+    except (ET.ParseError, KeyError, ValueError) as error:
+        raise OutputError(f"{path}: damaged, or not written by ertel ({type(error).__name__}: {error})") from None
 
 
 def _field_of(column: str) -> str:

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _ertel
+from ._ertel import OutputError
 from ._quantity import Quantity
-from ._stored import Floats, Tabulated, document, shaped
+from ._stored import Floats, Tabulated, collection, document, shaped, surface
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -20,8 +21,17 @@ if TYPE_CHECKING:
     from ._case import Case
 
 
+class _Fields:
+    """Fields at an output time: places (m), pressure (Pa) and film (m), along a line or row by row across the motion."""
+
+    def __init__(self, x: Floats, y: Floats, pressure: Floats, film: Floats) -> None:
+        shape = (len(x),) if len(y) < 2 else (len(y), len(x))
+        self.x, self.y = x, y
+        self.pressure, self.film = (np.asarray(values, dtype=float).reshape(shape) for values in (pressure, film))
+
+
 class Instant:
-    """A contact at an instant.
+    """A contact at an instant. Those of the output times have fields, too.
 
     Attributes
     ----------
@@ -39,8 +49,10 @@ class Instant:
         Mass that the film gained or lost in the step, over what passes the centre at the largest entrainment speed.
     """
 
-    def __init__(self, given: dict[str, Any]) -> None:
+    def __init__(self, given: dict[str, Any], fields: Callable[[float], _Fields] | None = None) -> None:
         self._given = given
+        self._of = fields
+        self._found: _Fields | None = None
         self.time: float = given["time"]
         self.load: float = given["load"]
         self.film_force: float = given["film_force"]
@@ -69,6 +81,50 @@ class Instant:
             raise KeyError(f"{name}: an instant has {', '.join(figures)}")
         figure = figures[name]
         return Quantity(figure["value"], figure.get("error"))
+
+    def _fields(self) -> _Fields:
+        if self._found is None:
+            if self._of is None:
+                raise OutputError(f"there are no fields at {self.time} s: `output_times` of [transient] are the instants that keep them")
+            self._found = self._of(self.time)
+        return self._found
+
+    @property
+    def has_fields(self) -> bool:
+        """Whether it is one of the output times, which keep their fields."""
+        return self._of is not None
+
+    @property
+    def x(self) -> Floats:
+        """Places along the motion, m.
+
+        Raises
+        ------
+        OutputError
+            At an instant that is no output time, and of a folder without the files of the fields.
+        """
+        return self._fields().x
+
+    @property
+    def y(self) -> Floats:
+        """Places across the motion, m: 0 alone in line contacts. Raises as :attr:`x`."""
+        return self._fields().y
+
+    @property
+    def pressure(self) -> Floats:
+        """Pressure, Pa: at each ``x`` in line contacts, at each ``y`` and ``x`` (rows along the motion) in others. Raises as :attr:`x`."""
+        return self._fields().pressure
+
+    @property
+    def film(self) -> Floats:
+        """Film thickness, m, of the same shape. Raises as :attr:`x`."""
+        return self._fields().film
+
+    @property
+    def amplitude_ratio(self) -> float | None:
+        """What the film in the centre keeps of the amplitude of waves in the passage that ends here; None where no whole wave has passed."""
+        ratio = self._given.get("amplitude_ratio")
+        return None if ratio is None else float(ratio)
 
     @property
     def film_central(self) -> Quantity:
@@ -100,7 +156,7 @@ class Transient(Tabulated):
         self._document = json.loads(native.document())
         self._table = native.table()
         self._report = native.report()
-        self._instants = [Instant(given) for given in self._document["instants"]]
+        self._instants = self._with_fields()
 
     @classmethod
     def _read(cls, folder: Path, inputs: Path | None) -> Transient:
@@ -109,8 +165,33 @@ class Transient(Tabulated):
         transient._native = None
         path = folder / "transient.json"
         transient._document = document(path, "ertel-transient", ("title", "complete", "instants", "profiles"))
-        transient._instants = shaped(path, lambda: [Instant(given) for given in transient._document["instants"]])
+        transient._instants = shaped(path, transient._with_fields)
         return transient
+
+    def _with_fields(self) -> list[Instant]:
+        """The instants; those of the output times know where their fields are."""
+        kept = {profile["time"] for profile in self._document["profiles"]}
+        return [Instant(given, self._fields_at if given["time"] in kept else None) for given in self._document["instants"]]
+
+    def _fields_at(self, time: float) -> _Fields:
+        number = next(i for i, profile in enumerate(self._document["profiles"]) if profile["time"] == time)
+        if self._native is not None:
+            _, x, y = self._native.grid()
+            found = self._native.fields(number)
+            assert found is not None
+            return _Fields(x, y, found[0].astype(float), found[1].astype(float))
+        files = self._folder / "fields.pvd" if self._folder is not None else None
+        if files is None or not files.exists():
+            profile = self._document["profiles"][number]
+            if self._document["case"]["si"]["contact"]["kind"] == "line":
+                x, pressure, film = (np.array(profile[key]) for key in ("x", "pressure", "film_thickness"))
+                return _Fields(x, np.zeros(1), pressure, film)
+            where = files or "a pickled case in time"
+            raise OutputError(f"{where}: there are no fields off the centreline; solve with `vtu = true` in [output] to have them written")
+        _, path = collection(files)[number]
+        points, _, fields = surface(path)
+        x, y = (np.unique(points[:, axis]) for axis in (0, 1))
+        return shaped(path, lambda: _Fields(x, y, fields["pressure"], fields["film_thickness"]))
 
     @property
     def complete(self) -> bool:
@@ -154,17 +235,66 @@ class Transient(Tabulated):
         """What ``transient.json`` has."""
         return self._document
 
-    def plot(self, figure: str = "film_central") -> Figure:
-        """Draw a figure over time, in the colours of the program.
+    @property
+    def outputs(self) -> list[Instant]:
+        """The instants of the output times, which have fields."""
+        return [instant for instant in self._instants if instant.has_fields]
+
+    def plot(self, figure: str | int = "film_central") -> Figure:
+        """Draw a figure over time, or the contact at an instant, in the colours of the program.
+
+        Parameters
+        ----------
+        figure : str or int
+            Name of a figure, or number of an instant as in ``transient[i]``, one of an output time: then film and pressure of a line contact, or the film of another one.
 
         Raises
         ------
         KeyError
             With the names that there are.
+        OutputError
+            For an instant without fields.
         """
-        from ._plot import study_figure
+        from ._plot import instant_figure, study_figure
 
+        if not isinstance(figure, str):
+            return instant_figure(self._instants[figure], self.title)
         return study_figure(self.to_pandas(), ["time_s"], figure, "time_s", self.title)
+
+    def to_netcdf(self, path: str | os.PathLike[str]) -> Path:
+        """Write figures at all instants and fields at the output times as a netCDF file of the classic format, as ``[output] netcdf = true`` does.
+
+        Raises
+        ------
+        OutputError
+            When the file cannot be written, and of a folder without ``result.nc``.
+        """
+        return self._put(path, "result.nc", None if self._native is None else self._native.netcdf())
+
+    def animate(self, path: str | os.PathLike[str]) -> Path:
+        """Write an animated picture (APNG) of the contact at the output times, as ``[output] animation = true`` does.
+
+        Raises
+        ------
+        OutputError
+            When the file cannot be written, without output times, and of a folder without ``animation.png``.
+        """
+        return self._put(path, "animation.png", None if self._native is None else self._native.animation())
+
+    def _put(self, path: str | os.PathLike[str], name: str, content: bytes | None) -> Path:
+        """Writes a file of this process, or copies that of the folder."""
+        if content is None and self._native is not None:
+            raise OutputError(f"{os.fspath(path)}: nothing was solved at an output time")
+        if content is None:
+            former = self._folder / name if self._folder is not None else None
+            if former is None or not former.exists():
+                raise self._refuse(name)
+            content = former.read_bytes()
+        try:
+            Path(path).write_bytes(content)
+        except OSError as error:
+            raise OutputError(f"{os.fspath(path)}: cannot be written: {error.strerror}") from None
+        return Path(path)
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
         """Write what ``ertel solve`` writes."""
@@ -187,6 +317,8 @@ class Transient(Tabulated):
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
+        # They asked the process that solved the case.
+        self._instants = self._with_fields()
 
     def __repr__(self) -> str:
         end = "" if self.complete else ", ended early"

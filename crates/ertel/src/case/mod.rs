@@ -291,7 +291,10 @@ impl Case {
             None => Supply::Flooded,
         };
         let output = match root.optional_table("output")? {
-            Some(table) => params::read_output(table, &solver, &contact)?,
+            Some(table) => {
+                let is_in_time = root.contains("transient");
+                params::read_output(table, &solver, &contact, is_in_time)?
+            }
             None => OutputParams::default(),
         };
         root.contains("curve");

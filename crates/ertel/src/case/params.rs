@@ -310,6 +310,7 @@ pub(super) fn read_output(
     mut table: Table<'_>,
     solver: &SolverParams,
     contact: &Contact,
+    is_in_time: bool,
 ) -> Result<OutputParams, InputError> {
     let mut output = OutputParams::default();
     if let Some(folder) = table.optional_str("folder")? {
@@ -332,6 +333,26 @@ pub(super) fn read_output(
     }
     set(&mut output.body_field, table.optional_bool("body_field")?);
     set(&mut output.netcdf, table.optional_bool("netcdf")?);
+    for (key, asked, instead) in [
+        (
+            "vtu",
+            &mut output.vtu,
+            "the fields of others are always written, surface.vtu",
+        ),
+        (
+            "animation",
+            &mut output.animation,
+            "nothing moves in others",
+        ),
+    ] {
+        set(asked, table.optional_bool(key)?);
+        if *asked && !is_in_time {
+            return Err(table.error(
+                key,
+                format!("`{key} = true` is for cases with [transient]: {instead}"),
+            ));
+        }
+    }
     if let Some(wanted) = table.optional_bool("sensitivities")? {
         output.sensitivities = match wanted {
             true => SensitivityDemand::All,

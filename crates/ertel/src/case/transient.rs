@@ -270,10 +270,6 @@ fn check(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
             "keys of [mesh] or [solver] that finite elements alone have",
         ),
         (
-            case.output.netcdf,
-            "[output] netcdf: fields at instants are in profiles.csv",
-        ),
-        (
             case.output.interferogram.is_some(),
             "[output] interferogram: pictures at instants are not made",
         ),

@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::OutputError;
-use super::target::{OWN_FILES, POINTS, check_target};
+use super::target::{POINTS, check_target, is_own_name};
 use super::workplace::{Workplace, clear, exchange};
 
 /// A folder in the making beside its target; dropped unfinished, it vanishes.
@@ -128,7 +128,7 @@ impl Part {
         name: &str,
         write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
     ) -> Result<(), OutputError> {
-        debug_assert!(OWN_FILES.contains(&name), "{name} is not listed");
+        debug_assert!(is_own_name(name), "{name} is not listed");
         let save = || -> io::Result<()> {
             match &self.place {
                 Place::Disk(path) => {

@@ -11,10 +11,10 @@ use super::OutputError;
 use super::curve::CURVE_FORMAT;
 use super::machine::MACHINE_FORMAT;
 use super::result_json::FORMAT;
-use super::transient::TRANSIENT_FORMAT;
+use super::transient::{TRANSIENT_FORMAT, is_file_of_instant};
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
-pub(super) const OWN_FILES: [&str; 94] = [
+const OWN_FILES: [&str; 96] = [
     "result.json",
     super::html::REPORT_PAGE,
     "curve.json",
@@ -66,6 +66,8 @@ pub(super) const OWN_FILES: [&str; 94] = [
     "transient.json",
     "transient.csv",
     "profiles.csv",
+    "fields.pvd",
+    "animation.png",
     "film-time.svg",
     "film-time.png",
     "film-time.pdf",
@@ -201,7 +203,12 @@ pub(super) fn stray(folder: &Path) -> io::Result<Option<PathBuf>> {
 }
 
 fn is_own_file(name: &OsStr, kind: fs::FileType) -> bool {
-    kind.is_file() && OWN_FILES.iter().any(|own| name == *own)
+    kind.is_file() && name.to_str().is_some_and(is_own_name)
+}
+
+/// Whether a file of a result may be called so.
+pub(super) fn is_own_name(name: &str) -> bool {
+    OWN_FILES.contains(&name) || is_file_of_instant(name)
 }
 
 /// `007`

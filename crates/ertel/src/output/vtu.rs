@@ -4,7 +4,10 @@
 //! (`header_type="UInt64"`), as ParaView, PyVista and meshio read it. The units of all arrays are told once more in the field data, as the
 //! bytes of a JSON text: meshio reads numbers there and no strings.
 
+mod instant;
 mod whole;
+
+pub use instant::{write_collection, write_instant};
 
 use std::io::{self, Write};
 
@@ -36,6 +39,7 @@ struct Array<'a> {
 
 #[derive(Clone)]
 enum Data {
+    Float32(Vec<f32>),
     Float64(Vec<f64>),
     Int64(Vec<i64>),
     UInt8(Vec<u8>),
@@ -44,6 +48,7 @@ enum Data {
 impl Data {
     fn type_name(&self) -> &'static str {
         match self {
+            Data::Float32(_) => "Float32",
             Data::Float64(_) => "Float64",
             Data::Int64(_) => "Int64",
             Data::UInt8(_) => "UInt8",
@@ -52,6 +57,7 @@ impl Data {
 
     fn len(&self) -> usize {
         match self {
+            Data::Float32(values) => values.len(),
             Data::Float64(values) => values.len(),
             Data::Int64(values) => values.len(),
             Data::UInt8(values) => values.len(),
@@ -60,6 +66,7 @@ impl Data {
 
     fn bytes(&self) -> Vec<u8> {
         match self {
+            Data::Float32(values) => values.iter().flat_map(|v| v.to_le_bytes()).collect(),
             Data::Float64(values) => values.iter().flat_map(|v| v.to_le_bytes()).collect(),
             Data::Int64(values) => values.iter().flat_map(|v| v.to_le_bytes()).collect(),
             Data::UInt8(values) => values.clone(),

@@ -5,7 +5,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::NUMERICS;
-use super::transient::{FilmMap, InstantProfile, InstantSolution, TransientSolution};
+use super::transient::{
+    FilmMap, InstantFields, InstantProfile, InstantSolution, TransientSolution,
+};
 use crate::case::Case;
 use crate::transient;
 
@@ -27,6 +29,7 @@ pub struct Checkpoint {
 pub(super) struct Collected {
     pub instants: Vec<InstantSolution>,
     pub profiles: Vec<InstantProfile>,
+    pub fields: InstantFields,
     pub map: FilmMap,
 }
 
@@ -81,6 +84,7 @@ impl Checkpoint {
             collected: Collected {
                 instants: found.instants.clone(),
                 profiles: found.profiles.clone(),
+                fields: found.fields.clone(),
                 map: found.map.clone(),
             },
             wall_seconds,

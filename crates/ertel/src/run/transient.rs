@@ -1,6 +1,11 @@
 //! A case in time, by finite volumes.
 
+mod amplitude;
+mod fields;
+
 use std::sync::Arc;
+
+pub use self::fields::InstantFields;
 
 use ertel_fem::platform::Instant as Clock;
 use serde::{Deserialize, Serialize};
@@ -103,13 +108,15 @@ pub struct InstantProfile {
     pub film: Vec<f64>,
 }
 
-/// The film on the centreline about the contact over all instants.
+/// Film and pressure on the centreline about the contact over all instants.
 #[derive(Clone, Debug, Default, Deserialize, Serialize)]
 pub struct FilmMap {
     /// Places along the motion, m.
     pub x: Vec<f64>,
     /// Film thickness there, m, for each instant.
     pub films: Vec<Vec<f32>>,
+    /// Pressure there, Pa, for each instant.
+    pub pressures: Vec<Vec<f32>>,
 }
 
 /// What became of a case in time.
@@ -119,8 +126,13 @@ pub struct TransientSolution {
     pub instants: Vec<InstantSolution>,
     /// Centrelines at the output times.
     pub profiles: Vec<InstantProfile>,
-    /// The film over place and time.
+    /// Pressure and film on and off the centreline at the same times.
+    pub fields: InstantFields,
+    /// Film and pressure over place and time.
     pub map: FilmMap,
+    /// A_d/A_i at each instant, what the film in the centre keeps of the amplitude of waves while one of them passes: as long as no whole wave has passed, none; empty where no waves pass
+    /// or where other reliefs are there.
+    pub amplitude_ratios: Vec<Option<f64>>,
     /// Half-width of the dry contact under the largest load, m.
     pub half_width: f64,
     /// How it went.
@@ -135,7 +147,7 @@ pub struct TransientSolution {
 
 /// Half-widths about the centre of the map of films, and places in it at most.
 const MAP: f64 = 1.5;
-const MAP_PLACES: usize = 240;
+const MAP_PLACES: usize = 480;
 
 /// Mass error from which a warning is given.
 const MASS_ERROR: f64 = 1e-2;
@@ -244,6 +256,7 @@ fn solve_here(
         speed,
         load,
         transient,
+        n_outputs: transient.output_times.len(),
         steady: Steady {
             radius: case.contact.along_motion().radius,
             temperature: case.lubricant.temperature,
@@ -255,7 +268,9 @@ fn solve_here(
         found: TransientSolution {
             instants: collected.instants,
             profiles: collected.profiles,
+            fields: collected.fields,
             map: collected.map,
+            amplitude_ratios: Vec::new(),
             half_width: length,
             info: Info::default(),
             failure: None,
@@ -282,6 +297,7 @@ fn solve_here(
         }
     }
     found.warnings.extend(on_its_way);
+    found.amplitude_ratios = amplitude::amplitude_ratios(case, &found.instants);
     found.warnings.extend(warnings(&found));
     found.warnings.extend(too_hard(case, &found));
     let largest = |figure| {
@@ -372,6 +388,7 @@ struct Collector<'a> {
     load: f64,
     transient: &'a Transient,
     steady: Steady,
+    n_outputs: usize,
     found: TransientSolution,
 }
 
@@ -403,13 +420,25 @@ impl TransientObserver for Collector<'_> {
         let films: Vec<f64> = profile.fields.iter().map(|f| f.film * film).collect();
         let x: Vec<f64> = profile.x.iter().map(|x| x * length).collect();
         // The grids stay where they are, and so do the places.
-        let mut own = x.iter().zip(&films);
+        let mut own = x.iter().zip(profile.fields.iter().zip(&films));
         let row = map.x.iter().map(|place| {
             own.find(|(x, _)| *x >= place)
-                .map_or(f32::NAN, |(_, film)| *film as f32)
+                .map_or([f32::NAN; 2], |(_, (at, film))| {
+                    [*film, at.pressure * pressure].map(|v| v as f32)
+                })
         });
-        map.films.push(row.collect());
+        let (films_there, pressures) = row.map(|[film, pressure]| (film, pressure)).unzip();
+        map.films.push(films_there);
+        map.pressures.push(pressures);
         if instant.is_asked {
+            self.found.fields.push(
+                time,
+                &patched,
+                &profile,
+                &instant.problem.shape,
+                self.scales,
+                self.n_outputs,
+            );
             self.found.profiles.push(InstantProfile {
                 time,
                 pressure: profile

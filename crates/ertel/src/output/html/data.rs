@@ -206,7 +206,7 @@ fn mesh(solution: &Solution) -> Value {
     })
 }
 
-fn bytes<T: Copy, const N: usize>(values: &[T], of: impl Fn(T) -> [u8; N]) -> Vec<u8> {
+pub(super) fn bytes<T: Copy, const N: usize>(values: &[T], of: impl Fn(T) -> [u8; N]) -> Vec<u8> {
     values.iter().flat_map(|v| of(*v)).collect()
 }
 

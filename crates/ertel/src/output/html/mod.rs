@@ -4,6 +4,7 @@
 //! by writing `<` as an escape; a content security policy in the page forbids it to load anything.
 
 mod data;
+mod instants;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -52,6 +53,7 @@ const SCRIPT: &str = concat!(
     include_str!("assets/chart.js"),
     include_str!("assets/map.js"),
     include_str!("assets/contact.js"),
+    include_str!("assets/instants.js"),
     include_str!("assets/table.js"),
     include_str!("assets/page.js"),
     "})();\n"
@@ -238,10 +240,14 @@ pub fn machine_page(
     })
 }
 
-/// The page of a case in time: extremes and instants, pictures, and the table over time.
+/// The page of a case in time: extremes and instants, pictures, a slider over the instants, and the table over time.
 pub fn transient_page(case: &CaseEcho, found: &TransientSolution, pictures: &[Picture]) -> String {
     let csv = transient_table(found, case.contact.kind.is_line());
-    let data = json!({ "version": DATA_VERSION, "table": table(&csv, 1) });
+    let data = json!({
+        "version": DATA_VERSION,
+        "table": table(&csv, 1),
+        "instants": instants::instants(found),
+    });
     page(Page {
         title: &case.title,
         subtitle: format!("{} instants", found.instants.len()),

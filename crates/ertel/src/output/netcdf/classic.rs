@@ -1,5 +1,5 @@
-//! The classic format of netCDF with 64-bit offsets (CDF-2), as far as results need it: fixed dimensions, variables of double precision,
-//! attributes that are texts, numbers or integers.
+//! The classic format of netCDF with 64-bit offsets (CDF-2), as far as results need it: fixed dimensions, variables of single or double
+//! precision, attributes that are texts, numbers or integers.
 //!
 //! Source: Unidata, The NetCDF Classic Format Specification (NetCDF Users Guide, file format specifications).
 
@@ -10,11 +10,39 @@ pub enum Attribute {
     Text(String),
     /// Double precision.
     Number(f64),
+    /// Single precision.
+    Single(f32),
     /// 32 bits.
     Integer(i32),
 }
 
-/// A variable of double precision.
+/// Values of a variable.
+#[derive(Clone, Debug)]
+pub enum Values {
+    /// Double precision.
+    Double(Vec<f64>),
+    /// Single precision.
+    Single(Vec<f32>),
+}
+
+impl Values {
+    /// Type and bytes of one, and how many.
+    fn layout(&self) -> (u32, usize, usize) {
+        match self {
+            Values::Double(values) => (DOUBLE, 8, values.len()),
+            Values::Single(values) => (FLOAT, 4, values.len()),
+        }
+    }
+
+    fn write(&self, out: &mut Vec<u8>) {
+        match self {
+            Values::Double(values) => out.extend(values.iter().flat_map(|v| v.to_be_bytes())),
+            Values::Single(values) => out.extend(values.iter().flat_map(|v| v.to_be_bytes())),
+        }
+    }
+}
+
+/// A variable.
 #[derive(Clone, Debug)]
 pub struct Variable {
     /// Its name.
@@ -24,7 +52,7 @@ pub struct Variable {
     /// Names and values of its attributes.
     pub attributes: Vec<(&'static str, Attribute)>,
     /// Its values, as many as the product of its dimensions.
-    pub values: Vec<f64>,
+    pub values: Values,
 }
 
 /// A file.
@@ -44,9 +72,8 @@ const VARIABLES: u32 = 11;
 const ATTRIBUTES: u32 = 12;
 const CHAR: u32 = 2;
 const INT: u32 = 4;
+const FLOAT: u32 = 5;
 const DOUBLE: u32 = 6;
-/// Bytes of a double.
-const WIDTH: usize = 8;
 
 impl Dataset {
     /// The file: a header, then the values of one variable after the other.
@@ -55,7 +82,7 @@ impl Dataset {
         let n_header = self.header(0).len();
         let mut bytes = self.header(n_header);
         for variable in &self.variables {
-            bytes.extend(variable.values.iter().flat_map(|v| v.to_be_bytes()));
+            variable.values.write(&mut bytes);
         }
         bytes
     }
@@ -80,8 +107,9 @@ impl Dataset {
                 word(&mut out, *dimension);
             }
             attributes(&mut out, &variable.attributes);
-            tag(&mut out, DOUBLE);
-            let n_bytes = WIDTH * variable.values.len();
+            let (kind, width, n) = variable.values.layout();
+            tag(&mut out, kind);
+            let n_bytes = width * n;
             word(&mut out, n_bytes);
             out.extend((begin as u64).to_be_bytes());
             begin += n_bytes;
@@ -130,6 +158,11 @@ fn attributes(out: &mut Vec<u8>, all: &[(&str, Attribute)]) {
                 word(out, 1);
                 out.extend(number.to_be_bytes());
             }
+            Attribute::Single(number) => {
+                tag(out, FLOAT);
+                word(out, 1);
+                out.extend(number.to_be_bytes());
+            }
             Attribute::Integer(integer) => {
                 tag(out, INT);
                 word(out, 1);
@@ -153,7 +186,7 @@ mod tests {
                 name: "p".to_owned(),
                 dimensions: vec![0],
                 attributes: Vec::new(),
-                values: vec![1.0, -2.0],
+                values: Values::Double(vec![1.0, -2.0]),
             }],
         };
         let mut expected = b"CDF\x02".to_vec();
@@ -165,5 +198,14 @@ mod tests {
         expected.extend(b"\0\0\0\x06\0\0\0\x10\0\0\0\0\0\0\0\x6c");
         expected.extend(b"\x3f\xf0\0\0\0\0\0\0\xc0\0\0\0\0\0\0\0");
         assert_eq!(data.to_bytes(), expected);
+        // The same in single precision: another type, half of the bytes.
+        let mut single = data;
+        single.variables[0].values = Values::Single(vec![1.0, -2.0]);
+        let n = expected.len();
+        expected.truncate(n - 16);
+        expected[n - 16 - 13] = 5;
+        expected[n - 16 - 9] = 8;
+        expected.extend(b"\x3f\x80\0\0\xc0\0\0\0");
+        assert_eq!(single.to_bytes(), expected);
     }
 }

@@ -1,8 +1,8 @@
 //! `result.nc`: fields of a contact on a regular grid, and its figures, as netCDF of the classic format.
 
-mod classic;
+pub(super) mod classic;
 
-use classic::{Attribute, Dataset, Variable};
+use classic::{Attribute, Dataset, Values, Variable};
 
 use crate::solution::{ContactFields, Field, Figure, Solution};
 
@@ -141,7 +141,7 @@ pub fn netcdf(
         name: name.to_owned(),
         dimensions: vec![dimension],
         attributes: named("m", words),
-        values: values.to_vec(),
+        values: Values::Double(values.to_vec()),
     };
     let mut data = Dataset {
         dimensions: Vec::new(),
@@ -170,7 +170,7 @@ pub fn netcdf(
             name: grid.field.name().to_owned(),
             dimensions: dimensions.clone(),
             attributes,
-            values: grid.values,
+            values: Values::Double(grid.values),
         });
     }
     for own in figures {
@@ -194,7 +194,7 @@ pub fn netcdf(
             name: own.figure.name().to_owned(),
             dimensions: Vec::new(),
             attributes,
-            values: vec![own.value],
+            values: Values::Double(vec![own.value]),
         });
     }
     data.to_bytes()

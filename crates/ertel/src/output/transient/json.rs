@@ -16,8 +16,8 @@ pub const TRANSIENT_FORMAT: &str = "ertel-transient";
 /// The document; SI throughout.
 pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json::Result<Value> {
     let is_line = case.contact.kind.is_line();
-    let instants: Vec<Value> = (found.instants.iter())
-        .map(|instant| {
+    let instants: Vec<Value> = (found.instants.iter().enumerate())
+        .map(|(i, instant)| {
             let measured = &instant.measured;
             let figures: Map<String, Value> = (Figure::ALL.into_iter())
                 .filter_map(|figure| {
@@ -32,7 +32,7 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
                     Some((figure.name().to_owned(), told))
                 })
                 .collect();
-            json!({
+            let mut told = json!({
                 "time": instant.time,
                 "entrainment_speed": 0.5 * (instant.speeds[0] + instant.speeds[1]),
                 "body_1_speed": instant.speeds[0],
@@ -49,7 +49,11 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
                 "step": instant.step,
                 "newton_iterations": instant.newton_iterations,
                 "mass_error": instant.mass_error,
-            })
+            });
+            if let Some(ratio) = found.amplitude_ratios.get(i) {
+                told["amplitude_ratio"] = json!(ratio);
+            }
+            told
         })
         .collect();
     let profiles: Vec<Value> = (found.profiles.iter())
@@ -71,6 +75,7 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
         ("approach_velocity", "m/s"),
         ("film_force", if is_line { "N/m" } else { "N" }),
         ("coefficient_of_restitution", "1"),
+        ("amplitude_ratio", "1"),
     ] {
         units[name] = json!(unit);
     }

@@ -1,11 +1,18 @@
-//! Results of a case in time: `transient.csv`, `profiles.csv`, `transient.json`, pictures, a report and its page.
+//! Results of a case in time: `transient.csv`, `profiles.csv`, `transient.json`, fields, pictures, a report and its page.
 
+mod animation;
+mod fields;
 mod json;
+mod netcdf;
 mod picture;
 mod report;
 mod table;
 
+pub use animation::animation;
+pub(super) use fields::is_file_of_instant;
 pub use json::{TRANSIENT_FORMAT, transient_json};
+pub use netcdf::transient_netcdf;
+pub(super) use picture::{film_axis, film_range};
 pub use picture::{film_over_time, map_of_film};
 pub use report::transient_report;
 pub(super) use report::write_results;
@@ -21,6 +28,9 @@ use crate::case::CaseEcho;
 use crate::params::OutputParams;
 use crate::run::transient::TransientSolution;
 use crate::solution::Figure;
+
+/// What is called so: A_d/A_i.
+const AMPLITUDE_RATIO: &str = "amplitude ratio of the waves";
 
 /// Writes the results of a case in time into one folder, as [`super::write`] does.
 ///
@@ -103,6 +113,18 @@ fn write_files(
     })?;
     if let Some(text) = &case.case_file {
         root.file("case.toml", |out| out.write_all(text.as_bytes()))?;
+    }
+    if params.vtu {
+        fields::write_fields(root, &found.fields)?;
+    }
+    if params.netcdf {
+        let bytes = transient_netcdf(case, found);
+        root.file("result.nc", |out| out.write_all(&bytes))?;
+    }
+    if params.animation
+        && let Some(bytes) = animation(&case.title, found)?
+    {
+        root.file("animation.png", |out| out.write_all(&bytes))?;
     }
     for picture in pictures {
         write_picture(root, &picture, params.pictures)?;

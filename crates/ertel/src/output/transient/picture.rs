@@ -11,7 +11,7 @@ use crate::solution::Figure;
 use ertel_plot::axis::Axis;
 use ertel_plot::chart::{Chart, Look, PALETTE, Series, Side};
 use ertel_plot::drawing::{
-    Anchor, Drawing, INK, LABEL_SIZE, Raster, Stroke, TICK_SIZE, text_width,
+    Anchor, Drawing, DrawingError, INK, LABEL_SIZE, Raster, Stroke, TICK_SIZE, text_width,
 };
 use ertel_plot::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis};
 use ertel_plot::png::encode;
@@ -103,10 +103,7 @@ pub fn map_of_film(title: &str, found: &TransientSolution) -> Result<Option<Draw
     if instants.len() < 2 || n < 2 || last <= 0.0 {
         return Ok(None);
     }
-    let central = |instant: &InstantSolution| instant.measured.estimate(Figure::FilmCentral).value;
-    let minimum = |instant: &InstantSolution| instant.measured.estimate(Figure::FilmMinimum).value;
-    let high = UP_TO * instants.iter().map(central).fold(0.0, f64::max);
-    let low = instants.iter().map(minimum).fold(high, f64::min).max(0.0);
+    let [low, high] = film_range(found);
     let mut pixels = Vec::with_capacity(3 * n * ROWS);
     for row in 0..ROWS {
         // Time rises upwards.
@@ -119,25 +116,59 @@ pub fn map_of_film(title: &str, found: &TransientSolution) -> Result<Option<Draw
         for i in 0..n {
             let [a, b] = [after - 1, after].map(|k| f64::from(map.films[k][i]));
             let film = a + share * (b - a);
-            let at = ((film - low) / (high - low)).clamp(0.0, 1.0);
-            let colour = colorous::VIRIDIS.eval_continuous(at);
-            pixels.extend([colour.r, colour.g, colour.b]);
+            pixels.extend(colour_of(film, [low, high]));
         }
     }
-    let png = encode(n as u32, ROWS as u32, &pixels, None).map_err(OutputError::from)?;
     let (per_second, unit) = time_unit(last);
+    let a = found.half_width;
+    let drawing = coloured(
+        title,
+        [n, ROWS],
+        pixels,
+        &Scales {
+            x: Axis::linear("*x*/*a*", map.x[0] / a, map.x[n - 1] / a),
+            y: Axis::linear(&format!("Time *t* ({unit})"), 0.0, per_second * last),
+            film: [low, high],
+            height: HEIGHT,
+            label: "Film thickness *h* on the centreline",
+        },
+    )?;
+    Ok(Some(drawing))
+}
+
+/// Axes of a map and the films that its colours mean, m.
+pub(super) struct Scales<'a> {
+    pub x: Axis,
+    pub y: Axis,
+    pub film: [f64; 2],
+    /// Height of the frame, px.
+    pub height: f64,
+    /// Which film it is.
+    pub label: &'a str,
+}
+
+/// A map of films in colours, rows of pixels from the top, with axes and the bar of its colours.
+pub(super) fn coloured(
+    title: &str,
+    [n, rows]: [usize; 2],
+    pixels: Vec<u8>,
+    scales: &Scales<'_>,
+) -> Result<Drawing, DrawingError> {
+    let png = encode(n as u32, rows as u32, &pixels, None)?;
+    let (x, y, height) = (&scales.x, &scales.y, scales.height);
+    let [low, high] = scales.film;
     let (factor, film_unit) = film_unit(high);
     let frame = Frame {
         left: 66.0,
         top: 16.0,
         width: WIDTH,
-        height: HEIGHT,
+        height,
     };
     let bar = Frame {
         left: frame.left + WIDTH + 22.0,
         top: frame.top,
         width: BAR,
-        height: HEIGHT,
+        height,
     };
     let scale = Axis::linear("", factor * low, factor * high);
     let ticks = scale.ticks();
@@ -147,38 +178,35 @@ pub fn map_of_film(title: &str, found: &TransientSolution) -> Result<Option<Draw
         .fold(0.0, f64::max);
     let mut drawing = Drawing::new(
         bar.left + BAR + widest + 40.0,
-        frame.top + HEIGHT + 52.0,
+        frame.top + height + 52.0,
         title,
     );
     let image = Raster {
         width: n,
-        height: ROWS,
+        height: rows,
         pixels,
         png: STANDARD.encode(png),
     };
-    drawing.image([frame.left, frame.top, WIDTH, HEIGHT], image);
-    let a = found.half_width;
-    let x = Axis::linear("*x*/*a*", map.x[0] / a, map.x[n - 1] / a);
-    let t = Axis::linear(&format!("Time *t* ({unit})"), 0.0, per_second * last);
+    drawing.image([frame.left, frame.top, WIDTH, height], image);
     drawing.stroke(&frame.outline(), Stroke::solid(INK, FRAME_WIDTH));
-    label_x_axis(&mut drawing, frame, &x, false);
-    draw_ticks(&mut drawing, [frame; 2], &x, &t);
-    label_y_axis(&mut drawing, frame, &t, Side::Left, INK);
+    label_x_axis(&mut drawing, frame, x, false);
+    draw_ticks(&mut drawing, [frame; 2], x, y);
+    label_y_axis(&mut drawing, frame, y, Side::Left, INK);
     for i in 0..ROWS {
         let share = (ROWS - i) as f64 / ROWS as f64;
         let colour = colorous::VIRIDIS.eval_continuous(share);
-        let top = bar.top + HEIGHT * (1.0 - share);
+        let top = bar.top + height * (1.0 - share);
         drawing.rectangle(
             bar.left,
             top,
             BAR,
-            bar.top + HEIGHT - top,
+            bar.top + height - top,
             &format!("#{colour:x}"),
         );
     }
     drawing.stroke(&bar.outline(), Stroke::solid(INK, 0.7));
     for (value, label) in ticks {
-        let y = bar.top + (1.0 - scale.position(value)) * HEIGHT;
+        let y = bar.top + (1.0 - scale.position(value)) * height;
         drawing.text(
             [bar.left + BAR + 7.0, y + 4.2],
             &label,
@@ -187,8 +215,30 @@ pub fn map_of_film(title: &str, found: &TransientSolution) -> Result<Option<Draw
             INK,
         );
     }
-    let at = [bar.left + BAR + widest + 26.0, bar.top + 0.5 * HEIGHT];
-    let label = format!("Film thickness *h* on the centreline ({film_unit})");
+    let at = [bar.left + BAR + widest + 26.0, bar.top + 0.5 * height];
+    let label = format!("{} ({film_unit})", scales.label);
     drawing.turned_text(at, &label, LABEL_SIZE, Anchor::Middle, INK, -90.0);
-    Ok(Some(drawing))
+    Ok(drawing)
+}
+
+/// The colour of a film between the ends of the scale.
+pub(super) fn colour_of(film: f64, [low, high]: [f64; 2]) -> [u8; 3] {
+    let at = ((film - low) / (high - low)).clamp(0.0, 1.0);
+    let colour = colorous::VIRIDIS.eval_continuous(at);
+    [colour.r, colour.g, colour.b]
+}
+
+/// Ends of an axis of films on a centreline, m, from the range of all.
+pub(in crate::output) fn film_axis([low, high]: [f64; 2]) -> [f64; 2] {
+    [0.9 * low, high]
+}
+
+/// The films that colours tell apart, m: from the smallest one to a multiple of the largest central one.
+pub(in crate::output) fn film_range(found: &TransientSolution) -> [f64; 2] {
+    let of = |figure| {
+        (found.instants.iter()).map(move |instant| instant.measured.estimate(figure).value)
+    };
+    let high = UP_TO * of(Figure::FilmCentral).fold(0.0, f64::max);
+    let low = of(Figure::FilmMinimum).fold(high, f64::min).max(0.0);
+    [low, high]
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 use super::super::figure::with_bar;
 use super::super::lines::{Lines, Table};
 use super::super::pictures::film_unit;
+use super::AMPLITUDE_RATIO;
 use crate::case::CaseEcho;
 use crate::run::transient::{InstantSolution, TransientSolution};
 use crate::solution::Figure;
@@ -68,6 +69,17 @@ pub(in crate::output) fn write_results(
                 format!("{} at {}", shown(instant, figure), at(instant.time, time)),
             );
         }
+    }
+    let known = found.amplitude_ratios.iter().zip(instants).rev();
+    if let Some((ratio, instant)) = known.filter_map(|(r, i)| Some((r.as_ref()?, i))).next() {
+        out.row(
+            AMPLITUDE_RATIO,
+            format!(
+                "{} in the passage that ends at {}",
+                digits(*ratio, 3),
+                at(instant.time, time)
+            ),
+        );
     }
     let moves = found.moves();
     if moves {
@@ -172,7 +184,7 @@ pub(super) fn time_unit(longest: f64) -> (f64, &'static str) {
     }
 }
 
-fn at(time: f64, (factor, unit): (f64, &str)) -> String {
+pub(super) fn at(time: f64, (factor, unit): (f64, &str)) -> String {
     format!("{} {unit}", digits(factor * time, 4))
 }
 

@@ -6,7 +6,7 @@ use crate::run::transient::{InstantSolution, TransientSolution};
 use crate::solution::Figure;
 use crate::study::titled;
 
-/// A row for each instant: time, conditions, every figure of the registry with its error bar, and how the step went.
+/// A row for each instant: time, conditions, every figure of the registry with its error bar, what the film keeps of waves, and how the step went.
 pub fn transient_table(found: &TransientSolution, is_line: bool) -> String {
     let told = figures(found);
     let load_unit = if is_line { "N/m" } else { "N" };
@@ -28,6 +28,10 @@ pub fn transient_table(found: &TransientSolution, is_line: bool) -> String {
         let (name, unit) = (figure.name(), figure.unit(is_line));
         titles.push(titled(name, unit));
         titles.push(titled(&format!("{name}_error"), unit));
+    }
+    let has_ratios = !found.amplitude_ratios.is_empty();
+    if has_ratios {
+        titles.push("amplitude_ratio".to_owned());
     }
     titles.extend(["step_s", "newton_iterations", "mass_error", "unresolved"].map(String::from));
     let mut text = titles.join(",") + "\n";
@@ -57,6 +61,12 @@ pub fn transient_table(found: &TransientSolution, is_line: bool) -> String {
                 if let Some(value) = value {
                     let _ = write!(text, "{value:e}");
                 }
+            }
+        }
+        if has_ratios {
+            text.push(',');
+            if let Some(ratio) = found.amplitude_ratios[i] {
+                let _ = write!(text, "{ratio:e}");
             }
         }
         let _ = writeln!(

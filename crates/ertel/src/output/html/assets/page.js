@@ -116,6 +116,10 @@ function setUp() {
     }
     if (results.length === 1) showIterations(results[0]);
   }
+  if (data.instants) {
+    reveal("instants");
+    view.instants = new InstantsView(data.instants);
+  }
   if (data.table || data.tables) {
     reveal("points");
     const { table } = data;
@@ -129,7 +133,7 @@ function setUp() {
     nav.append(link);
   }
   const texts = {
-    figures: () => figuresCsv(results), along: () => chartCsv("along"), across: () => chartCsv("across"), profile: () => chartCsv("profile"),
+    figures: () => figuresCsv(results), along: () => chartCsv("along"), across: () => chartCsv("across"), profile: () => chartCsv("profile"), "instant-profile": () => chartCsv("instant-profile"),
     table: () => view.table.csv(), "case-file": () => element("case-file").textContent,
   };
   for (const button of document.querySelectorAll("button[data-copy]")) button.addEventListener("click", () => copy(texts[button.dataset.copy](), button));
@@ -137,6 +141,7 @@ function setUp() {
 
 function redraw() {
   view.contact?.show();
+  view.instants?.redraw();
   redrawCharts();
 }
 
