@@ -4,6 +4,7 @@
 //! by writing `<` as an escape; a content security policy in the page forbids it to load anything.
 
 mod data;
+mod thin;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
