@@ -9,6 +9,7 @@
 use ertel_machines::bearing::Geometry;
 use ertel_machines::bearing::kinematics::deformed_radius;
 
+use super::rolling::rolling_coefficient;
 use super::slip::{Slip, stress};
 use super::{MachineFigure, Section, figure_of, of_model, sum};
 use crate::case::{BearingMechanics, Case, ContactKind};
@@ -327,14 +328,9 @@ fn differential_slip(
 
 /// Power that rolling alone takes: (µ_2 − µ_1) Q u.
 fn rolling_power(point: &PointSolution) -> Option<Estimate> {
-    let one = figure_of(point, Figure::TractionCoefficientBody1)?;
-    let two = figure_of(point, Figure::TractionCoefficientBody2)?;
+    let rolling = rolling_coefficient(point)?;
     let scale = point.case.contact.load * point.case.motion.entrainment_speed;
-    let both = one.error.zip(two.error);
-    Some(Estimate {
-        value: (two.value - one.value) * scale,
-        error: both.map(|(one, two)| (one + two) * scale),
-    })
+    Some(scaled(rolling, scale))
 }
 
 /// What slips at a ring; `None` of rollers, and where the contact was not solved.
