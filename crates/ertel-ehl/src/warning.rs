@@ -55,6 +55,8 @@ pub enum WarningKind {
     AsperityData,
     /// Friction that no lubricant transmits.
     Friction,
+    /// A film that a law thins whose constants are estimated.
+    EstimatedThinning,
     /// A shear stress of rolling beyond what lubricants bear, where film and pressure hardly feel it.
     RollingStress,
     /// Heat that an isothermal contact leaves out.

@@ -9,6 +9,7 @@
 use ertel_machines::bearing::Geometry;
 use ertel_machines::bearing::kinematics::deformed_radius;
 
+use super::heat::CELSIUS;
 use super::rolling::rolling_coefficient;
 use super::slip::{Slip, stress};
 use super::{MachineFigure, Section, figure_of, of_model, sum};
@@ -278,8 +279,10 @@ fn friction(
             warnings.push(Warning::new(
                 WarningKind::Other,
                 format!(
-                    "the heat of the contacts leads to {value:.1} K by the thermal resistance, but the lubricant is taken at {own:.1} K: solve once more at a \
-                     temperature between"
+                    "the heat of the contacts leads to {:.1} °C by the thermal resistance, but the lubricant is taken at {:.1} °C: solve once more at a \
+                     temperature between",
+                    value - CELSIUS,
+                    own - CELSIUS
                 ),
             ));
         }
