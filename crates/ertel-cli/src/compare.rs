@@ -116,8 +116,11 @@ fn check(measured: &Measured) -> Result<(), Failure> {
         .iter()
         .map(|note| format!("{note}\n"))
         .collect();
+    let used: String = (measured.used.iter())
+        .map(|(title, what)| format!("column `{title}`: {what}\n"))
+        .collect();
     print::stdout(&format!(
-        "{notes}{} rows, {} points\n",
+        "{notes}{used}{} rows, {} points\n",
         measured.rows.len(),
         measured.study.points.len()
     ))

@@ -299,6 +299,9 @@ fn remarks_up_to(summary: &SweepSummary, most: usize) -> String {
     if more > 0 {
         text += &format!("  ! and {more} more of these\n");
     }
+    if let Some(line) = summary.unresolved.line(summary.n_points) {
+        text += &format!("  · {line}\n");
+    }
     if !text.is_empty() {
         text.push('\n');
     }

@@ -49,6 +49,27 @@ fn films_are_compared_with_those_of_a_sweep() {
     ] {
         assert!(report.contains(words), "`{words}` is missing in\n{report}");
     }
+    // The page says what the report says, and a check what each column is read as.
+    let page = read(&folder, "results/case-films/report.html");
+    for words in [
+        "Central film thickness",
+        "4 of 4 rows compared",
+        "bias (mean)",
+    ] {
+        assert!(page.contains(words), "`{words}` is missing in the page");
+    }
+    let checked = compare(folder.path(), &["case.toml", "films.csv", "--check"]);
+    let checked = text(&checked.stdout);
+    for words in [
+        "column `speed [m/s]`: sets motion.entrainment_speed",
+        "column `film_central [nm]`: measured central film thickness",
+        "column `film_central_uncertainty [%]`: uncertainty of the central film thickness",
+    ] {
+        assert!(
+            checked.contains(words),
+            "`{words}` is missing in\n{checked}"
+        );
+    }
     // The same contact solved alone has the same film.
     let case = read(&folder, "case.toml").replace("1 m/s", "2 m/s");
     std::fs::write(folder.path().join("alone.toml"), case).unwrap();

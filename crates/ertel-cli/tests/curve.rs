@@ -172,6 +172,10 @@ fn a_thermal_curve_shows_the_isothermal_one() {
     let message = text(&output.stderr);
     assert_eq!(output.status.code(), Some(0), "{message}");
     assert!(message.contains("isothermal"), "{message}");
+    let report = text(&output.stdout);
+    for words in ["central film without heat", "traction without heat", " °C"] {
+        assert!(report.contains(words), "`{words}` is missing in\n{report}");
+    }
     let rows = table(&folder);
     let starts: Vec<&str> = rows.iter().map(|r| r["start"].as_str()).collect();
     assert_eq!(starts, ["cold", "warm", "warm"]);

@@ -87,6 +87,11 @@ fn points_that_are_not_resolved_are_counted_and_their_warnings_merged() {
         warnings[3].contains("all 3 points, here of point"),
         "{report}"
     );
+    assert!(
+        report.contains("  · 3 of 3 points have figures that are not resolved")
+            && report.contains("film central in 3"),
+        "{report}"
+    );
     let table = std::fs::read_to_string(folder.path().join("results/case/curve.csv")).unwrap();
     assert!(
         table
@@ -111,6 +116,8 @@ fn studies_count_them_too() {
         message.contains("2 of 2 points are not resolved"),
         "{message}"
     );
+    let said = text(&output.stdout);
+    assert!(said.contains("film central in 2"), "{said}");
     let accepted = ertel(&folder, &["sweep", "study.toml", "--accept-unresolved"]);
     assert_eq!(
         accepted.status.code(),

@@ -57,6 +57,8 @@ pub enum WarningKind {
     AsperityData,
     /// Friction that no lubricant transmits.
     Friction,
+    /// A film that a law thins whose constants are estimated.
+    EstimatedThinning,
     /// A shear stress of rolling beyond what lubricants bear, where film and pressure hardly feel it.
     RollingStress,
     /// Heat that an isothermal contact leaves out.
@@ -230,20 +232,41 @@ pub fn by_kind<'a>(warnings: impl IntoIterator<Item = (usize, &'a Warning)>) -> 
 impl Merged {
     /// In one line, points counted from 1: `points 2 to 5: the film …`; `of` is how many points there are.
     pub fn line(&self, of: usize) -> String {
-        self.line_of(of, "point")
+        let place = match self.points[..] {
+            [one] => format!("point {}", one + 1),
+            _ if self.points.len() == of => format!("all {of} points"),
+            _ => format!("points {}", ranges(&self.points)),
+        };
+        self.with_worst(&place, &format!("point {}", self.worst_point + 1))
     }
 
-    /// The same of what is called something else: `contacts 2 to 5: the film …`.
-    pub fn line_of(&self, of: usize, what: &str) -> String {
+    /// The same of contacts by their names: `ball 0, inner ring and 3 more contacts: the film …`.
+    pub fn line_of<'a>(&self, of: usize, name: impl Fn(usize) -> &'a str) -> String {
+        let worst = name(self.worst_point);
         let text = &self.worst.text;
-        let place = match self.points[..] {
-            [one] => format!("{what} {}", one + 1),
-            _ if self.points.len() == of => format!("all {of} {what}s"),
-            _ => format!("{what}s {}", ranges(&self.points)),
-        };
+        match self.points.len() {
+            1 => format!("{worst}: {text}"),
+            n if n == of => self.with_worst(&format!("all {of} contacts"), worst),
+            n => {
+                let others = match n - 1 {
+                    1 => "1 more contact".to_owned(),
+                    more => format!("{more} more contacts"),
+                };
+                let alike = if self.alike {
+                    ""
+                } else {
+                    ", here of the first"
+                };
+                format!("{worst} and {others}{alike}: {text}")
+            }
+        }
+    }
+
+    fn with_worst(&self, place: &str, worst: &str) -> String {
+        let text = &self.worst.text;
         match self.alike || self.points.len() == 1 {
             true => format!("{place}: {text}"),
-            false => format!("{place}, here of {what} {}: {text}", self.worst_point + 1),
+            false => format!("{place}, here of {worst}: {text}"),
         }
     }
 }
@@ -307,6 +330,30 @@ mod tests {
             few[0].starts_with("all 3 points, here of point 2"),
             "{few:?}"
         );
+    }
+
+    /// Contacts have names, that of the worst first.
+    #[test]
+    fn contacts_are_told_by_name() {
+        let films = [9.0, 7.0, 8.0].map(thin);
+        let merged = by_kind(films.iter().enumerate());
+        let name = |i: usize| ["inner ring", "outer ring", "rib"][i];
+        assert_eq!(
+            merged[0].line_of(9, name),
+            "outer ring and 2 more contacts, here of the first: film 7 nm"
+        );
+        assert_eq!(
+            merged[0].line_of(3, name),
+            "all 3 contacts, here of outer ring: film 7 nm"
+        );
+        let alike = [thin(9.0), thin(9.0)];
+        let merged = by_kind(alike.iter().enumerate());
+        assert_eq!(
+            merged[0].line_of(9, name),
+            "inner ring and 1 more contact: film 9 nm"
+        );
+        let alone = by_kind([(2, &films[0])]);
+        assert_eq!(alone[0].line_of(9, name), "rib: film 9 nm");
     }
 
     /// What has no kind is told apart by its words.

@@ -315,6 +315,19 @@ impl Chart {
                 continue;
             }
             let top = top.clamp(-1e4, 1e4);
+            // A bar that leaves the frame has an arrow there in place of its cap, which is cut off.
+            let edges = [
+                (frame.top, top < frame.top),
+                (frame.top + frame.height, bottom >= foot),
+            ];
+            for ((edge, leaves), inwards) in edges.into_iter().zip([1.0, -1.0]) {
+                if leaves {
+                    let [tip, back] =
+                        [2.0, 2.0 + 2.0 * BAR_CAP].map(|by| number(edge + inwards * by));
+                    let [left, right] = [-BAR_CAP, BAR_CAP].map(|by| number(x + by));
+                    d += &format!("M{left} {back}L{} {tip}L{right} {back}", number(x));
+                }
+            }
             let (left, cap) = (number(x - BAR_CAP), number(2.0 * BAR_CAP));
             let (x, top, bottom) = (number(x), number(top), number(bottom));
             d += &format!("M{x} {top}V{bottom}M{left} {top}h{cap}M{left} {bottom}h{cap}");
@@ -397,5 +410,34 @@ pub(crate) fn line_stroke(series: &Series) -> Stroke<'_> {
             dash: Some([6.0, 4.0]),
         },
         _ => Stroke::solid(&series.colour, 1.7),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A bar within the frame has two caps and no arrow; one that leaves it above has an arrow there, one that leaves it on both sides two.
+    #[test]
+    fn bars_that_leave_the_frame_end_in_arrows() {
+        let arrows = |low: f64, high: f64| {
+            let axis = |label: &str| Axis::linear(label, 0.0, 1.0);
+            let mut chart = Chart::new("bars", axis("x"), axis("y"));
+            chart.error_bars.push(ErrorBars {
+                bars: vec![[0.5, low, high]],
+                colour: "#123456".to_owned(),
+            });
+            let svg = chart.drawing().svg();
+            let bar = svg.lines().find(|line| line.contains("#123456"));
+            // Caps are level (h), bars upright (V): slanted strokes are those of arrows.
+            let path = bar
+                .expect("a bar")
+                .split('"')
+                .find(|part| part.starts_with('M'));
+            path.expect("a path").matches('L').count()
+        };
+        assert_eq!(arrows(0.4, 0.6), 0);
+        assert_eq!(arrows(0.4, 5.0), 2);
+        assert_eq!(arrows(-3.0, 5.0), 4);
     }
 }

@@ -79,6 +79,30 @@ fn figure(solved: &MachineSolution, contact: usize, figure: Figure) -> f64 {
         .value
 }
 
+/// The bars of a few contacts reach to what many say: they know how far apart their contacts are.
+#[test]
+fn bars_of_losses_cover_the_distance_of_contacts() {
+    let losses = |points: usize| {
+        let points = format!("points = {points}");
+        let (_, _, found) = solve(&GEARS.replace("points = 2", &points));
+        [
+            "friction_power",
+            "friction_power_sliding",
+            "friction_power_rolling",
+        ]
+        .map(|name| found.find(name).unwrap().estimate)
+    };
+    let many = losses(40);
+    for points in [6, 12] {
+        for (few, many) in losses(points).iter().zip(&many) {
+            let (off, bar) = ((few.value - many.value).abs(), few.error.unwrap());
+            let least = many.error.unwrap();
+            assert!(off < bar + least, "{points}: {few:?} {many:?}");
+            assert!(bar >= least, "{points}: {few:?} {many:?}");
+        }
+    }
+}
+
 /// Losses by a sum of 20 000 parts with the shares 1/3 to 2/3 and 1; the flash temperature of fast bodies by the formula of ISO/TS 6336-20 with its factor 1.11.
 #[test]
 fn a_short_path_of_gears() {

@@ -67,6 +67,10 @@ fn a_bearing_under_thrust() {
         parts < films && value("friction_power_spin") > 0.0,
         "{parts} {films}"
     );
+    // What spin errs by stays out of the rolling: at both walls it is the same.
+    let rolling = found.find("friction_power_rolling").unwrap().estimate;
+    let share = rolling.error.unwrap() / rolling.value;
+    assert!(share < 0.1, "{share}");
     // 0.1 of the pressure at 2/3 of the longer half-axis is more than any oil transmits.
     let contact = &case.contact;
     let [ring, ball] = case.motion.spin;
@@ -115,6 +119,12 @@ fn a_bearing_under_thrust() {
     ] {
         assert!(report.contains(expected), "{expected} is not in\n{report}");
     }
+    // Spin of a film without limits is marked, and told by the name of its contact.
+    assert!(report.contains("W (!)"), "{report}");
+    assert!(
+        report.contains("! ball 0, inner ring: a shear stress of"),
+        "{report}"
+    );
     // 70 °C are not where this heat leads to.
     assert!(report.contains("solve once more"), "{report}");
 }

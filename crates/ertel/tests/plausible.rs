@@ -155,3 +155,31 @@ fn an_open_heat_balance() {
     assert!(slow.thermal.as_ref().unwrap().balance.error.abs() < 0.01);
     assert_eq!(warning(&slow, WarningKind::HeatBalance), None);
 }
+
+/// An oil of ISO VG 220 that slides fast: the estimated law thins its film by about 9 %, and says so with both films; a measured law and a thinner oil at less
+/// speed do not.
+#[test]
+fn films_thinned_by_an_estimated_law_are_told() {
+    let oil = |vg: usize, speed: &str, law: &str| {
+        let (head, _) = ROLLER.split_once("density").unwrap();
+        let text =
+            format!("{head}iso_vg = {vg}\n base_oil = \"mineral\"\n shear_thinning = {law}\n");
+        let text = text.replace("100 kN/m", "300 kN/m").replace("2 m/s", speed);
+        let text = text.replace("40 degC", "60 degC").replace("0.05", "0.4");
+        solved(&format!("{text}[output]\n sensitivities = false\n"))
+    };
+    let thick = oil(220, "8 m/s", "{ law = \"estimate\" }");
+    let reduction = thick.film_reduction.unwrap().central.value;
+    assert!(reduction > 0.05, "{reduction}");
+    let words = warning(&thick, WarningKind::EstimatedThinning).unwrap();
+    let without = thick.summary.film_central.value / (1.0 - reduction);
+    let films = format!("{:.2}", 1e6 * without);
+    assert!(
+        words.contains("central film") && words.contains("% thinner: ") && words.contains(&films),
+        "{words} {films}"
+    );
+    let given = oil(220, "8 m/s", "{ law = \"ree-eyring\", tau_0 = \"5 MPa\" }");
+    assert_eq!(warning(&given, WarningKind::EstimatedThinning), None);
+    let thin = oil(46, "1 m/s", "{ law = \"estimate\" }");
+    assert_eq!(warning(&thin, WarningKind::EstimatedThinning), None);
+}

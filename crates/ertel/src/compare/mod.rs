@@ -151,6 +151,8 @@ pub struct Measured {
     pub study: Study,
     /// What was left out or assumed.
     pub notes: Vec<String>,
+    /// What each column is read as, by its title in the file.
+    pub used: Vec<(String, String)>,
     /// Text of the case file.
     pub case_text: String,
 }
@@ -204,6 +206,8 @@ struct Content {
     /// Line and figures of each row.
     rows: Vec<(usize, [Option<Measurement>; N_MEASURANDS])>,
     notes: Vec<String>,
+    /// Title and meaning of each column that is measured.
+    measured: Vec<(String, String)>,
 }
 
 impl Measured {
@@ -232,11 +236,17 @@ impl Measured {
             true => rig::read(&case, &file, &text, params)?,
             false => table::read(&case, &file, &text, params)?,
         };
+        let set = content.columns.iter().map(|column| {
+            let title = text[column.span.clone()].trim().to_owned();
+            (title, format!("sets {}", column.key))
+        });
+        let used = set.chain(std::mem::take(&mut content.measured)).collect();
         let replaced = speeds::replace(&case, &mut content);
         let Content {
             columns,
             rows,
             notes,
+            ..
         } = content;
         // Most rows of a rig repeat others: each case is read once.
         let (columns, written) = distinct_rows(columns);
@@ -254,6 +264,7 @@ impl Measured {
             rows: rows.into_iter().zip(point_of_row).map(row).collect(),
             study,
             notes,
+            used,
             case_text: case.text().to_owned(),
         })
     }

@@ -124,6 +124,7 @@ pub(super) fn read(
         columns: Vec::new(),
         rows: Vec::new(),
         notes: Vec::new(),
+        measured: Vec::new(),
     };
     let mut taken = Vec::new();
     for step in &steps {
@@ -288,6 +289,20 @@ fn read_step(
             of(Operating::Load, &columns.load)?,
             of(Operating::Temperature, &columns.temperature)?,
         ];
+    }
+    for (own, what) in [
+        (&columns.film, "measured central film thickness"),
+        (
+            &columns.deviation,
+            "uncertainty of the central film thickness",
+        ),
+        (&columns.traction, "measured traction coefficient"),
+    ] {
+        let Some(own) = own else { continue };
+        let told = (own.name.to_owned(), what.to_owned());
+        if !content.measured.contains(&told) {
+            content.measured.push(told);
+        }
     }
     let (mut without_film, mut empty) = (Vec::new(), Vec::new());
     let mut turned = turned::Rows::of(case);

@@ -263,8 +263,22 @@ fn rows(
     if !empty.is_empty() {
         notes.push(format!("nothing was measured in {}", line_list(&empty)));
     }
+    let title = |index: usize| excerpt(table.header().cell(index));
+    let of = measured.iter().flat_map(|own| {
+        let words = own.figure.words();
+        let bar = own.uncertainty.as_ref();
+        let bar = bar.map(|bar| {
+            (
+                title(bar.column.index),
+                format!("uncertainty of the {words}"),
+            )
+        });
+        std::iter::once((title(own.value.index), format!("measured {words}"))).chain(bar)
+    });
+    let measured = of.map(|(title, what)| (title.to_string(), what)).collect();
     let columns = operating.into_iter().map(|set| set.point);
     Ok(Content {
+        measured,
         columns: columns
             .chain(keys.into_iter().map(|(point, ..)| point))
             .collect(),

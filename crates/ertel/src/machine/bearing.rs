@@ -9,6 +9,8 @@
 use ertel_machines::bearing::Geometry;
 use ertel_machines::bearing::kinematics::deformed_radius;
 
+use super::heat::CELSIUS;
+use super::rolling::rolling_coefficient;
 use super::slip::{Slip, stress};
 use super::{MachineFigure, Section, figure_of, of_model, sum};
 use crate::case::{BearingMechanics, Case, ContactKind};
@@ -277,8 +279,10 @@ fn friction(
             warnings.push(Warning::new(
                 WarningKind::Other,
                 format!(
-                    "the heat of the contacts leads to {value:.1} K by the thermal resistance, but the lubricant is taken at {own:.1} K: solve once more at a \
-                     temperature between"
+                    "the heat of the contacts leads to {:.1} °C by the thermal resistance, but the lubricant is taken at {:.1} °C: solve once more at a \
+                     temperature between",
+                    value - CELSIUS,
+                    own - CELSIUS
                 ),
             ));
         }
@@ -327,14 +331,9 @@ fn differential_slip(
 
 /// Power that rolling alone takes: (µ_2 − µ_1) Q u.
 fn rolling_power(point: &PointSolution) -> Option<Estimate> {
-    let one = figure_of(point, Figure::TractionCoefficientBody1)?;
-    let two = figure_of(point, Figure::TractionCoefficientBody2)?;
+    let rolling = rolling_coefficient(point)?;
     let scale = point.case.contact.load * point.case.motion.entrainment_speed;
-    let both = one.error.zip(two.error);
-    Some(Estimate {
-        value: (two.value - one.value) * scale,
-        error: both.map(|(one, two)| (one + two) * scale),
-    })
+    Some(scaled(rolling, scale))
 }
 
 /// What slips at a ring; `None` of rollers, and where the contact was not solved.

@@ -26,6 +26,18 @@ impl Curve {
         self.interpolate(place, |value| value.error.unwrap_or(0.0))
     }
 
+    /// The same through every second place, the first and the last among them, and through those between with both ends: by how much a sum over them differs
+    /// tells what the distance of the places does to it. `None` of fewer than three.
+    pub fn halves(&self) -> Option<[Curve; 2]> {
+        let last = self.0.len().checked_sub(1).filter(|last| *last >= 2)?;
+        let half = |odd: usize| {
+            let own = self.0.iter().enumerate();
+            let own = own.filter(|(i, _)| i % 2 == odd || *i == 0 || *i == last);
+            Curve(own.map(|(_, point)| *point).collect())
+        };
+        Some([half(0), half(1)])
+    }
+
     fn interpolate(&self, place: f64, of: impl Fn(&Estimate) -> f64) -> f64 {
         let points = &self.0;
         let after = points.partition_point(|(at, _)| *at <= place);
@@ -58,5 +70,26 @@ mod tests {
         assert_eq!(values, [2.0, 2.0, 3.0, 6.0, 6.0]);
         assert!((curve.bar_at(2.0) - 0.2).abs() < 1e-15);
         assert!(Curve::new(Vec::new()).is_none());
+        assert!(curve.halves().is_none());
+    }
+
+    /// Of the places 0 to 5 the even ones, and the odd ones with the first.
+    #[test]
+    fn halves_have_both_ends() {
+        let at = |place: usize| {
+            (
+                place as f64,
+                Estimate {
+                    value: 1.0,
+                    error: None,
+                },
+            )
+        };
+        let curve = Curve::new((0..6).map(at).collect()).expect("points");
+        let places = curve
+            .halves()
+            .expect("enough")
+            .map(|half| half.0.iter().map(|(at, _)| *at).collect::<Vec<f64>>());
+        assert_eq!(places, [vec![0.0, 2.0, 4.0, 5.0], vec![0.0, 1.0, 3.0, 5.0]]);
     }
 }

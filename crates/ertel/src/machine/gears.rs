@@ -8,13 +8,14 @@
 //! ```
 //!
 //! µ and f are linear between the contacts that are solved, while loads and speeds are those of each place: they jump where a pair of teeth
-//! takes over.
+//! takes over. What lies between the contacts is bounded by the same sums over half of them.
 
 use ertel_machines::gear::friction::schlenk;
 use ertel_machines::gear::safety::{micropitting, scuffing};
 use ertel_machines::gear::{FlashMethod, PathPoint, ThermalBody};
 
 use super::curve::Curve;
+use super::rolling::rolling_coefficient;
 use super::{MachineFigure, Section, figure_of, of_model};
 use crate::case::{Body, Case, GearMechanics};
 use crate::point::{MachineSolution, PointSolution};
@@ -122,8 +123,11 @@ fn rubbing(at: &PathPoint, point: &PointSolution) -> Option<Rubbing> {
     };
     let resistance = Estimate {
         value: (power.value - coefficient.value * sliding) / at.entrainment_speed,
-        error: (power.error.zip(coefficient.error))
-            .map(|(power, mu)| (power + mu * sliding) / at.entrainment_speed),
+        error: (power.error.zip(coefficient.error)).map(|(power, mu)| {
+            let both = (power + mu * sliding) / at.entrainment_speed;
+            let own = rolling_coefficient(point).and_then(|f| Some(f.error? * at.load_per_length));
+            own.map_or(both, |own| both.min(own))
+        }),
     };
     let total_bar = Estimate {
         value: 0.0,
@@ -258,7 +262,7 @@ struct Loss {
     factor: f64,
 }
 
-/// Losses where all contacts are solved; bars of contacts that are solved in one way add.
+/// Losses where all contacts are solved; bars of contacts that are solved in one way add, and to them what the distance of the contacts does.
 fn loss(gears: &GearMechanics, solved: &MachineSolution) -> Option<Loss> {
     let mut coefficient = Vec::new();
     let mut resistance = Vec::new();
@@ -289,24 +293,48 @@ fn loss(gears: &GearMechanics, solved: &MachineSolution) -> Option<Loss> {
     let rolling = sum(&|p| per_slide(p, resistance.at(p.position)))?.power;
     let rolling_bar = sum(&|p| per_slide(p, resistance.bar_at(p.position)))?.power;
     let total_bar = sum(&|p| per_slide(p, total.bar_at(p.position)))?.power;
-    let bar = |value: f64| coefficient.has_bars().then_some(value);
+    let coarse = coefficient.halves().zip(resistance.halves());
+    let powers = |(coefficient, resistance): (&Curve, &Curve)| {
+        let sliding = sum(&|p| coefficient.at(p.position))?.power;
+        let rolling = sum(&|p| per_slide(p, resistance.at(p.position)))?.power;
+        Some([sliding, rolling])
+    };
+    let own = [sliding.power, rolling];
+    // Between the contacts that are solved, friction is not linear: what half of them tells differs by so much.
+    let spacing = match &coarse {
+        None => None,
+        Some((coefficients, resistances)) => {
+            let halves = coefficients.iter().zip(resistances).map(powers);
+            let halves: Vec<[f64; 2]> = halves.collect::<Option<_>>()?;
+            let off = |of: &dyn Fn([f64; 2]) -> f64| {
+                let all = halves.iter().map(|half| (of(*half) - of(own)).abs());
+                all.fold(0.0, f64::max)
+            };
+            Some([off(&|p| p[0]), off(&|p| p[1]), off(&|p| p[0] + p[1])])
+        }
+    };
+    let bar = |has_bars: bool, value: f64, part: usize| {
+        let spacing = spacing.filter(|_| has_bars)?;
+        Some(value + spacing[part])
+    };
     let at_friction_1 = sliding.loss_factor * gears.operation.power();
+    let sliding_bar = bar(coefficient.has_bars(), sliding_bar, 0);
     Some(Loss {
         sliding: Estimate {
             value: sliding.power,
-            error: bar(sliding_bar),
+            error: sliding_bar,
         },
         rolling: Estimate {
             value: rolling,
-            error: bar(rolling_bar),
+            error: bar(resistance.has_bars(), rolling_bar, 1),
         },
         total: Estimate {
             value: sliding.power + rolling,
-            error: total.has_bars().then_some(total_bar),
+            error: bar(total.has_bars(), total_bar, 2),
         },
         mean_friction: Estimate {
             value: sliding.mean_friction,
-            error: bar(sliding_bar / at_friction_1),
+            error: sliding_bar.map(|bar| bar / at_friction_1),
         },
         factor: sliding.loss_factor,
     })

@@ -15,6 +15,8 @@ use crate::point::MachineSolution;
 const TOLERANCE: f64 = 0.1;
 /// Rounds at the most.
 const ROUNDS: usize = 8;
+/// 0 °C, K.
+pub(super) const CELSIUS: f64 = 273.15;
 /// Largest step, K.
 const STEP: f64 = 40.0;
 
@@ -49,10 +51,10 @@ impl Balance {
     /// How it was not found, in words.
     pub fn words(&self) -> String {
         format!(
-            "no balance of heat in {} rounds: with the lubricant at {:.1} K the heat leads to {:.1} K",
+            "no balance of heat in {} rounds: with the lubricant at {:.1} °C the heat leads to {:.1} °C",
             self.rounds,
-            self.temperature,
-            self.temperature + self.rest
+            self.temperature - CELSIUS,
+            self.temperature + self.rest - CELSIUS
         )
     }
 }
@@ -137,12 +139,14 @@ fn tell(solved: &mut SolvedMachine) {
     let rest = format!("{:.2} K", balance.rest);
     let text = match balance.is_found() {
         true => format!(
-            "at {:.1} K after {} rounds, within {rest}",
-            balance.temperature, balance.rounds
+            "at {:.1} °C after {} rounds, within {rest}",
+            balance.temperature - CELSIUS,
+            balance.rounds
         ),
         false => format!(
-            "not found in {} rounds: the lubricant was at {:.1} K in the last one, and the heat led {rest} further",
-            balance.rounds, balance.temperature
+            "not found in {} rounds: the lubricant was at {:.1} °C in the last one, and the heat led {rest} further",
+            balance.rounds,
+            balance.temperature - CELSIUS
         ),
     };
     machine.rows.push(("balance of heat".to_owned(), text));

@@ -7,6 +7,7 @@ mod gears;
 mod heat;
 mod life;
 mod moments;
+mod rolling;
 mod slip;
 
 pub(crate) use heat::solve_by;

@@ -144,7 +144,10 @@ pub fn percent(e: Estimate) -> String {
     }
 }
 
-/// A temperature with its rise above that of the inlet, both in K.
+/// 0 °C, K.
+pub const CELSIUS: f64 = 273.15;
+
+/// A temperature (K) in °C, with its rise above that of the inlet in K.
 pub fn temperature(e: Estimate, inlet: Option<f64>) -> String {
     let rise = inlet.map_or(e.value, |inlet| (e.value - inlet).abs().max(LEAST_RISE));
     if e.error.is_some_and(|error| error > WIDEST * rise) {
@@ -155,18 +158,19 @@ pub fn temperature(e: Estimate, inlet: Option<f64>) -> String {
         decimals(e.value, error).min(KELVIN_DECIMALS)
     });
     let error = error.map_or(String::new(), |error| format!(" ± {}", bar(error, shown)));
+    let celsius = rounded(e.value - CELSIUS, shown);
     let rise = inlet.map_or(String::new(), |inlet| {
         let rise = rounded(e.value - inlet, shown);
         let sign = if rise.starts_with('-') { "" } else { "+" };
         format!(" ({sign}{rise} K)")
     });
-    format!("{}{error} K{rise}", rounded(e.value, shown))
+    format!("{celsius}{error} °C{rise}")
 }
 
 fn not_resolved_temperature(e: Estimate) -> String {
     let error = e.error.unwrap_or(0.0);
-    let [low, high] = [e.value - error, e.value + error].map(|t| rounded(t, 0));
-    format!("not resolved (between {low} and {high} K)")
+    let [low, high] = [e.value - error, e.value + error].map(|t| rounded(t - CELSIUS, 0));
+    format!("not resolved (between {low} and {high} °C)")
 }
 
 /// A length with a readable unit.
@@ -364,22 +368,22 @@ mod tests {
         assert_eq!(percent(e(0.3061, 0.0023)), "30.61 ± 0.23 %");
         assert_eq!(
             temperature(e(330.042, 0.4), Some(313.0)),
-            "330.0 ± 0.4 K (+17.0 K)"
+            "56.9 ± 0.4 °C (+17.0 K)"
         );
         assert_eq!(
             temperature(e(312.96, 0.4), Some(313.0)),
-            "313.0 ± 0.4 K (+0.0 K)"
+            "39.8 ± 0.4 °C (+0.0 K)"
         );
         assert_eq!(
             temperature(e(333.0, 12.0), Some(313.0)),
-            "not resolved (between 321 and 345 K)"
+            "not resolved (between 48 and 72 °C)"
         );
-        assert_eq!(temperature(e(318.9634, 0.0193), None), "318.96 ± 0.02 K");
+        assert_eq!(temperature(e(318.9634, 0.0193), None), "45.81 ± 0.02 °C");
         let plain = Estimate {
             value: 310.0,
             error: None,
         };
-        assert_eq!(temperature(plain, Some(313.0)), "310.00 K (-3.00 K)");
+        assert_eq!(temperature(plain, Some(313.0)), "36.85 °C (-3.00 K)");
     }
 
     /// By hand, of a film of 245.0 ± 0.8 nm: a bar of 150 nm, none though one was asked for, and one of 20 mm on bodies of 16 mm are no results.

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::figure::{number, percent};
+use super::figure::{CELSIUS, number, percent};
 use super::lines::Lines;
 use super::report::power;
 use super::results::write_section;
@@ -32,7 +32,9 @@ pub(super) fn write(out: &mut Lines, thermal: &ThermalEcho) {
         (BODIES[0], &thermal.body_1, params.body_1_temperature),
         (BODIES[1], &thermal.body_2, params.body_2_temperature),
     ] {
-        let bulk = temperature.map_or(String::new(), |t| format!(", bulk {} K", digits(t, 6)));
+        let bulk = temperature.map_or(String::new(), |t| {
+            format!(", bulk {} °C", digits(t - CELSIUS, 5))
+        });
         out.row(&format!("conductivity, {role}"), of(material) + &bulk);
     }
 }

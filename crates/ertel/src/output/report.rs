@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::BODIES;
-use super::figure::{estimate, number, percent};
+use super::figure::{CELSIUS, estimate, number, percent};
 use super::lines::{Lines, NAME_WIDTH, Table};
 use super::results::write_section;
 use super::{heat, inputs, mixed, surfaces};
@@ -165,9 +165,9 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
     out.row(
         "temperature",
         format!(
-            "{} K ({} °C)",
-            digits(case.temperature, 6),
-            digits(case.temperature - 273.15, 5)
+            "{} °C ({} K)",
+            digits(case.temperature - CELSIUS, 5),
+            digits(case.temperature, 6)
         ),
     );
     out.row("ambient viscosity", viscosity(fluid.viscosity));

@@ -6,6 +6,7 @@
 //! | traction coefficient | [`LARGEST_TRACTION`] | traction fluids |
 //! | shear stress over p_h, sliding or rolling, whatever its error bar | [`LARGEST_STRESS_RATIO`] | Johnson; Habchi |
 //! | film over the smallest radius | [`LARGEST_FILM`] | slope of the gap |
+//! | film without shear thinning over that with it, by an estimated law | [`SMALL_THINNING`] | the estimates are of traction |
 //! | heat of an isothermal contact | [`heat::LARGEST_RISE`], [`heat::SMALLEST_FACTOR`] | temperature coefficient of oils |
 //! | inertia of the film | [`inertia::NEGLIGIBLE_INERTIA`], [`inertia::CRITICAL_REYNOLDS`] | Habchi |
 //! | air colder than what flows in, heat balance | `UNDERSHOOT`, `LARGEST_HEAT_ERROR` | nothing cools before the contact |
@@ -18,7 +19,7 @@ pub mod inertia;
 pub mod left_out;
 
 use crate::case::Case;
-use crate::solution::{Located, Solution, Traction};
+use crate::solution::{Estimate, Located, Solution, Traction};
 use crate::warning::{Warning, WarningKind};
 use crate::words::{digits, length, pressure};
 
@@ -33,6 +34,10 @@ pub const LARGEST_STRESS_RATIO: f64 = 0.1;
 /// Film thickness over radius from which Reynolds' equation is doubted: surfaces are parallel within √(2h/R), which is 0.14 there,
 /// over the length √(2hR) in which pressure builds up, and the parabola is taken for the circle.
 pub const LARGEST_FILM: f64 = 0.01;
+
+/// Share of the film by which a law with estimated constants may thin it without a word: they come from traction at high pressure, while films form in the
+/// inlet.
+pub const SMALL_THINNING: f64 = 0.02;
 
 /// Share of the largest rise by which, and K by which at the least, the film may be colder before the contact than what flows in:
 /// no more is left of an unresolved inflow.
@@ -50,6 +55,7 @@ pub fn warnings(case: &Case, solution: &Solution) -> Vec<Warning> {
             solution.summary.film_central.value,
             smallest_radius(case),
         ),
+        estimated_thinning(case, solution),
         cold_inlet(case, solution),
         open_balance(solution),
     ]
@@ -177,6 +183,44 @@ pub fn thick_film(film: &str, thickness: f64, radius: f64) -> Option<Warning> {
         length(thickness)
     );
     Some(Warning::beyond(WarningKind::ThickFilm, ratio, text))
+}
+
+/// A film thinned by `shear_thinning = { law = "estimate" }`. Its limiting stress at ambient pressure is a guess, and bounds the pressure that the inlet builds
+/// up: with it a thicker oil may have a thinner film.
+fn estimated_thinning(case: &Case, solution: &Solution) -> Option<Warning> {
+    let estimates = &case.lubricant.estimates;
+    let of_shear = |key: &str| key.starts_with("shear_thinning.");
+    if !estimates.iter().any(|datum| of_shear(&datum.key)) {
+        return None;
+    }
+    let by = solution.film_reduction?;
+    let summary = &solution.summary;
+    let films = [
+        ("central", by.central, summary.film_central.value),
+        ("minimum", by.minimum, summary.film_minimum.value),
+    ];
+    let larger = |(_, one, _): &(_, Estimate, _), (_, two, _): &(_, Estimate, _)| {
+        one.value.abs().total_cmp(&two.value.abs())
+    };
+    let (name, reduction, film) = films.into_iter().max_by(larger)?;
+    let share = reduction.value;
+    if share.abs() <= SMALL_THINNING {
+        return None;
+    }
+    let text = format!(
+        "the estimated shear thinning ([lubricant] shear_thinning, law = \"estimate\") makes the {name} film {} % {}: {}, and {} without it; its constants \
+         come from friction under high pressure and are not known to hold in the inlet, where the film forms, so that even a thicker oil may seem to have a \
+         thinner film; give a measured law, or compare films with [solver] newtonian = true",
+        digits(100.0 * share.abs(), 2),
+        if share > 0.0 { "thinner" } else { "thicker" },
+        length(film),
+        length(film / (1.0 - share)),
+    );
+    Some(Warning::beyond(
+        WarningKind::EstimatedThinning,
+        share.abs(),
+        text,
+    ))
 }
 
 /// Before the contact nothing cools: neither shear nor compression does, and expansion comes behind it.

@@ -87,9 +87,10 @@ pub fn solve_curve(curve: &Curve, observer: &mut dyn CurveObserver) -> CurveSolu
 
 /// A value of what varies with its unit: `0.4 m/s`, `1000 rpm`.
 pub fn value_text(quantity: &Quantity, value: f64) -> String {
-    let text = match quantity.dimension == Dimension::ANGULAR_SPEED {
-        true => format!("{} rpm", digits(value * RPM, 6)),
-        false => format!("{} {}", digits(value, 6), quantity.unit()),
+    let text = match quantity.dimension {
+        Dimension::ANGULAR_SPEED => format!("{} rpm", digits(value * RPM, 6)),
+        Dimension::TEMPERATURE => format!("{} °C", digits(value - 273.15, 6)),
+        _ => format!("{} {}", digits(value, 6), quantity.unit()),
     };
     text.trim_end().to_owned()
 }

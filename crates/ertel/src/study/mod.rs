@@ -10,6 +10,7 @@ pub mod monte_carlo;
 pub mod plan;
 pub(crate) mod point;
 pub(crate) mod table;
+mod unresolved;
 pub(crate) mod walk;
 
 pub use crate::point::{MachinePoint, MachineSolution, Outcome, PointSolution};
@@ -23,3 +24,4 @@ pub(crate) use machine::cores;
 pub use machine::{solve_in_balance, solve_machine};
 pub(crate) use table::ISOTHERMAL;
 pub use table::{POINTS, STUDY_FORMAT, StudyEcho, TABLE};
+pub use unresolved::UnresolvedFigures;

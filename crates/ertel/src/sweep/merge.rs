@@ -61,7 +61,10 @@ pub fn merge(target: &Path, parts: &[PathBuf]) -> Result<SweepSummary, SweepErro
                 let label = values.join(", ");
                 summary.failures.push((i, label, record.reason.clone()));
             }
-            Some(record) => summary.n_unresolved += usize::from(record.is_unresolved()),
+            Some(record) => {
+                summary.n_unresolved += usize::from(record.is_unresolved());
+                summary.unresolved.add(|column| record.field(column));
+            }
             None => summary.interrupted = true,
         }
     }

@@ -16,7 +16,7 @@ use crate::case::Study;
 use crate::study::journal::{PointKey, Record};
 use crate::study::plan::Plan;
 use crate::study::walk::Walk;
-use crate::study::{StudyEcho, cores};
+use crate::study::{StudyEcho, UnresolvedFigures, cores};
 use crate::warning::{Merged, by_kind};
 use folder::{has_folder, look, open, write_results};
 use work::Shared;
@@ -107,6 +107,8 @@ pub struct SweepSummary {
     pub failures: Vec<(usize, String, String)>,
     /// Points with figures that the mesh does not resolve.
     pub n_unresolved: usize,
+    /// Which figures these are, and those beside them.
+    pub unresolved: UnresolvedFigures,
     /// Warnings, those of one kind together.
     pub warnings: Vec<Merged>,
     /// Wall time, s.
@@ -262,6 +264,7 @@ pub fn sweep_part(
             summary.failures.push((i, label, record.reason.clone()));
         }
         summary.n_unresolved += usize::from(record.is_unresolved());
+        summary.unresolved.add(|column| record.field(column));
         let told = record.warnings.iter().filter(|w| !w.kind.is_note());
         warnings.extend(told.map(|w| (i, w)));
     }

@@ -9,6 +9,7 @@ use super::{
 };
 use crate::compare::Comparison;
 use crate::files::{TEMPORARY, write_whole};
+use crate::output::html::{REPORT_PAGE, comparison_page};
 use crate::output::target::has_format;
 use crate::output::{OutputError, picture_files, put_picture};
 use crate::params::PictureFormats;
@@ -19,13 +20,14 @@ use crate::study::{POINTS, STUDY_FORMAT};
 pub const COMPARISON_STUDY: &str = "study";
 
 /// Every file that a comparison writes into its folder.
-pub const COMPARISON_FILES: [&str; 7] = [
+pub const COMPARISON_FILES: [&str; 8] = [
     TABLE,
     JSON,
     "comparison.svg",
     "comparison.pdf",
     "comparison.png",
     REPORT,
+    REPORT_PAGE,
     CASE,
 ];
 
@@ -135,6 +137,8 @@ pub fn write_comparison(
     put_picture(target, PICTURE, &picture, ALL_FORMATS)?;
     write(TABLE, comparison_table(comparison).as_bytes())?;
     write(REPORT, comparison_report(comparison, None).as_bytes())?;
+    let page = comparison_page(comparison, case);
+    write(REPORT_PAGE, page.as_bytes())?;
     write(CASE, case.as_bytes())?;
     Ok(())
 }

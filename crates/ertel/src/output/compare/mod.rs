@@ -11,4 +11,5 @@ pub use folder::{COMPARISON_FILES, COMPARISON_STUDY, check_comparison_folder, wr
 pub use json::{COMPARISON_FORMAT, comparison_json};
 pub use picture::comparison_picture;
 pub use report::comparison_report;
+pub(super) use report::{failures, write_figures};
 pub use table::comparison_table;

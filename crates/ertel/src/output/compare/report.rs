@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::super::figure::{in_unit, with_bar};
+use super::super::lines::{Lines, Table};
 use super::super::pictures::film_unit;
 use super::super::study::words;
 use crate::case::study::AxisValue;
@@ -31,7 +32,9 @@ pub fn comparison_report(comparison: &Comparison, folder: Option<&Path>) -> Stri
         text.push('\n');
         write_rows(&mut text, comparison, *figure);
     }
-    write_failures(&mut text, comparison);
+    for said in failures(comparison) {
+        let _ = writeln!(text, "\n  ! {said}");
+    }
     for figure in &figures {
         text.push('\n');
         write_statistics(&mut text, comparison, *figure);
@@ -67,7 +70,27 @@ pub(super) fn unit_of(comparison: &Comparison, figure: Measurand) -> (f64, &'sta
     }
 }
 
-fn write_rows(text: &mut String, comparison: &Comparison, figure: Measurand) {
+/// A table for each figure, and its statistics.
+pub(in crate::output) fn write_figures(out: &mut Lines, comparison: &Comparison) {
+    for figure in comparison.figures() {
+        let words = figure.words();
+        let (first, rest) = words.split_at(1);
+        out.heading(&(first.to_uppercase() + rest));
+        let mut rows = table_of(comparison, figure);
+        let head = rows.remove(0);
+        out.table(Table {
+            head,
+            rows,
+            widths: Vec::new(),
+        });
+        for (name, value) in statistics_of(comparison, figure) {
+            out.row(name, value);
+        }
+    }
+}
+
+/// The table of a figure; its head first.
+fn table_of(comparison: &Comparison, figure: Measurand) -> Vec<Vec<String>> {
     let (factor, unit) = unit_of(comparison, figure);
     let in_brackets = |unit: &str| match unit {
         "" => String::new(),
@@ -105,6 +128,11 @@ fn write_rows(text: &mut String, comparison: &Comparison, figure: Measurand) {
         }
         rows.push(cells);
     }
+    rows
+}
+
+fn write_rows(text: &mut String, comparison: &Comparison, figure: Measurand) {
+    let rows = table_of(comparison, figure);
     let n = rows[0].len();
     let width = |j: usize| rows.iter().map(|r| r[j].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..n).map(width).collect();
@@ -150,19 +178,34 @@ fn agree(compared: &Compared) -> String {
     .to_owned()
 }
 
-fn write_failures(text: &mut String, comparison: &Comparison) {
-    for row in &comparison.rows {
+/// Rows that are left out or not resolved, as sentences.
+pub(in crate::output) fn failures(comparison: &Comparison) -> Vec<String> {
+    let of = comparison.rows.iter().filter_map(|row| {
         let said = match &row.outcome {
-            Outcome::Solved { unresolved } if unresolved.is_empty() => continue,
+            Outcome::Solved { unresolved } if unresolved.is_empty() => return None,
             Outcome::Solved { unresolved } => format!("is not resolved by the mesh: {unresolved}"),
             Outcome::Failed(reason) => format!("is left out, its point failed: {reason}"),
             Outcome::Open => "is left out, its point was not begun".to_owned(),
         };
-        let _ = writeln!(text, "\n  ! line {} {said}", row.line);
-    }
+        Some(format!("line {} {said}", row.line))
+    });
+    of.collect()
 }
 
 fn write_statistics(text: &mut String, comparison: &Comparison, figure: Measurand) {
+    let found = statistics_of(comparison, figure);
+    if found.is_empty() {
+        let _ = writeln!(text, "{}: no row could be compared", figure.words());
+        return;
+    }
+    let _ = writeln!(text, "{}, computed against measured", figure.words());
+    for (name, value) in found {
+        let _ = writeln!(text, "  {name:<22}{value}");
+    }
+}
+
+/// Bias, scatter and the worst row; nothing where no row could be compared.
+fn statistics_of(comparison: &Comparison, figure: Measurand) -> Vec<(&'static str, String)> {
     let statistics = comparison.statistics(figure);
     let Statistics {
         bias: Some(bias),
@@ -172,27 +215,24 @@ fn write_statistics(text: &mut String, comparison: &Comparison, figure: Measuran
         ..
     } = statistics
     else {
-        let _ = writeln!(text, "{}: no row could be compared", figure.words());
-        return;
+        return Vec::new();
     };
-    let _ = writeln!(text, "{}, computed against measured", figure.words());
-    let line = |text: &mut String, name: &str, value: String| {
-        let _ = writeln!(text, "  {name:<22}{value}");
-    };
-    line(text, "bias (mean)", percent(bias));
-    line(text, "rms", format!("{:.1} %", 100.0 * rms));
     let at = comparison.rows[row].line;
-    line(text, "worst", format!("{} (line {at})", percent(worst)));
     let agreed = format!("{} of {}", statistics.n_within, statistics.n_judged);
-    line(text, "agree", agreed + &basis(&statistics));
+    let mut lines = vec![
+        ("bias (mean)", percent(bias)),
+        ("rms", format!("{:.1} %", 100.0 * rms)),
+        ("worst", format!("{} (line {at})", percent(worst))),
+        ("agree", agreed + &basis(&statistics)),
+    ];
     let zeros = statistics.n_measured - statistics.n_compared - unsolved(comparison, figure);
     if zeros > 0 {
-        line(
-            text,
+        lines.push((
             "measured as zero",
             format!("{zeros}; without a share in bias, rms and worst"),
-        );
+        ));
     }
+    lines
 }
 
 /// Rows of a figure without a solution.

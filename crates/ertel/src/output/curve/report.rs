@@ -8,7 +8,7 @@ use super::super::machine::{TOLD, shown};
 use super::super::mixed::share;
 use crate::case::CaseEcho;
 use crate::solution::MixedLubrication;
-use crate::study::{CurveSolution, Outcome, PointSolution, value_text};
+use crate::study::{CurveSolution, Outcome, PointSolution, UnresolvedFigures, value_text};
 use crate::warning::by_kind;
 use crate::words::digits;
 
@@ -62,6 +62,7 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
     let solved = || curve.points.iter().filter_map(|p| p.outcome.solution());
     let slides = curve.points.iter().any(|p| p.case.motion.slides());
     let is_hot = solved().any(|s| s.thermal.is_some());
+    let has_cold = (curve.points.iter()).any(|p| p.isothermal_solution().is_some());
     let columns = [
         (true, curve.quantity.name),
         (true, "central film thickness"),
@@ -72,10 +73,12 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
         (true, "smooth pressure maximum"),
         (slides, "traction coefficient"),
         (is_hot, "largest film temperature"),
+        (has_cold, "central film without heat"),
+        (has_cold && slides, "traction without heat"),
         (true, "Newton"),
         (true, "time"),
     ];
-    let shown = |cells: [String; 11]| {
+    let shown = |cells: [String; 13]| {
         let cells = cells.into_iter().zip(&columns);
         let cells = cells.filter_map(|(cell, (is_shown, _))| is_shown.then_some(cell));
         cells.collect::<Vec<String>>()
@@ -90,6 +93,7 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
             Outcome::Solved(s) => {
                 let iterations: usize = s.stats.levels.iter().map(|l| l.newton_iterations).sum();
                 let mixed = s.mixed.as_ref();
+                let cold = point.isothermal_solution();
                 let asperities = mixed.and_then(|m| m.asperities.as_ref());
                 let friction = mixed.and_then(MixedLubrication::friction);
                 [
@@ -103,6 +107,8 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
                     number(s.traction.size()),
                     (s.thermal.as_ref())
                         .map_or_else(none, |t| temperature(t.film_maximum.estimate(), None)),
+                    cold.map_or_else(none, |s| estimate(&s.summary.film_central)),
+                    cold.map_or_else(none, |s| number(s.traction.size())),
                     iterations.to_string(),
                     time,
                 ]
@@ -110,6 +116,8 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
             Outcome::Failed(_) => [
                 value,
                 failed(),
+                none(),
+                none(),
                 none(),
                 none(),
                 none(),
@@ -168,5 +176,8 @@ fn write_remarks(text: &mut String, curve: &CurveSolution) {
     });
     for merged in by_kind(warnings) {
         let _ = writeln!(text, "\n  ! {}", merged.line(curve.points.len()));
+    }
+    if let Some(line) = UnresolvedFigures::of_curve(curve).line(curve.points.len()) {
+        let _ = writeln!(text, "\n  · {line}");
     }
 }

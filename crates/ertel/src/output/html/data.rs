@@ -4,6 +4,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 
+use super::thin::{Bounded, contains, thin};
 use crate::case::CaseEcho;
 use crate::contact::{Outline, Symmetry};
 use crate::output::pictures::has_one_tolerance;
@@ -16,6 +17,10 @@ pub const DATA_VERSION: u64 = 1;
 
 /// Bytes of fields that a page holds at the most, before they are written as text; so it stays below 2 MB.
 const MOST_BYTES: usize = 1_150_000;
+
+/// By how much fields on meshes of many triangles may be off where nodes are left out: the film as a share of itself, others of their
+/// range. The next one where there is no room.
+const TOLERANCES: [f64; 3] = [1e-3, 3e-3, 1e-2];
 
 /// Half-widths of the dry contact that maps reach beyond it.
 const MARGIN: f64 = 1.5;
@@ -145,7 +150,12 @@ fn mesh(solution: &Solution) -> Value {
         return Value::Null;
     }
     let temperatures = solution.thermal.as_ref().map(|t| &t.surface);
-    let fields = ContactFields::columns(surface, temperatures);
+    let columns = ContactFields::columns(surface, temperatures);
+    let found = BY_IMPORTANCE.iter().filter_map(|wanted| {
+        let (_, values) = columns.iter().find(|(own, _)| own == wanted)?;
+        Some((*wanted, *values))
+    });
+    let fields: Vec<(Field, &[f64])> = found.collect();
     let a = solution.hertz.half_width;
     let zone = solution.shape.zone.half_extents();
     let reach = zone.map(|half| a * (half + MARGIN * zone[0].min(zone[1])));
@@ -157,41 +167,34 @@ fn mesh(solution: &Solution) -> Value {
         })
     };
     let near = surface.elements.chunks_exact(per_element).filter(is_near);
-    let mut number = vec![u32::MAX; surface.points.len()];
-    let (mut kept, mut nodes) = (Vec::new(), Vec::new());
-    for node in near.flatten() {
-        let own = &mut number[*node as usize];
-        if *own == u32::MAX {
-            *own = kept.len() as u32;
-            kept.push(*node as usize);
+    let mut elements = Elements::new(surface.points.len(), near.flatten().copied().collect());
+    let mut off_by = None;
+    if surface.order == 1 {
+        for tolerance in TOLERANCES {
+            if elements.room_for() >= fields.len() {
+                break;
+            }
+            elements = thinned(solution, &elements, &fields, tolerance);
+            off_by = Some(tolerance);
         }
-        nodes.push(*own);
     }
-    let node_bytes = if kept.len() <= usize::from(u16::MAX) {
-        2
-    } else {
-        4
-    };
-    let text = match node_bytes {
-        2 => STANDARD.encode(bytes(&nodes, |n| (n as u16).to_le_bytes())),
-        _ => STANDARD.encode(bytes(&nodes, u32::to_le_bytes)),
-    };
-    let room = MOST_BYTES.saturating_sub(node_bytes * nodes.len());
-    let n_fields = (room / (4 * kept.len().max(1))).saturating_sub(2).max(2);
-    let found = BY_IMPORTANCE.iter().filter_map(|wanted| {
-        let (_, values) = fields.iter().find(|(own, _)| own == wanted)?;
-        Some((*wanted, *values))
-    });
+    let n_fields = elements.room_for().max(2);
     let (mut shown, mut left_out) = (Vec::new(), Vec::new());
-    for (own, values) in found {
+    for (own, values) in fields {
         match shown.len() < n_fields {
-            true => shown.push(field(own, kept.iter().map(|i| values[*i]))),
+            true => shown.push(field(own, elements.kept.iter().map(|i| values[*i]))),
             false => left_out.push(own.words()),
         }
     }
     let axis = |i: usize| {
-        let values: Vec<f32> = kept.iter().map(|n| surface.points[*n][i] as f32).collect();
+        let kept = elements.kept.iter();
+        let values: Vec<f32> = kept.map(|n| surface.points[*n][i] as f32).collect();
         STANDARD.encode(bytes(&values, f32::to_le_bytes))
+    };
+    let node_bytes = elements.node_bytes();
+    let text = match node_bytes {
+        2 => STANDARD.encode(bytes(&elements.nodes, |n| (n as u16).to_le_bytes())),
+        _ => STANDARD.encode(bytes(&elements.nodes, u32::to_le_bytes)),
     };
     json!({
         "order": surface.order,
@@ -203,7 +206,111 @@ fn mesh(solution: &Solution) -> Value {
         "node_bytes": node_bytes,
         "fields": shown,
         "left_out": left_out,
+        "off_by": off_by,
     })
+}
+
+/// Elements by their nodes, numbered as they come.
+struct Elements {
+    /// Nodes of the elements, one after another, by their places in `kept`.
+    nodes: Vec<u32>,
+    /// Nodes of the surface.
+    kept: Vec<usize>,
+}
+
+impl Elements {
+    /// Of elements by nodes of the surface, which has so many.
+    fn new(n_points: usize, of_surface: Vec<u32>) -> Elements {
+        let mut number = vec![u32::MAX; n_points];
+        let (mut kept, mut nodes) = (Vec::new(), Vec::new());
+        for node in of_surface {
+            let own = &mut number[node as usize];
+            if *own == u32::MAX {
+                *own = kept.len() as u32;
+                kept.push(node as usize);
+            }
+            nodes.push(*own);
+        }
+        Elements { nodes, kept }
+    }
+
+    fn node_bytes(&self) -> usize {
+        match self.kept.len() <= usize::from(u16::MAX) {
+            true => 2,
+            false => 4,
+        }
+    }
+
+    /// Number of fields for which a page has room, beside the places of the nodes.
+    fn room_for(&self) -> usize {
+        let room = MOST_BYTES.saturating_sub(self.node_bytes() * self.nodes.len());
+        (room / (4 * self.kept.len().max(1))).saturating_sub(2)
+    }
+}
+
+/// Triangles without the nodes that linear interpolation gives as well. Those around the places of figures stay.
+fn thinned(
+    solution: &Solution,
+    elements: &Elements,
+    fields: &[(Field, &[f64])],
+    tolerance: f64,
+) -> Elements {
+    let points: Vec<[f64; 2]> = (elements.kept.iter())
+        .map(|n| solution.surface.points[*n])
+        .collect();
+    let own: Vec<(Field, Vec<f64>)> = (fields.iter())
+        .map(|(field, values)| {
+            let at_nodes = elements.kept.iter().map(|n| values[*n]).collect();
+            (*field, at_nodes)
+        })
+        .collect();
+    let logarithms: Vec<Option<Vec<f64>>> = (own.iter())
+        .map(|(field, values)| {
+            has_decades(*field, values).then(|| values.iter().map(|v| v.ln()).collect())
+        })
+        .collect();
+    let bounded: Vec<Bounded> = (own.iter().zip(&logarithms))
+        .map(|((field, values), logarithms)| {
+            let values = logarithms.as_ref().unwrap_or(values);
+            let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+            let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            let of = |v: &f64| match field {
+                Field::FilmThickness => tolerance * v,
+                _ => tolerance * (high - low),
+            };
+            Bounded {
+                values,
+                tolerance: values.iter().map(of).collect(),
+            }
+        })
+        .collect();
+    let cells: Vec<[u32; 3]> = (elements.nodes.chunks_exact(3))
+        .map(|c| [c[0], c[1], c[2]])
+        .collect();
+    let mut stays = vec![false; points.len()];
+    let is_half = solution.shape.symmetry == Symmetry::Half;
+    let places = (solution.figures()).filter_map(|(figure, at)| {
+        let y = if is_half { -at.y.abs() } else { at.y };
+        figure.has_place().then_some([at.x, y])
+    });
+    for place in places.chain([[0.0; 2]]) {
+        let has = |cell: &&[u32; 3]| contains(cell.map(|n| points[n as usize]), place);
+        let around = cells.iter().filter(has).flatten();
+        around.for_each(|n| stays[*n as usize] = true);
+    }
+    let left = thin(&points, &cells, &bounded, &stays);
+    let of_surface = left
+        .iter()
+        .flatten()
+        .map(|n| elements.kept[*n as usize] as u32);
+    Elements::new(solution.surface.points.len(), of_surface.collect())
+}
+
+/// Whether a page draws the logarithm of a field, as `spread` in `assets/field.js` says.
+fn has_decades(field: Field, values: &[f64]) -> bool {
+    let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = values.iter().copied().fold(0.0, f64::max);
+    low > 0.0 && high > 100.0 * low && field.unit() != "m"
 }
 
 pub(super) fn bytes<T: Copy, const N: usize>(values: &[T], of: impl Fn(T) -> [u8; N]) -> Vec<u8> {
@@ -230,9 +337,14 @@ fn centreline(solution: &Solution) -> Value {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
+    use crate::case::Case;
     use crate::contact::Turn;
     use crate::output::sample;
+    use crate::run::solve;
+    use crate::solve::NoObserver;
 
     /// The edge of an ellipse of half-axes a and 3 a whose first axis is turned by 30° against the motion: in its own axes
     /// each point has (x/a)² + (y/3a)² = 1.
@@ -261,5 +373,56 @@ mod tests {
             assert!(off(sine).min(off(-sine)) < 1e-5, "{}", off(sine));
             assert!(turned == 0.0 || off(0.0) > 0.1);
         }
+    }
+
+    /// Of a film by finite volumes on 25,000 nodes: the page has few of them, with all fields, and the node nearest to the smallest
+    /// film and the one in the centre are among them with their values.
+    #[test]
+    fn meshes_of_finite_volumes_are_thinned() {
+        let text = include_str!("../../../../../cases/ball-on-disc.toml");
+        let case = Case::from_text("ball.toml", text, Path::new("")).expect("a valid case");
+        let solution = solve(&case, &mut NoObserver).expect("it converges");
+        assert!(solution.surface.points.len() > 50_000);
+        let data = data(&case.echo(), &solution, 1e-6);
+        let text = data.to_string();
+        assert!(text.len() < 1_700_000, "{} bytes", text.len());
+        assert_eq!(data["mesh"]["left_out"], json!([]));
+        let read = |value: &Value| -> Vec<f32> {
+            let text = value.as_str().expect("a text");
+            let bytes = STANDARD.decode(text).expect("base 64");
+            bytes
+                .as_chunks::<4>()
+                .0
+                .iter()
+                .map(|b| f32::from_le_bytes(*b))
+                .collect()
+        };
+        let mesh = &data["mesh"];
+        let (x, y) = (read(&mesh["x"]), read(&mesh["y"]));
+        let films = mesh["fields"].as_array().expect("a list").iter();
+        let film = films
+            .clone()
+            .find(|f| f["name"] == "film_thickness")
+            .expect("there");
+        let film = read(&film["values"]);
+        let figure = |wanted: Figure| {
+            solution
+                .figures()
+                .find(|(own, _)| *own == wanted)
+                .expect("there")
+                .1
+        };
+        let at = |place: [f64; 2]| {
+            let far =
+                |i: &usize| (f64::from(x[*i]) - place[0]).hypot(f64::from(y[*i]) + place[1].abs());
+            let nearest = (0..x.len()).min_by(|i, j| far(i).total_cmp(&far(j)));
+            f64::from(film[nearest.expect("nodes")])
+        };
+        let centre = figure(Figure::FilmCentral).value;
+        assert!((at([0.0; 2]) / centre - 1.0).abs() < 1e-6);
+        let smallest = figure(Figure::FilmMinimum);
+        assert!(
+            (at([smallest.x, smallest.y]) - smallest.value).abs() < smallest.error.expect("a bar")
+        );
     }
 }

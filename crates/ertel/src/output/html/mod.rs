@@ -4,7 +4,9 @@
 //! by writing `<` as an escape; a content security policy in the page forbids it to load anything.
 
 mod data;
+mod differences;
 mod instants;
+mod thin;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -14,6 +16,7 @@ use serde_json::{Value, json};
 
 pub use data::{DATA_FORMAT, DATA_VERSION};
 
+use super::compare::{comparison_picture, failures, write_figures as write_compared};
 use super::lines::{Block, Lines};
 use super::machine::{
     machine_pictures, table_of_pressed, warning_texts, write_figures, write_idle,
@@ -23,6 +26,7 @@ use super::report::{write_case, write_contact, write_effort, write_formulas, wri
 use super::transient::{transient_table, write_results as write_transient};
 use super::{curve_report, curve_table, heat, inputs};
 use crate::case::CaseEcho;
+use crate::compare::Comparison;
 use crate::machine::MachineFigures;
 use crate::run::transient::TransientSolution;
 use crate::solution::Solution;
@@ -184,6 +188,7 @@ pub fn curve_page(case: &CaseEcho, curve: &CurveSolution) -> String {
     let unit = curve.quantity.unit();
     let data = json!({
         "version": DATA_VERSION,
+        "title": case.title,
         "table": table(&curve_table(curve), 1),
     });
     let subtitle = format!(
@@ -215,9 +220,14 @@ pub fn machine_page(
 ) -> String {
     let whole = &machine.machine;
     let n_axes = if whole.has_sides() { 2 } else { 1 };
+    let told: Vec<Value> = (figures.all.iter())
+        .map(|f| json!({ "name": f.name, "words": f.words, "unit": f.unit, "value": f.estimate.value }))
+        .collect();
     let data = json!({
         "version": DATA_VERSION,
+        "title": case.title,
         "table": table(&table_of_pressed(machine), n_axes),
+        "figures": told,
     });
     let results = part(
         |out| {
@@ -245,6 +255,7 @@ pub fn transient_page(case: &CaseEcho, found: &TransientSolution, pictures: &[Pi
     let csv = transient_table(found, case.contact.kind.is_line());
     let data = json!({
         "version": DATA_VERSION,
+        "title": case.title,
         "table": table(&csv, 1),
         "instants": instants::instants(found),
     });
@@ -268,13 +279,40 @@ pub fn transient_page(case: &CaseEcho, found: &TransientSolution, pictures: &[Pi
 
 /// The page of a study from its table (CSV), whose first columns after the number of the point are the axes.
 pub fn study_page(title: &str, csv: &str, n_axes: usize, warnings: Vec<String>) -> String {
-    let data = json!({ "version": DATA_VERSION, "table": table(csv, n_axes) });
+    let data = json!({ "version": DATA_VERSION, "title": title, "table": table(csv, n_axes) });
     let n = csv.lines().count().saturating_sub(1);
     page(Page {
         title,
         subtitle: format!("Study of {n} finished points"),
         warnings,
         data,
+        ..Page::default()
+    })
+}
+
+/// The page of a comparison with measurements: a table and statistics of each figure, and the picture. `case` is the text of the base case.
+pub fn comparison_page(comparison: &Comparison, case: &str) -> String {
+    let pictures = comparison_picture(comparison).into_iter();
+    let n_solved = comparison.rows.len() - comparison.n_unsolved();
+    let results = part(
+        |out| {
+            comparison.notes.iter().for_each(|note| out.note(note));
+            write_compared(out, comparison);
+        },
+        "",
+    );
+    page(Page {
+        title: &comparison.title,
+        subtitle: format!(
+            "Measured and computed: {n_solved} of {} rows compared, {} points",
+            comparison.rows.len(),
+            comparison.n_points
+        ),
+        warnings: failures(comparison),
+        results,
+        case_file: Some(case),
+        pictures: pictures.map(|p| STANDARD.encode(p.svg())).collect(),
+        data: json!({ "version": DATA_VERSION }),
         ..Page::default()
     })
 }
@@ -298,8 +336,8 @@ pub enum PageError {
     Mixed,
 }
 
-/// The page that shows several results together, each by its name and the data of its own page: contacts with the differences
-/// of their fields, or curves and studies with their points in one table.
+/// The page that shows several results together, each by its title, its name and the data of its own page: contacts with the differences
+/// of their fields, or curves, machines and studies with their points in one table and the differences of their figures.
 ///
 /// # Errors
 /// [`PageError::Mixed`]; [`PageError::NotAPage`] of data that are damaged.
@@ -307,6 +345,11 @@ pub fn joint_page(parts: Vec<(String, Value)>) -> Result<String, PageError> {
     let n = parts.len();
     let (mut results, mut tables) = (Vec::new(), Vec::new());
     for (name, data) in parts {
+        let title = (data["title"].as_str()).or(data["results"][0]["title"].as_str());
+        let name = match title.map(str::trim).filter(|title| !title.is_empty()) {
+            Some(title) => format!("{title} ({name})"),
+            None => name,
+        };
         if let Some(found) = data["results"].as_array() {
             for result in found {
                 let mut result = result.as_object().ok_or(PageError::NotAPage)?.clone();
@@ -317,6 +360,7 @@ pub fn joint_page(parts: Vec<(String, Value)>) -> Result<String, PageError> {
         if data["table"].is_object() {
             let mut table = data["table"].clone();
             table["name"] = name.into();
+            table["figures"] = data["figures"].clone();
             tables.push(table);
         }
     }
@@ -326,7 +370,7 @@ pub fn joint_page(parts: Vec<(String, Value)>) -> Result<String, PageError> {
             "contacts",
         ),
         (true, false) => (
-            json!({ "version": DATA_VERSION, "tables": tables }),
+            json!({ "version": DATA_VERSION, "tables": tables.clone() }),
             "tables",
         ),
         _ => return Err(PageError::Mixed),
@@ -334,6 +378,7 @@ pub fn joint_page(parts: Vec<(String, Value)>) -> Result<String, PageError> {
     Ok(page(Page {
         title: "Comparison of results",
         subtitle: format!("{n} {what}"),
+        results: part(|out| differences::write(out, &tables), ""),
         data,
         ..Page::default()
     }))
@@ -492,7 +537,7 @@ mod tests {
         let both = page_data(&joint_page(vec![named(&contact), named(&contact)]).unwrap());
         assert_eq!(both.unwrap()["results"].as_array().unwrap().len(), 2);
         let both = page_data(&joint_page(vec![named(&study), named(&study)]).unwrap());
-        assert_eq!(both.unwrap()["tables"][1]["name"], "one");
+        assert_eq!(both.unwrap()["tables"][1]["name"], "a study (one)");
         let mixed = joint_page(vec![named(&contact), named(&study)]);
         assert!(matches!(mixed, Err(PageError::Mixed)));
         assert!(matches!(page_data("<html>"), Err(PageError::NotAPage)));

@@ -21,6 +21,18 @@ pub(in crate::output) fn pictures(title: &str, machine: &MachineSolution) -> Vec
     vec![drawing]
 }
 
+/// By how much points of the rings stand apart, over the distance of the elements: without, those of one film hide those of the other.
+const APART: f64 = 0.12;
+
+/// Points of a ring a little beside the angle of their element.
+fn beside(points: Vec<[f64; 2]>, side: usize, n_elements: usize) -> Vec<[f64; 2]> {
+    let by = APART * std::f64::consts::TAU / n_elements.max(1) as f64;
+    let by = if side == 0 { -0.5 * by } else { 0.5 * by };
+    (points.into_iter())
+        .map(|[angle, value]| [angle + by, value])
+        .collect()
+}
+
 fn ring(side: usize) -> String {
     format!("{} ring", RINGS[side])
 }
@@ -73,8 +85,8 @@ fn around(title: &str, machine: &MachineSolution) -> Drawing {
         largest(&loads),
     );
     let looks = [Look::Dots, Look::Circles];
-    // The dots of the inner ring within the circles of the outer one.
     for (side, points) in loads.into_iter().enumerate().rev() {
+        let points = beside(points, side, first.len());
         of_loads.add(&ring(side), points, looks[side], PALETTE[side]);
     }
     let films: Vec<[Vec<[f64; 2]>; 2]> = [0, 1]
@@ -89,10 +101,8 @@ fn around(title: &str, machine: &MachineSolution) -> Drawing {
     let mut of_films = polar("Film thickness", format!("*h* ({unit})"), high);
     for (side, [central, minimum]) in films.into_iter().enumerate().rev() {
         let scaled = |points: Vec<[f64; 2]>| -> Vec<[f64; 2]> {
-            points
-                .into_iter()
-                .map(|[angle, h]| [angle, factor * h])
-                .collect()
+            let scaled = points.into_iter().map(|[angle, h]| [angle, factor * h]);
+            beside(scaled.collect(), side, first.len())
         };
         let label = |what: &str| format!("{what}, {}", ring(side));
         of_films.add(
@@ -201,4 +211,20 @@ fn along(title: &str, machine: &MachineSolution) -> Drawing {
     }
     // Two rows.
     side_by_side(title, &charts, charts.len().div_ceil(2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of nine elements, 40° apart, points of the rings stand 2.4° to either side.
+    #[test]
+    fn points_of_both_rings_are_seen() {
+        let at = |side| beside(vec![[1.0, 5.0]], side, 9)[0];
+        let by = 2.4_f64.to_radians();
+        for (side, expected) in [(0, 1.0 - by), (1, 1.0 + by)] {
+            assert!((at(side)[0] - expected).abs() < 1e-12);
+            assert_eq!(at(side)[1], 5.0);
+        }
+    }
 }

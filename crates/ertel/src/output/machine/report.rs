@@ -10,7 +10,7 @@ use crate::case::CaseEcho;
 use crate::machine::{MachineFigure, MachineFigures, Section};
 use crate::solution::{Estimate, Figure, Solution};
 use crate::study::{MachineSolution, Outcome};
-use crate::warning::{Warning, by_kind};
+use crate::warning::{Warning, WarningKind, by_kind};
 use crate::words::{digits, pressure};
 
 /// The machine, its figures, its contacts as a table, failures, warnings.
@@ -65,11 +65,15 @@ pub(in crate::output) fn write_figures(out: &mut Lines, figures: &MachineFigures
     }
 }
 
+/// A rise, and no temperature.
+const FLASH: &str = "flash_temperature";
+
 /// A figure with its unit as people read it.
 pub(in crate::output) fn shown(figure: &MachineFigure) -> String {
     let e = figure.estimate;
     match figure.unit {
         "m" => estimate(&e),
+        "K" if figure.name == FLASH => in_unit(e, 1.0, "K"),
         "K" => temperature(e, None),
         "Pa" => match e.error {
             Some(_) => super::super::figure::pressure_estimate(e),
@@ -151,8 +155,8 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
                 estimate(&s.summary.film_central),
                 estimate(&s.summary.film_minimum),
                 (s.mixed.as_ref()).map_or_else(none, |m| number(m.lambda_minimum)),
-                number(s.traction.size()),
-                power(s, whole.is_line),
+                marked(number(s.traction.size()), s),
+                marked(power(s, whole.is_line), s),
                 (s.thermal.as_ref())
                     .map_or_else(none, |t| temperature(t.film_maximum.estimate(), None)),
             ],
@@ -176,7 +180,31 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
     };
     let widths = (0..head.len()).map(|j| (width(j), 2)).collect();
     out.table(Table { head, rows, widths });
+    let mut solved = machine.solved().filter_map(|(_, p)| p.outcome.solution());
+    if solved.any(beyond_lubricants) {
+        out.note(BEYOND);
+    }
     write_idle(out, machine);
+}
+
+/// Stands after friction that no lubricant transmits.
+const MARK: &str = " (!)";
+
+/// What the mark means.
+const BEYOND: &str =
+    "(!) friction that no lubricant transmits, of films without what limits it: not to be used";
+
+/// Whether the friction of a contact is beyond what lubricants transmit.
+fn beyond_lubricants(solution: &Solution) -> bool {
+    let mut kinds = solution.warnings.iter().map(|w| w.kind);
+    kinds.any(|kind| kind == WarningKind::Friction)
+}
+
+fn marked(text: String, solution: &Solution) -> String {
+    match beyond_lubricants(solution) {
+        true => text + MARK,
+        false => text,
+    }
 }
 
 /// How many contacts have no films, and why.
@@ -224,7 +252,8 @@ fn warnings(machine: &MachineSolution, figures: &MachineFigures) -> Vec<Warning>
         }
     }
     let merged = by_kind(told);
-    failures.extend((merged.iter()).map(|m| Warning::new(m.worst.kind, m.line_of(n, "contact"))));
+    let name = |place: usize| machine.machine.contacts[place].name.as_str();
+    failures.extend((merged.iter()).map(|m| Warning::new(m.worst.kind, m.line_of(n, name))));
     failures
 }
 

@@ -34,8 +34,10 @@ class ContactView {
       });
     }
     this.jumps();
-    const missing = results[0].data.mesh.left_out;
-    if (missing.length) document.getElementById("left-out").textContent = ` Not kept in this page for its size: ${missing.join(", ")}; surface.vtu has them.`;
+    const { left_out: missing, off_by: offBy } = results[0].data.mesh;
+    const gone = missing.length ? ` Not kept in this page for its size: ${missing.join(", ")}; surface.vtu has them.` : "";
+    const fewer = offBy ? ` For its size this page keeps fewer nodes than were solved: beside the figures, values are within ${100 * offBy} % (the film of itself, others of their range).` : "";
+    document.getElementById("left-out").textContent = gone + fewer;
     this.build();
   }
 

@@ -1,0 +1,346 @@
+//! By how much several curves, machines or studies differ from the first of them.
+
+use std::cell::Cell;
+
+use serde_json::Value;
+
+use super::super::figure::CELSIUS;
+use super::super::lines::{Lines, Table};
+use super::super::study::words;
+use crate::solution::Figure;
+use crate::words::digits;
+
+/// Figures that are compared, by the titles of their columns up to the unit.
+const FIGURES: [&str; 9] = [
+    "film_central",
+    "film_minimum",
+    "pressure_central",
+    "traction_coefficient",
+    "friction_power",
+    "friction_torque",
+    "mesh_loss",
+    "film_temperature_maximum",
+    "lambda_minimum",
+];
+
+/// Rows that are told of each result.
+const MOST_ROWS: usize = 200;
+
+/// By how much of the larger one numbers may differ that are one place.
+const SAME: f64 = 1e-9;
+
+/// Rows of a table by their cells.
+struct Rows {
+    head: Vec<String>,
+    body: Vec<Vec<String>>,
+    n_axes: usize,
+}
+
+/// What the result of a table is called, its rows, and its figures as a whole.
+struct Part<'a> {
+    name: &'a str,
+    rows: Rows,
+    figures: &'a Value,
+}
+
+/// Tells of the differences of all tables from the first one: of curves at the places of the first, of machines and studies row by row.
+pub(super) fn write(out: &mut Lines, tables: &[Value]) {
+    let parts: Vec<Part> = tables.iter().filter_map(part).collect();
+    let Some((first, others)) = parts.split_first() else {
+        return;
+    };
+    for other in others {
+        let (whole, rows) = (whole(first, other), rows(&first.rows, &other.rows));
+        if whole.is_none() && rows.is_none() {
+            continue;
+        }
+        out.heading(&format!("{} against {}", other.name, first.name));
+        whole.into_iter().for_each(|table| out.table(table));
+        let Some((table, n_left_out, is_between)) = rows else {
+            continue;
+        };
+        out.table(table);
+        if is_between {
+            out.note("at places between points of the other result: linear between these");
+        }
+        if n_left_out > 0 {
+            out.note(&format!(
+                "{n_left_out} rows of the first result have no place in the other one, or no room here"
+            ));
+        }
+    }
+}
+
+fn part(table: &Value) -> Option<Part<'_>> {
+    let mut lines = cells(table["csv"].as_str()?).into_iter();
+    let rows = Rows {
+        head: lines.next()?,
+        body: lines.collect(),
+        n_axes: table["n_axes"].as_u64()? as usize,
+    };
+    Some(Part {
+        name: table["name"].as_str()?,
+        rows,
+        figures: &table["figures"],
+    })
+}
+
+/// The cells of a table; quotes as in RFC 4180.
+fn cells(csv: &str) -> Vec<Vec<String>> {
+    let (mut rows, mut row, mut cell) = (Vec::new(), Vec::new(), String::new());
+    let mut is_quoted = false;
+    let mut rest = csv.chars().peekable();
+    while let Some(c) = rest.next() {
+        match c {
+            '"' if is_quoted && rest.peek() == Some(&'"') => {
+                cell.push('"');
+                rest.next();
+            }
+            '"' => is_quoted = !is_quoted,
+            ',' if !is_quoted => row.push(std::mem::take(&mut cell)),
+            '\n' if !is_quoted => {
+                row.push(std::mem::take(&mut cell));
+                rows.push(std::mem::take(&mut row));
+            }
+            '\r' if !is_quoted => {}
+            c => cell.push(c),
+        }
+    }
+    rows
+}
+
+/// Figures of whole machines beside each other.
+fn whole(first: &Part, other: &Part) -> Option<Table> {
+    let value = |figures: &Value, name: &str| {
+        let mut all = figures.as_array()?.iter();
+        all.find(|f| f["name"] == name)?["value"].as_f64()
+    };
+    let of = first.figures.as_array()?.iter().filter_map(|figure| {
+        let (name, unit) = (figure["name"].as_str()?, figure["unit"].as_str()?);
+        let own = value(first.figures, name)?;
+        let (number, change) = beside(own, value(other.figures, name)?, unit);
+        let words = format!("{} {}", figure["words"].as_str()?, in_brackets(unit));
+        Some(vec![
+            words.trim_end().to_owned(),
+            shown(own, unit),
+            number,
+            change,
+        ])
+    });
+    let rows: Vec<Vec<String>> = of.collect();
+    let head = ["figure", "first", "second", "difference"];
+    (!rows.is_empty()).then(|| table(head.map(str::to_owned).to_vec(), rows))
+}
+
+/// The rows of the first that have a place in the other, how many have none or no room, and whether any lies between points of the other.
+fn rows(first: &Rows, other: &Rows) -> Option<(Table, usize, bool)> {
+    let figures: Vec<([usize; 2], String, String)> = (first.head.iter().enumerate())
+        .filter_map(|(i, title)| {
+            let (name, unit) = name_of(title);
+            let is_told = FIGURES.contains(&name.as_str());
+            let j = other.head.iter().position(|own| own == title)?;
+            is_told.then_some(([i, j], name, unit))
+        })
+        .collect();
+    let axes: Vec<[usize; 2]> = (1..=first.n_axes)
+        .filter_map(|i| Some([i, other.head.iter().position(|own| *own == first.head[i])?]))
+        .collect();
+    if figures.is_empty() || axes.is_empty() || axes.len() < first.n_axes {
+        return None;
+    }
+    let is_between = Cell::new(false);
+    let mut told = Vec::new();
+    for row in &first.body {
+        let Some(found) = place(row, &axes, other) else {
+            continue;
+        };
+        let at = |j: usize| match found {
+            Place::At(k) => number(&other.body[k][j]),
+            Place::Between(k, l, share) => {
+                is_between.set(true);
+                let [low, high] = [k, l].map(|k| number(&other.body[k][j]));
+                Some(low? * (1.0 - share) + high? * share)
+            }
+        };
+        let mut cells: Vec<String> = (axes.iter())
+            .map(|[i, _]| match number(&row[*i]) {
+                Some(value) => shown(value, &words(&first.head[*i]).1),
+                None => row[*i].clone(),
+            })
+            .collect();
+        for ([i, j], _, unit) in &figures {
+            let both = number(&row[*i]).zip(at(*j));
+            cells.push(both.map_or("-".to_owned(), |(own, new)| beside(own, new, unit).1));
+        }
+        told.push(cells);
+    }
+    if told.is_empty() {
+        return None;
+    }
+    // Figures that no row has go without saying.
+    let has = |k: usize| told.iter().any(|row| row[k] != "-");
+    let mut head: Vec<String> = (axes.iter())
+        .map(|[i, _]| {
+            let (name, unit) = words(&first.head[*i]);
+            format!("{name} {}", in_brackets(&unit))
+                .trim_end()
+                .to_owned()
+        })
+        .collect();
+    head.extend(figures.iter().map(|(_, name, _)| words_of(name)));
+    let kept: Vec<usize> = (0..head.len())
+        .filter(|k| *k < axes.len() || has(*k))
+        .collect();
+    let pick = |cells: &Vec<String>| kept.iter().map(|k| cells[*k].clone()).collect();
+    let shown: Vec<Vec<String>> = told.iter().take(MOST_ROWS).map(pick).collect();
+    let n_left_out = first.body.len() - shown.len();
+    Some((table(pick(&head), shown), n_left_out, is_between.get()))
+}
+
+/// Where a place of the first stands in the other.
+enum Place {
+    At(usize),
+    Between(usize, usize, f64),
+}
+
+/// The row at the same place; with one axis of numbers also between two rows.
+fn place(row: &[String], axes: &[[usize; 2]], other: &Rows) -> Option<Place> {
+    let is_same = |own: &str, there: &str| match number(own).zip(number(there)) {
+        Some((a, b)) => (a - b).abs() <= SAME * a.abs().max(b.abs()),
+        None => own == there,
+    };
+    let is_here = |body: &Vec<String>| axes.iter().all(|[i, j]| is_same(&row[*i], &body[*j]));
+    if let Some(k) = other.body.iter().position(is_here) {
+        return Some(Place::At(k));
+    }
+    let [[i, j]] = axes else { return None };
+    let at = number(&row[*i])?;
+    let places =
+        (other.body.iter().enumerate()).filter_map(|(k, body)| Some((k, number(&body[*j])?)));
+    let places: Vec<(usize, f64)> = places.collect();
+    let below = places
+        .iter()
+        .filter(|(_, x)| *x < at)
+        .max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let above = places
+        .iter()
+        .filter(|(_, x)| *x > at)
+        .min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let share = (at - below.1) / (above.1 - below.1);
+    Some(Place::Between(below.0, above.0, share))
+}
+
+fn number(cell: &str) -> Option<f64> {
+    cell.parse().ok().filter(|v: &f64| v.is_finite())
+}
+
+/// Name and unit of a column of figures.
+fn name_of(title: &str) -> (String, String) {
+    let (name, unit) = words(title);
+    (name.replace(' ', "_"), unit)
+}
+
+fn words_of(name: &str) -> String {
+    let of = Figure::ALL.into_iter().find(|figure| figure.name() == name);
+    of.map_or_else(
+        || name.replace('_', " "),
+        |figure| figure.words().to_owned(),
+    )
+}
+
+/// The unit in which a number is shown.
+fn in_brackets(unit: &str) -> String {
+    match unit {
+        "" => String::new(),
+        "K" => "(°C)".to_owned(),
+        unit => format!("({unit})"),
+    }
+}
+
+fn shown(value: f64, unit: &str) -> String {
+    digits(if unit == "K" { value - CELSIUS } else { value }, 5)
+}
+
+/// The second number, and by how much it differs: temperatures in K, others in per cent.
+fn beside(own: f64, new: f64, unit: &str) -> (String, String) {
+    let change = match (unit, own) {
+        ("K", _) => format!("{:+.2} K", new - own),
+        (_, own) if own == new => "0".to_owned(),
+        (_, 0.0) => "-".to_owned(),
+        _ => format!("{:+.2} %", 100.0 * (new / own - 1.0)),
+    };
+    (shown(new, unit), change)
+}
+
+fn table(head: Vec<String>, rows: Vec<Vec<String>>) -> Table {
+    Table {
+        head,
+        rows,
+        widths: Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::super::super::lines::Block;
+    use super::*;
+
+    fn told(tables: &[Value]) -> Vec<Table> {
+        let mut out = Lines::default();
+        write(&mut out, tables);
+        let tables = out.blocks.into_iter().filter_map(|block| match block {
+            Block::Table(table) => Some(table),
+            _ => None,
+        });
+        tables.collect()
+    }
+
+    fn of(name: &str, csv: &str, n_axes: usize) -> Value {
+        json!({ "name": name, "csv": csv, "n_axes": n_axes, "figures": null })
+    }
+
+    /// By hand: at 2 m/s the other film lies midway between 300 and 500 nm, 100 % above 200 nm; 4 m/s is beyond it. At 1 m/s both have points: +50 %,
+    /// and 3 K.
+    #[test]
+    fn curves_over_the_places_of_the_first() {
+        let head = "point,entrainment_speed_m_per_s,film_central_m,film_temperature_maximum_K\n";
+        let first = format!("{head}1,1e0,2e-7,300\n2,2e0,2e-7,300\n3,4e0,3e-7,310\n");
+        let other = format!("{head}1,1e0,3e-7,303\n2,3e0,5e-7,305\n");
+        let tables = told(&[of("one", &first, 1), of("two", &other, 1)]);
+        assert_eq!(tables.len(), 1);
+        assert_eq!(
+            tables[0].head,
+            [
+                "entrainment speed (m/s)",
+                "central film thickness",
+                "largest film temperature"
+            ]
+        );
+        assert_eq!(
+            tables[0].rows,
+            [["1", "+50.00 %", "+3.00 K"], ["2", "+100.00 %", "+4.00 K"]]
+        );
+    }
+
+    /// Row by row of the same contact at the same ring, and the figures of the whole machine.
+    #[test]
+    fn machines_row_by_row() {
+        let head = "contact,angle_rad,ring,name,film_minimum_m\n";
+        let first = format!("{head}1,0e0,inner,\"ball 0, inner ring\",2e-7\n2,0e0,outer,b,1e-7\n");
+        let other =
+            format!("{head}1,0e0,inner,\"ball 0, inner ring\",1e-7\n2,0e0,outer,b,1.5e-7\n");
+        let figure = |value: f64| json!([{ "name": "friction_torque", "words": "torque", "unit": "N m", "value": value }]);
+        let mut both = [of("one", &first, 2), of("two", &other, 2)];
+        for (table, value) in both.iter_mut().zip([0.2, 0.1]) {
+            table["figures"] = figure(value);
+        }
+        let tables = told(&both);
+        assert_eq!(tables[0].rows, [["torque (N m)", "0.2", "0.1", "-50.00 %"]]);
+        assert_eq!(
+            tables[1].rows,
+            [["0", "inner", "-50.00 %"], ["0", "outer", "+50.00 %"]]
+        );
+    }
+}

@@ -1,0 +1,286 @@
+//! Fewer nodes for a page: those of a mesh of triangles that linear interpolation between the others gives as well.
+//!
+//! A node goes by sliding onto a neighbour, if all nodes that went before and lie in the new triangles stay within the tolerance
+//! (Schroeder, Zarge & Lorensen 1992, Computer Graphics 26(2), 65-70: decimation of triangle meshes).
+
+/// Twice the area of a triangle beside the square of its longest edge: no triangle becomes flatter.
+const FLATTEST: f64 = 0.05;
+
+/// Barycentric coordinate below zero up to which a point lies on an edge, for all that rounding does.
+const ON_AN_EDGE: f64 = 1e-9;
+
+/// Rounds after which nothing more is looked for.
+const MOST_ROUNDS: usize = 30;
+
+/// A field at the nodes, and by how much it may be off at each.
+pub(super) struct Bounded<'a> {
+    /// Values.
+    pub values: &'a [f64],
+    /// By how much linear interpolation may be off, in the unit of the values.
+    pub tolerance: Vec<f64>,
+}
+
+/// The triangles that are left, by their nodes; nodes for which `stays` says so, and those of the edge, are among them.
+pub(super) fn thin(
+    points: &[[f64; 2]],
+    cells: &[[u32; 3]],
+    fields: &[Bounded],
+    stays: &[bool],
+) -> Vec<[u32; 3]> {
+    let mut mesh = Mesh::new(points, cells, fields);
+    let mut fixed = mesh.edge();
+    fixed.iter_mut().zip(stays).for_each(|(f, s)| *f |= *s);
+    for _ in 0..MOST_ROUNDS {
+        // Those beside one that went wait for the next round, so that all regions thin alike.
+        let mut waits = vec![false; points.len()];
+        let mut n_gone = 0;
+        for node in 0..points.len() as u32 {
+            if !waits[node as usize] && !fixed[node as usize] && mesh.remove(node) {
+                n_gone += 1;
+                let around = mesh.last_around.iter();
+                around.for_each(|n| waits[*n as usize] = true);
+            }
+        }
+        if 100 * n_gone <= mesh.n_left() {
+            break;
+        }
+    }
+    mesh.cells.into_iter().flatten().collect()
+}
+
+struct Mesh<'a> {
+    points: &'a [[f64; 2]],
+    fields: &'a [Bounded<'a>],
+    cells: Vec<Option<[u32; 3]>>,
+    /// Cells of each node; none of those that went.
+    of_node: Vec<Vec<u32>>,
+    /// Nodes that went, by the cell that they lie in.
+    inside: Vec<Vec<u32>>,
+    /// Nodes around the one that went last.
+    last_around: Vec<u32>,
+}
+
+impl<'a> Mesh<'a> {
+    fn new(points: &'a [[f64; 2]], cells: &[[u32; 3]], fields: &'a [Bounded<'a>]) -> Mesh<'a> {
+        // Corners against the clock.
+        let turned = |[a, b, c]: [u32; 3]| match twice_area([a, b, c].map(|n| points[n as usize])) {
+            area if area < 0.0 => [a, c, b],
+            _ => [a, b, c],
+        };
+        let mut of_node = vec![Vec::new(); points.len()];
+        for (c, cell) in cells.iter().enumerate() {
+            cell.iter()
+                .for_each(|n| of_node[*n as usize].push(c as u32));
+        }
+        Mesh {
+            points,
+            fields,
+            cells: cells.iter().map(|cell| Some(turned(*cell))).collect(),
+            of_node,
+            inside: vec![Vec::new(); cells.len()],
+            last_around: Vec::new(),
+        }
+    }
+
+    fn n_left(&self) -> usize {
+        self.of_node.iter().filter(|own| !own.is_empty()).count()
+    }
+
+    fn cell(&self, c: u32) -> [u32; 3] {
+        self.cells[c as usize].expect("cells of nodes are there")
+    }
+
+    /// Whether nodes lie on the edge of the mesh: the triangles around them do not close.
+    fn edge(&self) -> Vec<bool> {
+        let is_on_edge = |node: u32| {
+            let own = &self.of_node[node as usize];
+            let around = self.around(node);
+            own.is_empty() || around.len() != own.len()
+        };
+        (0..self.points.len() as u32).map(is_on_edge).collect()
+    }
+
+    /// The nodes around a node, each once.
+    fn around(&self, node: u32) -> Vec<u32> {
+        let own = self.of_node[node as usize].iter();
+        let mut around: Vec<u32> = (own.flat_map(|c| self.cell(*c)))
+            .filter(|n| *n != node)
+            .collect();
+        around.sort_unstable();
+        around.dedup();
+        around
+    }
+
+    /// Removes a node if some neighbour can take its place.
+    fn remove(&mut self, node: u32) -> bool {
+        let own = self.of_node[node as usize].clone();
+        let mut gone: Vec<u32> = (own.iter())
+            .flat_map(|c| self.inside[*c as usize].iter().copied())
+            .collect();
+        gone.push(node);
+        let around = self.around(node);
+        for onto in &around {
+            let moved = (own.iter().map(|c| self.cell(*c)))
+                .filter(|cell| !cell.contains(onto))
+                .map(|cell| cell.map(|n| if n == node { *onto } else { n }));
+            let moved: Vec<[u32; 3]> = moved.collect();
+            if !moved.iter().all(|cell| self.is_sound(cell)) {
+                continue;
+            }
+            let Some(places) = (gone.iter())
+                .map(|n| self.place(*n, &moved))
+                .collect::<Option<Vec<usize>>>()
+            else {
+                continue;
+            };
+            self.replace(node, &own, &moved);
+            // New cells take the numbers of old ones, in order.
+            for (n, place) in gone.iter().zip(places) {
+                self.inside[own[place] as usize].push(*n);
+            }
+            self.last_around = around;
+            return true;
+        }
+        false
+    }
+
+    fn is_sound(&self, cell: &[u32; 3]) -> bool {
+        let corners = cell.map(|n| self.points[n as usize]);
+        let length = |i: usize| {
+            let (p, q) = (corners[i], corners[(i + 1) % 3]);
+            (q[0] - p[0]).powi(2) + (q[1] - p[1]).powi(2)
+        };
+        let longest = length(0).max(length(1)).max(length(2));
+        twice_area(corners) > FLATTEST * longest
+    }
+
+    /// The first of the cells in which a node lies, by its number, if all fields there are within the tolerance.
+    fn place(&self, node: u32, cells: &[[u32; 3]]) -> Option<usize> {
+        let p = self.points[node as usize];
+        let of = |cell: &[u32; 3]| shares(cell.map(|n| self.points[n as usize]), p);
+        let mut found = cells.iter().map(of).enumerate();
+        let (place, shares) = found.find(|(_, s)| s.iter().all(|s| *s >= -ON_AN_EDGE))?;
+        let is_near = |field: &Bounded| {
+            let own = field.values[node as usize];
+            let corners = cells[place].iter().zip(shares);
+            let value: f64 = corners.map(|(n, s)| s * field.values[*n as usize]).sum();
+            (value - own).abs() <= field.tolerance[node as usize]
+        };
+        self.fields.iter().all(is_near).then_some(place)
+    }
+
+    fn replace(&mut self, node: u32, own: &[u32], moved: &[[u32; 3]]) {
+        for c in own {
+            for n in self.cell(*c) {
+                self.of_node[n as usize].retain(|other| other != c);
+            }
+            self.cells[*c as usize] = None;
+            self.inside[*c as usize].clear();
+        }
+        for (c, cell) in own.iter().zip(moved) {
+            self.cells[*c as usize] = Some(*cell);
+            cell.iter().for_each(|n| self.of_node[*n as usize].push(*c));
+        }
+        debug_assert!(self.of_node[node as usize].is_empty());
+    }
+}
+
+/// Whether a point lies in a triangle or on its edge.
+pub(super) fn contains(corners: [[f64; 2]; 3], p: [f64; 2]) -> bool {
+    shares(corners, p).iter().all(|s| *s >= -ON_AN_EDGE)
+}
+
+/// Barycentric coordinates of a point.
+fn shares([a, b, c]: [[f64; 2]; 3], p: [f64; 2]) -> [f64; 3] {
+    let whole = twice_area([a, b, c]);
+    [[p, b, c], [a, p, c], [a, b, p]].map(|part| twice_area(part) / whole)
+}
+
+/// Twice the area of a triangle, positive where its corners go round against the clock.
+fn twice_area([a, b, c]: [[f64; 2]; 3]) -> f64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A square of n × n cells over [-1, 1]².
+    fn square(n: usize) -> (Vec<[f64; 2]>, Vec<[u32; 3]>) {
+        let at = |i: usize| 2.0 * i as f64 / n as f64 - 1.0;
+        let points = (0..=n)
+            .flat_map(|j| (0..=n).map(move |i| [at(i), at(j)]))
+            .collect();
+        let node = |i: usize, j: usize| (j * (n + 1) + i) as u32;
+        let cells = (0..n).flat_map(|j| {
+            (0..n).flat_map(move |i| {
+                let [a, b, c, d] = [
+                    node(i, j),
+                    node(i + 1, j),
+                    node(i + 1, j + 1),
+                    node(i, j + 1),
+                ];
+                [[a, b, c], [a, c, d]]
+            })
+        });
+        (points, cells.collect())
+    }
+
+    /// Hertz's pressure √(1 - r²): flat in the middle, steep at the rim. The triangles that are left cover the same area, pass the
+    /// values of the nodes that went by no more than the tolerance, and keep those that stay.
+    #[test]
+    fn what_goes_is_within_the_tolerance() {
+        let (points, cells) = square(80);
+        let values: Vec<f64> = (points.iter())
+            .map(|p| (1.0 - p[0] * p[0] - p[1] * p[1]).max(0.0).sqrt())
+            .collect();
+        let tolerance = 2e-3;
+        let field = Bounded {
+            values: &values,
+            tolerance: vec![tolerance; values.len()],
+        };
+        let mut stays = vec![false; points.len()];
+        let centre = 40 * 81 + 40;
+        stays[centre] = true;
+        let left = thin(&points, &cells, &[field], &stays);
+        let area: f64 = left
+            .iter()
+            .map(|cell| 0.5 * twice_area(cell.map(|n| points[n as usize])))
+            .sum();
+        assert!((area - 4.0).abs() < 1e-12, "{area}");
+        assert!(left.iter().flatten().any(|n| *n as usize == centre));
+        let mut nodes: Vec<u32> = left.iter().flatten().copied().collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        assert!(3 * nodes.len() < points.len(), "{}", nodes.len());
+        let mut worst = 0.0_f64;
+        for (p, value) in points.iter().zip(&values) {
+            let found = left.iter().find_map(|cell| {
+                let shares = shares(cell.map(|n| points[n as usize]), *p);
+                (shares.iter().all(|s| *s > -1e-9)).then(|| {
+                    let corners = cell.iter().zip(shares);
+                    corners.map(|(n, s)| s * values[*n as usize]).sum::<f64>()
+                })
+            });
+            worst = worst.max((found.expect("no gaps") - value).abs());
+        }
+        assert!(worst <= tolerance * 1.000_001, "{worst}");
+        assert!(worst > 0.3 * tolerance, "{worst}");
+    }
+
+    /// A plane needs the edge alone, where no triangle becomes too flat.
+    #[test]
+    fn planes_need_hardly_a_node() {
+        let (points, cells) = square(24);
+        let values: Vec<f64> = points.iter().map(|p| 1.0 + 2.0 * p[0] - p[1]).collect();
+        let field = Bounded {
+            values: &values,
+            tolerance: vec![1e-9; values.len()],
+        };
+        let left = thin(&points, &cells, &[field], &vec![false; points.len()]);
+        let mut nodes: Vec<u32> = left.iter().flatten().copied().collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        assert!(nodes.len() < 96 + 60, "{}", nodes.len());
+    }
+}
