@@ -35,6 +35,7 @@ def test_instants_follow_the_load(case: ertel.Case, solved: ertel.Transient) -> 
     assert first.time == 0 and last.time == pytest.approx(0.5e-3, rel=1e-12)
     assert last.load == pytest.approx(50e3, rel=1e-12)
     assert last.film_force == pytest.approx(last.load, rel=1e-3) and last.approach < 0 and solved.coefficient_of_restitution is None
+    assert last.radius == first.radius == pytest.approx(0.01) and last.temperature == pytest.approx(313.15) and last.oil_layer is None
     assert last.film_central.error is not None and 0 < last.film_central.error < 0.01 * last.film_central.value
     assert np.all(np.diff(solved.time) > 0)
     assert [profile["time"] for profile in solved.profiles] == pytest.approx([0, 0.3e-3])

@@ -98,7 +98,7 @@ impl<'a> Present<'a> {
         }
     }
 
-    /// The same in the scales of the speed at an instant, in which what is read off the film in SI is that of a steady contact at this speed; a film at rest keeps those of
+    /// The contact in the scales of the speed at the instant, in which what is read off the film in SI is that of a steady contact at this speed; a film at rest keeps those of
     /// reference.
     /// Friction is measured by what the film bears.
     pub fn in_own_scales(&self, problem: &mut Problem<Plan>, levels: &Levels) {

@@ -41,6 +41,12 @@ class Instant:
         Load, N, of line contacts N/m.
     film_force : float
         Force of the film, in the same unit: that of the load, unless a body moves by its inertia or its approach is given.
+    radius : float
+        Radius along the motion, m.
+    temperature : float
+        Temperature of bodies and oil, K.
+    oil_layer : float or None
+        Thickness of the layer of oil at the inlet edge, m; none where there is more oil than the contact takes.
     approach, approach_velocity : float
         By how much the bodies have come nearer since t = 0, m, and its rate, m/s.
     entrainment_speed, body_1_speed, body_2_speed : float
@@ -56,6 +62,9 @@ class Instant:
         self.time: float = given["time"]
         self.load: float = given["load"]
         self.film_force: float = given["film_force"]
+        self.radius: float = given["radius"]
+        self.temperature: float = given["temperature"]
+        self.oil_layer: float | None = given["oil_layer"]
         self.approach: float = given["approach"]
         self.approach_velocity: float = given["approach_velocity"]
         self.entrainment_speed: float = given["entrainment_speed"]

@@ -85,7 +85,8 @@ fn check(bearing: &Bearing, loads: &Loads, speeds: Speeds, params: &Params) -> R
         reduced_modulus,
         positive(reduced_modulus),
     )?;
-    value("density", density, positive(density))?;
+    // Elements without mass have no centrifugal force.
+    value("density", density, density >= 0.0 && density.is_finite())?;
     value("inner ring speed", speeds.inner, speeds.inner.is_finite())?;
     value("outer ring speed", speeds.outer, speeds.outer.is_finite())?;
     value("tolerance", params.tolerance, positive(params.tolerance))?;

@@ -49,13 +49,20 @@ pub fn transient_netcdf(case: &CaseEcho, found: &TransientSolution) -> Vec<u8> {
     let outputs = Values::Double(fields.times.clone());
     add("output_time", &[1], "s", "time of the fields", outputs);
     type Value = fn(&InstantSolution) -> f64;
-    let conditions: [(&str, &str, &str, Value); 7] = [
+    let conditions: [(&str, &str, &str, Value); 10] = [
         ("entrainment_speed", "m/s", "entrainment speed", |i| {
             0.5 * (i.speeds[0] + i.speeds[1])
         }),
         ("body_1_speed", "m/s", "speed of body 1", |i| i.speeds[0]),
         ("body_2_speed", "m/s", "speed of body 2", |i| i.speeds[1]),
         ("load", force, "load", |i| i.load),
+        ("radius", "m", "radius along the motion", |i| i.radius),
+        ("temperature", "K", "temperature of bodies and oil", |i| {
+            i.temperature
+        }),
+        ("oil_layer", "m", "layer of oil at the inlet edge", |i| {
+            i.oil_layer.unwrap_or(f64::NAN)
+        }),
         ("approach", "m", "approach of the bodies", |i| i.approach),
         ("approach_velocity", "m/s", "its rate", |i| {
             i.approach_velocity

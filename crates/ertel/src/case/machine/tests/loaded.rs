@@ -44,7 +44,12 @@ axial_load = "2 kN"
 "#;
 
 fn read(machine: &str) -> Case {
-    let steel = "{ youngs_modulus = \"206 GPa\", poissons_ratio = 0.3, density = \"7850 kg/m^3\" }";
+    read_of(machine, ", density = \"7850 kg/m^3\"")
+}
+
+/// With elements of some density, or of none that is known.
+fn read_of(machine: &str, density: &str) -> Case {
+    let steel = &format!("{{ youngs_modulus = \"206 GPa\", poissons_ratio = 0.3{density} }}");
     let rest = REST.replace("\"steel\"", steel);
     let text = format!("[machine]{machine}{rest}");
     Case::from_document(
@@ -52,6 +57,20 @@ fn read(machine: &str) -> Case {
         Path::new(""),
     )
     .unwrap()
+}
+
+/// Without a density of the elements there is no centrifugal force: loads are those of a bearing at rest, and the report says so.
+#[test]
+fn elements_without_density_are_told() {
+    let without = read_of(NAMED, "");
+    let said = |case: &Case| {
+        (case.warnings.iter())
+            .any(|warning| warning.contains("the centrifugal force of the elements is left out"))
+    };
+    assert!(said(&without) && !said(&read(NAMED)));
+    let slow = read(&NAMED.replace("3000 rpm", "1 rpm"));
+    let load = |case: &Case| case.whole.as_ref().unwrap().contacts[1].load;
+    assert_relative_eq!(load(&without), load(&slow), max_relative = 1e-6);
 }
 
 /// Loads of each ball, largest pressures and semi-axes, computed by an independent program (rigid rings, exact Hertz contacts): 974.50 N, 653.37 N and
