@@ -53,7 +53,14 @@ pub(in crate::output) fn write_results(
             false,
         ),
     ] {
-        let value = |instant: &InstantSolution| instant.measured.figures.value(figure);
+        // The sign of friction tells its direction.
+        let value = |instant: &InstantSolution| {
+            let value = instant.measured.figures.value(figure)?;
+            Some(match figure {
+                Figure::TractionCoefficient => value.abs(),
+                _ => value,
+            })
+        };
         let sorted = |a: &&InstantSolution, b: &&InstantSolution| {
             let [a, b] = [a, b].map(|instant| value(instant).unwrap_or(f64::NAN));
             a.total_cmp(&b)
