@@ -8,6 +8,7 @@ import csv
 import io
 import json
 import xml.etree.ElementTree as ET
+import zlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -205,7 +206,7 @@ def surface(path: Path) -> tuple[Floats, NDArray[np.uint32], dict[str, Floats]]:
         raise OutputError(f"{path}: damaged, it is no XML: {error}") from None
     try:
         arrays = {
-            str(array.get("Name")): (section, _array(array))
+            str(array.get("Name")): (section, _array(array, root.get("compressor")))
             for section in ("Points", "Cells", "PointData")
             for array in root.findall(f"./UnstructuredGrid/Piece/{section}/DataArray")
         }
@@ -221,7 +222,7 @@ def surface(path: Path) -> tuple[Floats, NDArray[np.uint32], dict[str, Floats]]:
                 if len(values) != len(points):
                     raise ValueError(f"{column} has another number of values than points")
                 fields[_field_of(column)] = values.astype(np.float64)
-    except (KeyError, ValueError, TypeError, binascii.Error) as error:
+    except (KeyError, ValueError, TypeError, binascii.Error, zlib.error) as error:
         raise OutputError(f"{path}: damaged, or not written by ertel ({type(error).__name__}: {error})") from None
     return points, cells.astype(np.uint32), fields
 
@@ -243,9 +244,31 @@ def _field_of(column: str) -> str:
     return max(names, key=len)
 
 
-def _array(element: ET.Element) -> NDArray[Any]:
-    data = base64.b64decode((element.text or "").strip(), validate=True)
-    n_bytes = int.from_bytes(data[:8], "little")
-    if element.get("format") != "binary" or len(data) != 8 + n_bytes:
+def _array(element: ET.Element, compressor: str | None) -> NDArray[Any]:
+    text = (element.text or "").strip()
+    if element.get("format") != "binary" or compressor not in (None, "vtkZLibDataCompressor"):
+        raise ValueError(f"the array {element.get('Name')} has another format")
+    data = _whole(base64.b64decode(text, validate=True)) if compressor is None else _inflated(text)
+    if data is None:
         raise ValueError(f"the array {element.get('Name')} is cut off")
-    return np.frombuffer(data, dtype=_TYPES[str(element.get("type"))], offset=8)
+    return np.frombuffer(data, dtype=_TYPES[str(element.get("type"))])
+
+
+def _whole(data: bytes) -> bytes | None:
+    """An array behind its length in bytes, as before version 0.1.0."""
+    n_bytes = int.from_bytes(data[:8], "little")
+    return data[8:] if len(data) == 8 + n_bytes else None
+
+
+def _inflated(text: str) -> bytes | None:
+    """An array in blocks of zlib: their number, size, that of the last one, and their lengths; then they themselves."""
+    n_blocks, size, last = np.frombuffer(base64.b64decode(text[:32], validate=True), "<u8")
+    n_header = 4 * -(-(3 + int(n_blocks)) * 8 // 3)
+    header = np.frombuffer(base64.b64decode(text[:n_header], validate=True), "<u8")
+    blocks = base64.b64decode(text[n_header:], validate=True)
+    ends = np.cumsum(header[3:])
+    if len(blocks) != (ends[-1] if n_blocks else 0):
+        return None
+    data = b"".join(zlib.decompress(blocks[int(end - length) : int(end)]) for end, length in zip(ends, header[3:], strict=True))
+    full = int(n_blocks) - (1 if last else 0)
+    return data if len(data) == full * int(size) + int(last) else None
