@@ -113,8 +113,14 @@ describe("shipped cases", () => {
     const coarse = '\n[mesh]\ntarget_error = "10 %"\npressure_error = "20 %"\n';
     writeFileSync(join(cases, "coarse-films.toml"), readFileSync(join(cases, "measured-films.toml"), "utf8") + coarse);
     run("compare", join(cases, "coarse-films.toml"), join(cases, "few.csv"), "--output", output, "--quiet", "--accept-unresolved");
-    const points = readdirSync(output, { recursive: true }).find((f) => basename(f) === "report.html");
-    assert.ok(points && existsSync(join(output, points)), "a comparison has a page");
+    const points = readdirSync(output, { recursive: true }).find((f) => basename(f) === "report.html" && f !== "report.html");
+    assert.ok(points && existsSync(join(output, points)), "the points of a comparison have a page");
     await look("comparison", join(output, points), { charts: 2, maps: 0 }, { scattered: true });
+    // Its own page has a picture, and each row of the table.
+    const page = await openPage(browser, join(output, "report.html"));
+    const [width, rows] = await page.evaluate(() => [document.querySelector(".picture img").naturalWidth, document.querySelectorAll("#results table.cells tbody tr").length]);
+    assert.ok(width > 0 && rows === 3, `${width}, ${rows} rows`);
+    assert.deepEqual(page.troubles, []);
+    await page.close();
   });
 });
