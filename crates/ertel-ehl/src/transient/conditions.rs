@@ -162,19 +162,28 @@ impl Conditions {
         (self.instants.iter()).any(|other| (other - time).abs() <= near)
     }
 
-    /// Instants after the start that a step ends at, in order; with each whether something has a kink there.
-    pub fn stops(&self) -> Vec<(f64, bool)> {
-        let [first, second] = self.speeds.courses();
+    /// All that changes.
+    fn courses(&self) -> impl Iterator<Item = &Course> {
         let approach = match &self.approach {
             Approach::Given(course) => Some(course),
             Approach::Massless | Approach::Body(_) => None,
         };
-        let kinks = [first, second, &self.load, &self.radius]
-            .into_iter()
+        (self.speeds.courses().into_iter())
+            .chain([&self.load, &self.radius])
             .chain(&self.temperature)
             .chain(&self.layer)
             .chain(approach)
-            .flat_map(Course::kinks);
+    }
+
+    /// How far a step from an instant may go for none of the courses to hide between its ends.
+    pub fn visible(&self, time: f64) -> f64 {
+        let all = self.courses().map(|course| course.visible(time));
+        all.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Instants after the start that a step ends at, in order; with each whether something has a kink there.
+    pub fn stops(&self) -> Vec<(f64, bool)> {
+        let kinks = self.courses().flat_map(Course::kinks);
         let mut stops: Vec<(f64, bool)> = (kinks.map(|t| (t, true)))
             .chain(self.instants.iter().map(|t| (*t, false)))
             .chain([(self.duration, false)])

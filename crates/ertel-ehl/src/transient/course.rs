@@ -84,6 +84,18 @@ impl Course {
         }
     }
 
+    /// How far a step from an instant may go for the course not to hide between its ends: to the second row of a smooth curve, an eighth of a period of a sine. Kinks end steps anyway.
+    pub fn visible(&self, time: f64) -> f64 {
+        match self {
+            Course::Constant(_) | Course::Table(_) | Course::Step { .. } => f64::INFINITY,
+            Course::Smooth(rows) => {
+                let next = rows.partition_point(|[t, _]| *t <= time);
+                rows.get(next + 1).map_or(f64::INFINITY, |[t, _]| t - time)
+            }
+            Course::Sine { period, .. } => period / 8.0,
+        }
+    }
+
     /// Largest size up to an instant.
     pub fn largest(&self, end: f64) -> f64 {
         let of =
@@ -221,5 +233,10 @@ mod tests {
             assert_relative_eq!(low, high, epsilon = 1e-5);
         }
         assert_eq!(smooth.kinks(), vec![0.0, 5.0]);
+        // A pulse between 1 and 4 is seen from 0.5 on.
+        assert_eq!(
+            [0.0, 0.5, 1.0, 4.5].map(|t| smooth.visible(t)),
+            [1.5, 1.0, 3.0, f64::INFINITY]
+        );
     }
 }

@@ -401,7 +401,7 @@ fn longest_step(
         true => params.largest_step,
         false => params.longest_step,
     };
-    let of_motion = largest / fastest.max(SLOW);
+    let of_motion = (largest / fastest.max(SLOW)).min(conditions.visible(time));
     let about = reliefs(&problem.shape).filter(|relief| relief.is_within(ABOUT));
     about.fold(of_motion, |step, relief| {
         let speed = speeds[match relief.body {
