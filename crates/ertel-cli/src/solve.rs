@@ -125,7 +125,9 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
         let file = progress.kept();
         drop(progress);
         let written = transient::write(case, &found, folder, arguments, events);
-        file.close(found.failure.is_none() && written.is_ok())?;
+        // What was not written may be wanted once more; that a film is not resolved changes by no further step.
+        let is_written = matches!(written, Ok(_) | Err(Failure::Unresolved(_)));
+        file.close(found.failure.is_none() && is_written)?;
         return written;
     }
     if arguments.checkpoint.is_some() || arguments.resume {

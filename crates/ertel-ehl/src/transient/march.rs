@@ -23,10 +23,10 @@ use super::told::{At, instant};
 pub struct Params {
     /// Relative error of the films that the steps may make in all.
     pub tolerance: f64,
-    /// Largest step in T, over the speed at which the surfaces move then, where something is carried to the contact: a relief, a layer of oil, a cavity.
+    /// Largest step in T, over the speed at which the surfaces move then.
     pub largest_step: f64,
-    /// The same where nothing is.
-    pub longest_step: f64,
+    /// The same where something is carried to the contact that no error tells of before it is there: a relief, a layer of oil, a cavity.
+    pub largest_step_of_arrivals: f64,
     /// Smallest step in T.
     pub smallest_step: f64,
     /// Steps at most.
@@ -37,8 +37,8 @@ impl Default for Params {
     fn default() -> Params {
         Params {
             tolerance: 3e-3,
-            largest_step: 0.5,
-            longest_step: 20.0,
+            largest_step: 20.0,
+            largest_step_of_arrivals: 0.5,
             smallest_step: 1e-8,
             most_steps: 1_000_000,
         }
@@ -277,8 +277,7 @@ fn run(
                 at: At,
                 observer: &mut dyn TransientObserver| {
         present.in_own_scales(problem, levels);
-        let about = (conditions, &present);
-        observer.instant(&instant(levels, problem, about, params, at));
+        observer.instant(&instant(levels, problem, &present, params, at));
     };
     let target = STEP_ERROR * params.tolerance.powf(1.5);
     // Bodies that are apart by less than a²/R come near to each other within that.
@@ -398,8 +397,8 @@ fn longest_step(
         || problem.shape.inlet != Inlet::Flooded
         || conditions.cavities == Cavities::Conserved;
     let largest = match is_carried {
-        true => params.largest_step,
-        false => params.longest_step,
+        true => params.largest_step_of_arrivals,
+        false => params.largest_step,
     };
     let of_motion = (largest / fastest.max(SLOW)).min(conditions.visible(time));
     let about = reliefs(&problem.shape).filter(|relief| relief.is_within(ABOUT));

@@ -335,7 +335,7 @@ fn films_converge_with_the_square_of_the_step() {
         let params = Params {
             // So much that they are as long as they may be.
             tolerance: 3e-2,
-            longest_step: step,
+            largest_step: step,
             ..Params::default()
         };
         let mut problem = line().problem();

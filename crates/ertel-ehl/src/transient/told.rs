@@ -1,7 +1,6 @@
 //! What is told of an instant.
 
 use super::body::Start;
-use super::conditions::Conditions;
 use super::levels::Levels;
 use super::march::{Instant, Params};
 use super::present::Present;
@@ -29,10 +28,11 @@ pub(super) struct At {
 pub(super) fn instant<'a>(
     levels: &'a Levels,
     problem: &'a Problem<Plan>,
-    (conditions, present): (&Conditions, &Present<'_>),
+    present: &Present<'_>,
     params: &Params,
     at: At,
 ) -> Instant<'a> {
+    let conditions = present.conditions;
     let load = present.load * conditions.load.at(at.time);
     let film_force = levels.force(load) / present.load;
     let [approach, velocity] = levels.approached();

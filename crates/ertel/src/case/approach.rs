@@ -6,8 +6,8 @@ use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 
 use super::Case;
+use super::course::Reader;
 use super::motion::MAX_SPEED;
-use super::transient::Reader;
 use crate::contact::Family;
 use crate::transient::{Approach, Course, Mover, Start};
 

@@ -35,6 +35,7 @@ mod bodies;
 mod builder;
 mod check;
 mod contact;
+mod course;
 pub mod curve;
 mod described;
 mod echo;
@@ -94,7 +95,7 @@ pub use study::read_named;
 pub use surface::{SurfaceEcho, SurfaceRelief};
 pub use thermal::read as read_thermal;
 pub use thermal::{Heat, SolidHeat};
-pub use transient::{Reference, Transient, with as contact_with};
+pub use transient::{Reference, Transient, contact_with};
 pub(crate) use usual::question_of_state;
 
 /// Everything a solve needs, in SI.

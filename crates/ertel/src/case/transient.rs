@@ -2,12 +2,11 @@
 
 use std::path::Path;
 
-use ertel_input::csv::{CsvError, CsvTable};
-use ertel_input::file::{LARGEST_TABLE, read_text};
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 
 use super::contact::RADIUS;
+use super::course::Reader;
 use super::inlet::LAYER;
 use super::lubricant::TEMPERATURE;
 use super::machine::Passage;
@@ -57,8 +56,8 @@ pub struct Reference {
     pub radius: f64,
 }
 
-/// The contact of a case under another load, with another radius where it has one alone.
-pub fn with(case: &Case, load: f64, radius: f64) -> Contact {
+/// The contact of a case under another load (N, of line contacts N/m), with another radius (m) where it has one alone.
+pub fn contact_with(case: &Case, load: f64, radius: f64) -> Contact {
     let mut contact = case.contact.clone();
     contact.load = load;
     if radius != contact.radius {
@@ -311,7 +310,11 @@ fn output_times(table: &mut Table<'_>, duration: f64) -> Result<Vec<f64>, InputE
 }
 
 /// Times in order.
-fn check_increasing(table: &Table<'_>, key: &str, times: &[f64]) -> Result<(), InputError> {
+pub(super) fn check_increasing(
+    table: &Table<'_>,
+    key: &str,
+    times: &[f64],
+) -> Result<(), InputError> {
     if times.is_empty() || times.len() > MOST_TIMES {
         return Err(table.error(key, format!("`{key}` needs 1 to {MOST_TIMES} times")));
     }
@@ -373,203 +376,6 @@ fn speeds(reader: &mut Reader<'_, '_>, motion: &Motion) -> Result<Speeds, InputE
     ]))
 }
 
-/// Reads courses.
-pub(super) struct Reader<'r, 't> {
-    pub(super) table: &'r mut Table<'t>,
-    duration: f64,
-    folder: &'r Path,
-}
-
-/// The kinds of courses.
-#[derive(Clone, Copy)]
-enum Kind {
-    Table,
-    Ramp,
-    Sine,
-    Step,
-}
-
-const KINDS: [(&str, Kind); 4] = [
-    ("table", Kind::Table),
-    ("ramp", Kind::Ramp),
-    ("sine", Kind::Sine),
-    ("step", Kind::Step),
-];
-
-impl Reader<'_, '_> {
-    /// The course of a quantity that begins at `base`; `None` where the case gives none.
-    pub(super) fn course(
-        &mut self,
-        key: &str,
-        base: f64,
-        dimension: Dimension,
-        bounds: Bounds,
-    ) -> Result<Option<Course>, InputError> {
-        let Some(mut table) = self.table.optional_table(key)? else {
-            return Ok(None);
-        };
-        let kind = table.required_choice("course", &KINDS).map_err(|error| {
-            error.with_help(
-                "such as { course = \"ramp\", end = \"2 ms\", to = \"1 m/s\" } or { course = \"table\", times = [...], values = [...] }",
-            )
-        })?;
-        let instant = Bounds::closed(0.0, f64::MAX);
-        let time = |table: &mut Table<'_>, key: &str| {
-            table.optional_quantity(key, Dimension::TIME, instant)
-        };
-        let value = |table: &mut Table<'_>, key: &str| quantity(table, key, dimension, bounds);
-        let course = match kind {
-            Kind::Table => self.rows(&mut table, dimension, bounds)?,
-            Kind::Ramp => {
-                let start = time(&mut table, "start")?.unwrap_or(0.0);
-                let end = table.required_quantity("end", Dimension::TIME, Bounds::POSITIVE)?;
-                if end <= start {
-                    return Err(table.error("end", "the ramp ends before it starts"));
-                }
-                let to = value(&mut table, "to")?;
-                Course::Table(vec![[start, base], [end, to]])
-            }
-            Kind::Sine => {
-                let of_amplitude = match dimension == Dimension::TEMPERATURE {
-                    true => Dimension::TEMPERATURE_DIFFERENCE,
-                    false => dimension,
-                };
-                let amplitude = quantity(&mut table, "amplitude", of_amplitude, Bounds::ANY)?;
-                let period =
-                    table.required_quantity("period", Dimension::TIME, Bounds::POSITIVE)?;
-                for end in [base - amplitude, base + amplitude] {
-                    if !bounds.contains(end) {
-                        return Err(table.error(
-                            "amplitude",
-                            format!("with this amplitude `{key}` comes to {end}, which no contact can have"),
-                        ));
-                    }
-                }
-                Course::Sine {
-                    mean: base,
-                    amplitude,
-                    period,
-                    start: time(&mut table, "start")?.unwrap_or(0.0),
-                }
-            }
-            Kind::Step => Course::Step {
-                from: base,
-                to: value(&mut table, "to")?,
-                at: table.required_quantity("at", Dimension::TIME, instant)?,
-            },
-        };
-        table.finish()?;
-        Ok(Some(course))
-    }
-
-    /// Times and values, of the case or of a file.
-    fn rows(
-        &self,
-        table: &mut Table<'_>,
-        dimension: Dimension,
-        bounds: Bounds,
-    ) -> Result<Course, InputError> {
-        let (key, rows) = match table.optional_str("file")? {
-            Some(file) => ("file", self.rows_of_file(table, file, dimension, bounds)?),
-            None => {
-                let any = Bounds::closed(0.0, f64::MAX);
-                let times = table.required_quantities("times", Dimension::TIME, any)?;
-                let values = match dimension == Dimension::DIMENSIONLESS {
-                    true => table.required_numbers("values", bounds)?,
-                    false => table.required_quantities("values", dimension, bounds)?,
-                };
-                if times.len() != values.len() {
-                    return Err(table.error(
-                        "values",
-                        format!("{} values for {} times", values.len(), times.len()),
-                    ));
-                }
-                let rows = times.into_iter().zip(values).map(|(t, v)| [t, v]);
-                ("times", rows.collect())
-            }
-        };
-        let times: Vec<f64> = rows.iter().map(|[t, _]| *t).collect();
-        check_increasing(table, key, &times)?;
-        let (first, last) = (times[0], times[times.len() - 1]);
-        if first > 0.0 || last < self.duration * (1.0 - 1e-9) {
-            return Err(table
-                .error(
-                    key,
-                    format!(
-                        "the table goes from {first} s to {last} s, and the time that is solved from 0 to {} s",
-                        self.duration
-                    ),
-                )
-                .with_help("nothing is assumed before and after a table: add rows, or shorten `duration`"));
-        }
-        let choices = [("linear", false), ("smooth", true)];
-        let is_smooth = table.optional_choice("interpolation", &choices)?;
-        Ok(match is_smooth.unwrap_or(false) {
-            true => Course::Smooth(rows),
-            false => Course::Table(rows),
-        })
-    }
-
-    fn rows_of_file(
-        &self,
-        table: &Table<'_>,
-        file: &str,
-        dimension: Dimension,
-        bounds: Bounds,
-    ) -> Result<Vec<[f64; 2]>, InputError> {
-        let path = self.folder.join(file);
-        let fail = |text: String| table.error("file", text);
-        let text = read_text(&path, LARGEST_TABLE)
-            .map_err(|error| fail(format!("{} {error}", path.display())))?;
-        rows_of(file, &text, dimension, bounds).map_err(|error| {
-            fail(error.to_string()).with_help(
-                "a file has the columns `time` and `value` with their units, such as \"time (ms)\" and \"value (m/s)\"",
-            )
-        })
-    }
-}
-
-/// Times and values of a CSV file.
-fn rows_of(
-    file: &str,
-    text: &str,
-    dimension: Dimension,
-    bounds: Bounds,
-) -> Result<Vec<[f64; 2]>, CsvError> {
-    let csv = CsvTable::parse(file, text)?;
-    let column = |name: &'static str, dimension| {
-        csv.find_with_unit(name, dimension)?
-            .ok_or_else(|| csv.error(csv.header(), 0, format!("there is no column `{name}`")))
-    };
-    let time = column("time", Dimension::TIME)?;
-    let value = column("value", dimension)?;
-    let mut rows = Vec::new();
-    for row in csv.rows() {
-        let [t, v] = [
-            csv.required_number(row, &time)?,
-            csv.required_number(row, &value)?,
-        ];
-        if !bounds.contains(v) {
-            let must = bounds.describe(&dimension.si_unit());
-            return Err(csv.error(row, 0, format!("the value {v} must be {must}")));
-        }
-        rows.push([t, v]);
-    }
-    Ok(rows)
-}
-
-fn quantity(
-    table: &mut Table<'_>,
-    key: &str,
-    dimension: Dimension,
-    bounds: Bounds,
-) -> Result<f64, InputError> {
-    match dimension == Dimension::DIMENSIONLESS {
-        true => table.required_number(key, bounds),
-        false => table.required_quantity(key, dimension, bounds),
-    }
-}
-
 impl Transient {
     /// By what all else is measured: the largest entrainment speed, load and radius that occur. Where bodies come near to each other from afar, the speed of oil that leaves
     /// the contact, V R/a, and the force of their impact count, too.
@@ -593,7 +399,7 @@ impl Transient {
             };
         }
         let [velocity, load] = approach::reference(case, &self.approach, self.start, load);
-        let contact = with(case, load, radius);
+        let contact = contact_with(case, load, radius);
         let half_width = Hertz::new(&contact, case.reduced_modulus()).half_width;
         Reference {
             speed: speed.max(velocity * radius / half_width),
@@ -605,7 +411,7 @@ impl Transient {
     /// Largest pressure of the dry contact over time, Pa, where `largest` N or N/m is the largest force.
     fn hertz_pressure(&self, case: &Case, largest: f64) -> f64 {
         let pressure = |load: f64, radius: f64| {
-            Hertz::new(&with(case, load, radius), case.reduced_modulus()).pressure
+            Hertz::new(&contact_with(case, load, radius), case.reduced_modulus()).pressure
         };
         let Some(radius) = &self.radius else {
             return pressure(largest, case.contact.radius);
