@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 
+use ertel_input::csv::{CsvTable, Row};
 use serde_json::Value;
 
 use super::super::figure::CELSIUS;
@@ -72,10 +73,12 @@ pub(super) fn write(out: &mut Lines, tables: &[Value]) {
 }
 
 fn part(table: &Value) -> Option<Part<'_>> {
-    let mut lines = cells(table["csv"].as_str()?).into_iter();
+    let csv = CsvTable::parse("", table["csv"].as_str()?).ok()?;
+    let head = csv.header().cells().to_vec();
+    let whole = |row: &Row| (0..head.len()).map(|i| row.cell(i).to_owned()).collect();
     let rows = Rows {
-        head: lines.next()?,
-        body: lines.collect(),
+        body: csv.rows().iter().map(whole).collect(),
+        head,
         n_axes: table["n_axes"].as_u64()? as usize,
     };
     Some(Part {
@@ -83,30 +86,6 @@ fn part(table: &Value) -> Option<Part<'_>> {
         rows,
         figures: &table["figures"],
     })
-}
-
-/// The cells of a table; quotes as in RFC 4180.
-fn cells(csv: &str) -> Vec<Vec<String>> {
-    let (mut rows, mut row, mut cell) = (Vec::new(), Vec::new(), String::new());
-    let mut is_quoted = false;
-    let mut rest = csv.chars().peekable();
-    while let Some(c) = rest.next() {
-        match c {
-            '"' if is_quoted && rest.peek() == Some(&'"') => {
-                cell.push('"');
-                rest.next();
-            }
-            '"' => is_quoted = !is_quoted,
-            ',' if !is_quoted => row.push(std::mem::take(&mut cell)),
-            '\n' if !is_quoted => {
-                row.push(std::mem::take(&mut cell));
-                rows.push(std::mem::take(&mut row));
-            }
-            '\r' if !is_quoted => {}
-            c => cell.push(c),
-        }
-    }
-    rows
 }
 
 /// Figures of whole machines beside each other.
