@@ -122,7 +122,10 @@ fn rows(first: &Rows, other: &Rows) -> Option<(Table, usize, bool)> {
         })
         .collect();
     let axes: Vec<[usize; 2]> = (1..=first.n_axes)
-        .filter_map(|i| Some([i, other.head.iter().position(|own| *own == first.head[i])?]))
+        .filter_map(|i| {
+            let title = first.head.get(i)?;
+            Some([i, other.head.iter().position(|own| own == title)?])
+        })
         .collect();
     if figures.is_empty() || axes.is_empty() || axes.len() < first.n_axes {
         return None;
@@ -278,6 +281,15 @@ mod tests {
 
     fn of(name: &str, csv: &str, n_axes: usize) -> Value {
         json!({ "name": name, "csv": csv, "n_axes": n_axes, "figures": null })
+    }
+
+    /// Pages are read from files: a table may say more axes than it has columns.
+    #[test]
+    fn a_table_with_fewer_columns_than_axes_is_left_out() {
+        let of = of("one", "point,film_central_m\n1,2e-7\n", 3);
+        assert!(told(&[of.clone(), of]).is_empty());
+        let of = self::of("one", "point\n1\n", 1);
+        assert!(told(&[of.clone(), of]).is_empty());
     }
 
     /// By hand: at 2 m/s the other film lies midway between 300 and 500 nm, 100 % above 200 nm; 4 m/s is beyond it. At 1 m/s both have points: +50 %,
