@@ -45,6 +45,7 @@ impl PointFields {
         FilmPlace {
             at: self.place,
             pressure: self.pressure,
+            pressure_rate: 0.0,
             pressure_gradient: self.pressure_gradient,
             film: self.film,
             filling: self.filling(),

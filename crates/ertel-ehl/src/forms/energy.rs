@@ -4,7 +4,7 @@
 //! ```text
 //!   film:    ρc h/a (u ∂T/∂X + v ∂T/∂Y) + c ω ∂T/∂s − k/h ∂²T/∂s² = h(Q_shear + Q_comp)  W/m²
 //!            ω = −∇·(h∫_{−½}^s ρu ds'), the mass flow across the film
-//!            Q_shear = τ·∂u/∂z,   Q_comp = −(T/ρ) ∂ρ/∂T (u ∂p/∂x + v ∂p/∂y)
+//!            Q_shear = τ·∂u/∂z,   Q_comp = −(T/ρ) ∂ρ/∂T (∂p/∂t + u ∂p/∂x + v ∂p/∂y)
 //!   bodies:  ρc (u ∂T/∂X + v ∂T/∂Y) − k/a (∂²T/∂X² + ∂²T/∂Y² + ∂²T/∂Z²) = 0,   Z = z/a                 W/m²
 //! ```
 //! Habchi 2008, eqs. 5.11, 5.13, 5.14, and ω, which is left out there: heat flows at a fixed share s of the film's thickness, and
@@ -237,6 +237,8 @@ pub struct FilmPlace {
     pub pressure: f64,
     /// ∇P.
     pub pressure_gradient: [f64; 2],
+    /// ∂P/∂T over time in a/u_m; 0 of what is steady.
+    pub pressure_rate: f64,
     /// H.
     pub film: f64,
     /// θ, the share of the gap that is filled with oil.
@@ -384,6 +386,7 @@ fn evaluate(
         let point = &mut column.heights[k];
         let along =
             velocity[0] * place.pressure_gradient[0] + velocity[1] * place.pressure_gradient[1];
+        let rise = place.pressure_rate + along;
         point.velocity = velocity;
         point.temperature = temperature;
         point.capacity = rho * heat.density * capacity * h * heat.entrainment_speed / heat.length;
@@ -392,12 +395,9 @@ fn evaluate(
         point.mass_below = velocity.map(|u| place.film * rho * u);
         point.lift_capacity =
             capacity * heat.density * heat.film * heat.entrainment_speed / heat.length;
-        point.compression = -h * temperature / rho
-            * by_temperature
-            * along
-            * heat.pressure
-            * heat.entrainment_speed
-            / heat.length;
+        point.compression =
+            -h * temperature / rho * by_temperature * rise * heat.pressure * heat.entrainment_speed
+                / heat.length;
     }
     let total = |flux: &dyn Fn(usize) -> [f64; 2], weights: &[f64]| {
         let mut sum = [0.0; 2];

@@ -6,6 +6,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Info;
+use super::heat::HeatMemory;
 
 /// A run at the end of a step.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -29,6 +30,8 @@ pub(super) struct Memory {
     pub times: Vec<f64>,
     /// The grids, coarse to fine.
     pub grids: Vec<GridMemory>,
+    /// Their heat, where it counts.
+    pub heat: Vec<HeatMemory>,
 }
 
 /// A grid.

@@ -130,6 +130,12 @@ impl Conditions {
         sizes.fold(f64::INFINITY, f64::min)
     }
 
+    /// Largest speed of a body over time, over that of reference.
+    pub fn fastest(&self) -> f64 {
+        let speeds = self.samples().map(|time| self.speeds.at(time));
+        speeds.flatten().fold(0.0, |most, u| most.max(u.abs()))
+    }
+
     /// Smallest value of a course over time.
     pub fn least(&self, course: &Course) -> f64 {
         let values = self.samples().map(|time| course.at(time));

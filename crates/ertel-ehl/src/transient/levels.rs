@@ -3,9 +3,10 @@
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-use super::body::{Approach, Separations, Start};
+use super::body::{Approach, Separations};
 use super::checkpoint::{GridMemory, Memory, OtherGrids};
-use super::conditions::Cavities;
+use super::conditions::{Cavities, Conditions};
+use super::heat::{GridHeat, HeatTrial, Passage, rounds};
 use super::scheme::{MEMORY, Weights, extrapolation};
 use crate::contact::Shape;
 use crate::contact::gap::{GapTerm, Relief};
@@ -42,6 +43,8 @@ pub struct Levels {
     /// ∫P_r.
     unit: f64,
     cavities: Cavities,
+    /// Heat of each grid; none where it does not count.
+    heat: Vec<GridHeat>,
 }
 
 /// Where errors of a step are looked at: the dry contact, and what of it reliefs cover.
@@ -81,6 +84,7 @@ pub struct Trial {
     stored: Vec<Vec<f64>>,
     /// H_0 and its velocity on each grid.
     moved: Vec<[f64; 2]>,
+    heat: Vec<HeatTrial>,
     time: f64,
     /// Newton iterations on all grids.
     pub info: NewtonInfo,
@@ -90,13 +94,12 @@ pub struct Trial {
 
 /// What the nodes hold: ρ̄H, or their contents where those are less.
 pub(super) fn held(system: &System, state: &State, films: &[f64]) -> Vec<f64> {
-    let of_node = |(k, (p, h)): (usize, (&f64, &f64))| {
-        let full = system.fluid.at(*p).density[0] * h;
-        (state.contents.get(k)).map_or(full, |content| content.min(full))
+    let of_node = |(k, full): (usize, f64)| match state.contents.get(k) {
+        Some(content) => content.min(full),
+        None => full,
     };
-    (state.pressure.iter().zip(films).enumerate())
-        .map(of_node)
-        .collect()
+    let full = system.masses(&state.pressure, films);
+    full.into_iter().enumerate().map(of_node).collect()
 }
 
 impl Levels {
@@ -105,12 +108,12 @@ impl Levels {
     /// # Errors
     /// When no order of elimination is found.
     pub fn new(
+        problem: &Problem<Plan>,
         levels: Vec<Level>,
-        (approach, start): (&Approach, Start),
+        conditions: &Conditions,
         unit: f64,
-        cavities: Cavities,
     ) -> Result<Levels, SolveError> {
-        let mut levels = levels;
+        let (mut levels, cavities) = (levels, conditions.cavities);
         if cavities == Cavities::Conserved {
             levels.iter_mut().for_each(conserve);
         }
@@ -126,15 +129,19 @@ impl Levels {
             .map(|level| VecDeque::from([held(&level.system, &level.state, &level.films)]))
             .collect();
         let separations = (levels.iter())
-            .map(|level| Separations::new(level.state.separation, start.velocity()))
+            .map(|level| Separations::new(level.state.separation, conditions.start.velocity()))
             .collect();
+        let of_grid = |level, heat| GridHeat::new(level, heat, &problem.plan.heat, conditions);
         Ok(Levels {
+            heat: (problem.heat.iter())
+                .flat_map(|heat| levels.iter().map(move |level| of_grid(level, heat)))
+                .collect(),
             levels,
             fixed,
             stored,
             separations,
             times: VecDeque::from([0.0]),
-            approach: approach.clone(),
+            approach: conditions.approach.clone(),
             unit,
             cavities,
         })
@@ -185,6 +192,7 @@ impl Levels {
                     }
                 })
                 .collect(),
+            heat: self.heat.iter().map(GridHeat::memory).collect(),
         }
     }
 
@@ -205,11 +213,15 @@ impl Levels {
         };
         let is_like = !memory.times.is_empty()
             && memory.grids.len() == self.levels.len()
-            && self.levels.iter().zip(&memory.grids).all(fits);
+            && self.levels.iter().zip(&memory.grids).all(fits)
+            && memory.heat.len() == self.heat.len()
+            && (self.heat.iter().zip(&memory.heat))
+                .all(|(own, heat)| own.fits(heat, memory.times.len()));
         if !is_like {
             return Err(OtherGrids);
         }
         self.times = memory.times.iter().copied().collect();
+        (self.heat.iter_mut().zip(&memory.heat)).for_each(|(own, heat)| own.remember(heat));
         for (l, grid) in memory.grids.iter().enumerate() {
             self.levels[l].state = State {
                 pressure: grid.pressure.clone(),
@@ -231,16 +243,18 @@ impl Levels {
             stored.truncate(1);
         }
         self.separations.iter_mut().for_each(Separations::forget);
+        self.heat.iter_mut().for_each(GridHeat::forget);
     }
 
-    /// A step to an instant, at which the problem is what it is then; `None` where Newton's method does not converge.
+    /// A step to an instant, at which the problem is what it is then, and until which the bodies move by a `way`, half-widths; `None` where Newton's method
+    /// does not converge, or film and heat do not.
     ///
     /// # Errors
     /// When the user wants to stop.
     pub fn step(
         &self,
         problem: &Problem<Plan>,
-        time: f64,
+        (time, way): (f64, [f64; 2]),
         zones: &Zones,
         observer: &mut dyn Observer,
     ) -> Result<Option<Trial>, SolveError> {
@@ -253,6 +267,7 @@ impl Levels {
             levels: Vec::with_capacity(self.levels.len()),
             stored: Vec::with_capacity(self.levels.len()),
             moved: Vec::with_capacity(self.levels.len()),
+            heat: Vec::with_capacity(self.heat.len()),
             time,
             info: NewtonInfo::default(),
             error: None,
@@ -280,20 +295,35 @@ impl Levels {
             let separations = &self.separations[l];
             system.balance = separations.balance(&self.approach, &weights, time, self.unit);
             let about = (l, problem.scales.film);
-            let info = newton(
-                &system,
-                &fixed.pattern,
-                &mut state,
-                &params,
-                about,
-                observer,
-            );
-            trial.info = trial.info.and(info);
-            if info.interrupted {
-                return Err(SolveError::Interrupted);
-            }
-            if !info.converged {
-                return Ok(None);
+            let solve = |system: &mut System, state: &mut State, observer: &mut dyn Observer| {
+                let info = newton(system, &fixed.pattern, state, &params, about, observer);
+                match info.interrupted {
+                    true => Err(SolveError::Interrupted),
+                    false => Ok(info),
+                }
+            };
+            let mut warm = None;
+            if let (Some(heat), Some(mut rounds)) = (self.heat.get(l), rounds(problem)) {
+                rounds.in_time = Some(heat.in_time(&weights));
+                let passage = Passage::new(rounds.heat, time - self.times[0], way);
+                let coarser = trial.levels.last().zip(trial.heat.last());
+                let (begun, start) = heat.begin(&rounds, &system.grid, (&passage, &times), coarser);
+                rounds.warm_up(&mut system, &state, &start.1);
+                let both = (&mut system, &mut state);
+                match rounds.run((l, 0.0, false), both, start, solve, observer) {
+                    Ok((found, infos)) => {
+                        trial.info = infos.into_iter().fold(trial.info, NewtonInfo::and);
+                        warm = Some((begun, found));
+                    }
+                    Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+                    Err(_) => return Ok(None),
+                }
+            } else {
+                let info = solve(&mut system, &mut state, observer)?;
+                trial.info = trial.info.and(info);
+                if !info.converged {
+                    return Ok(None);
+                }
             }
             let films = system.films(&state);
             trial.stored.push(held(&system, &state, &films));
@@ -306,6 +336,11 @@ impl Levels {
                 patch: None,
                 warm: None,
             });
+            if let (Some(found), Some(heat), Some(level)) =
+                (warm, self.heat.get(l), trial.levels.last())
+            {
+                trial.heat.push(heat.end(level, own.patch, found));
+            }
         }
         trial.error = self.error(&weights, &times, &trial, zones);
         Ok(Some(trial))
@@ -342,6 +377,10 @@ impl Levels {
     /// Goes on to a step.
     pub fn accept(&mut self, trial: Trial) {
         self.levels = trial.levels;
+        let heat = self.heat.iter_mut().zip(trial.heat);
+        for (level, (own, newest)) in self.levels.iter_mut().zip(heat) {
+            level.warm = Some(own.accept(newest));
+        }
         self.times.push_front(trial.time);
         self.times.truncate(MEMORY);
         for (stored, newest) in self.stored.iter_mut().zip(trial.stored) {

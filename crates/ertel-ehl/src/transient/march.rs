@@ -62,7 +62,7 @@ const AFTER_KINK: f64 = 0.1;
 /// it whatever their error says of the rest. The amplitudes of waves that are compared with a published table were found with it.
 const STEP_OVER_RELIEF: f64 = 1.0 / 24.0;
 
-/// Share of the tolerance of the films that Newton's method leaves.
+/// Share of the tolerance of the films that Newton's method and rounds of film and heat leave.
 const LEFT: f64 = 1e-2;
 
 /// A contact at an instant.
@@ -247,6 +247,9 @@ fn run(
     observer: &mut dyn TransientObserver,
 ) -> Result<Info, TransientError> {
     let unit = problem.scales.length / problem.scales.entrainment_speed();
+    // What a steady start leaves open changes in the first steps.
+    let heat = &mut problem.plan.heat;
+    (heat.tolerance, heat.share_of_target) = (LEFT * params.tolerance, 0.0);
     let present = Present::new(&mut problem, conditions);
     let mut moved = [0.0; 2];
     present.set(&mut problem, 0.0, moved);
@@ -269,8 +272,7 @@ fn run(
     {
         return Err(TransientError::Coarse { cell, needed });
     }
-    let start = (&conditions.approach, conditions.start);
-    let mut levels = Levels::new(first, start, present.load, conditions.cavities)?;
+    let mut levels = Levels::new(&problem, first, conditions, present.load)?;
     let mut info = Info::default();
     let tell = |problem: &mut Problem<Plan>,
                 levels: &Levels,
@@ -317,7 +319,7 @@ fn run(
             present.set(&mut problem, to, next);
             let trial = levels.step(
                 &problem,
-                to,
+                (to, way),
                 &Zones::of(&problem.shape),
                 &mut Quiet(observer),
             )?;

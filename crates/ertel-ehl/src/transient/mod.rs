@@ -13,6 +13,7 @@
 //! | [`course`] | a quantity over time |
 //! | [`conditions`] | what changes |
 //! | [`body`] | what the distance of the bodies follows from |
+//! | `heat` | temperatures of film and bodies |
 //! | `present` | the contact at an instant |
 //! | [`march`](mod@march) | steps, their errors and lengths |
 //! | [`checkpoint`] | how to go on where a run has stopped |
@@ -25,6 +26,7 @@ pub mod body;
 pub mod checkpoint;
 pub mod conditions;
 pub mod course;
+mod heat;
 pub mod levels;
 pub mod march;
 mod present;

@@ -130,6 +130,11 @@ impl<'a> Present<'a> {
             None => &self.fluid,
         };
         problem.fluid = fluid.sliding_by(&sliding, &problem.scales);
+        if let Some(heat) = &mut problem.heat {
+            for (body, speed) in heat.bodies.iter_mut().zip([first, second]) {
+                body.velocity = Planar::along_x(speed * heat.entrainment_speed);
+            }
+        }
         set_radius(problem, self.conditions.radius.at(time));
         if let Some(course) = &self.conditions.layer {
             self.set_layer(problem, course.at(time));

@@ -42,7 +42,7 @@ impl Level {
 }
 
 /// Share of the cell of a node that lies in a patch.
-pub(super) fn within([x, y]: [[usize; 2]; 2], half: bool, i: usize, j: usize) -> f64 {
+pub fn within([x, y]: [[usize; 2]; 2], half: bool, i: usize, j: usize) -> f64 {
     let along = |[low, high]: [usize; 2], at: usize, ends: bool| match at {
         _ if at < low || at > high => 0.0,
         // The row of a line contact.
@@ -176,7 +176,7 @@ fn beyond(level: &Level, gap: &Gap, by_inside: &[f64]) -> Vec<f64> {
 }
 
 /// Values of a coarse grid at the nodes of one with half the spacing inside it.
-pub(super) struct Sampled<'a> {
+pub struct Sampled<'a> {
     coarse: &'a Grid,
     /// The coarse node at which the fine grid begins.
     start: [usize; 2],
@@ -184,7 +184,7 @@ pub(super) struct Sampled<'a> {
 
 impl<'a> Sampled<'a> {
     /// Of a coarse grid at the nodes of a fine one inside it.
-    pub(super) fn new(coarse: &'a Grid, fine: &Grid) -> Sampled<'a> {
+    pub fn new(coarse: &'a Grid, fine: &Grid) -> Sampled<'a> {
         Sampled {
             coarse,
             start: [0, 1].map(|d: usize| (fine.first[d].div_euclid(2) - coarse.first[d]) as usize),
@@ -208,7 +208,7 @@ impl<'a> Sampled<'a> {
     }
 
     /// Between the nodes by straight lines: no new extremum.
-    pub(super) fn linear(&self, values: &[f64], i: usize, j: usize) -> f64 {
+    pub fn linear(&self, values: &[f64], i: usize, j: usize) -> f64 {
         0.25 * self.corners(values, i, j).iter().sum::<f64>()
     }
 
@@ -223,7 +223,7 @@ impl<'a> Sampled<'a> {
     }
 
     /// Between the nodes by cubics.
-    pub(super) fn cubic(&self, values: &[f64], i: usize, j: usize) -> f64 {
+    pub fn cubic(&self, values: &[f64], i: usize, j: usize) -> f64 {
         let [x, y] = [self.start[0] + i / 2, self.start[1] + j / 2].map(|n| n as i64);
         let between = |v: [f64; 4]| (9.0 * (v[1] + v[2]) - v[0] - v[3]) / 16.0;
         let along = |y: i64| match i % 2 {

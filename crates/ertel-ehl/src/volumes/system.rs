@@ -77,7 +77,7 @@ impl Balance {
     }
 }
 
-/// How the mass over the nodes changes in time: ∂m/∂T = c_0 m + h with h = Σ c_k m of the instants before.
+/// How something at the nodes changes in time, mass or temperature: ∂q/∂T = c_0 q + h with h = Σ c_k q of the instants before.
 #[derive(Clone, Debug)]
 pub struct Storage {
     /// c_0.
@@ -292,6 +292,14 @@ impl System {
         grid.is_unknown(i, j)
             && !grid.is_end(j)
             && (self.arrival).may_press(grid.place(i, j)[0], grid.spacing[0])
+    }
+
+    /// ρ̄H at the nodes.
+    pub fn masses(&self, pressure: &[f64], films: &[f64]) -> Vec<f64> {
+        (pressure.par_iter().zip(films).enumerate())
+            .with_min_len(BATCH)
+            .map(|(k, (p, h))| self.node(k, *p, *h).mass)
+            .collect()
     }
 
     fn node(&self, k: usize, pressure: f64, film: f64) -> Node {

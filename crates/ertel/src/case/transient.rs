@@ -5,6 +5,7 @@ use std::path::Path;
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 
+use super::check::finite_volumes_refuse;
 use super::contact::RADIUS;
 use super::course::Reader;
 use super::inlet::LAYER;
@@ -91,7 +92,7 @@ pub(super) fn read(
     let Some(mut table) = root.optional_table("transient")? else {
         return Ok(None);
     };
-    check(case, &table)?;
+    check(case, &mut table)?;
     if root.contains("curve") {
         return Err(table.error_here("[transient] does not go together with [curve]: choose one"));
     }
@@ -124,6 +125,9 @@ pub(super) fn read(
         },
         None => changes(&mut reader, case)?,
     };
+    if case.thermal().is_some() && cavities == Some(Cavities::Conserved) {
+        return Err(beside_heat(reader.table, "cavities"));
+    }
     let temperature = reader.course(
         "temperature",
         case.lubricant.temperature,
@@ -246,12 +250,8 @@ fn oil_layer(reader: &mut Reader<'_, '_>, supply: &Supply) -> Result<Option<Cour
 }
 
 /// Refuses what is not solved in time.
-fn check(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
+fn check(case: &Case, table: &mut Table<'_>) -> Result<(), InputError> {
     let refused = [
-        (
-            case.thermal().is_some(),
-            "[thermal]: heat is not solved in time; leave it out, or set isothermal = true in [solver]",
-        ),
         (
             !case.motion.is_straight(),
             "spin or skew: surfaces that move along the entrainment alone are solved in time",
@@ -278,11 +278,37 @@ fn check(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
         ),
     ];
     match refused.iter().find(|(is_refused, _)| *is_refused) {
-        None => Ok(()),
+        None => check_heat(case, table),
         Some((_, reason)) => {
             Err(table.error_here(format!("[transient] does not go together with {reason}")))
         }
     }
+}
+
+const WITHOUT_HEAT: &str = "leave [thermal] out, or set isothermal = true in [solver]";
+
+/// Refuses heat that is not solved in time.
+fn check_heat(case: &Case, table: &mut Table<'_>) -> Result<(), InputError> {
+    if case.thermal().is_none() {
+        return Ok(());
+    }
+    if let Some(reason) = finite_volumes_refuse(case) {
+        let error = table.error_here(format!(
+            "[transient] takes finite volumes, and those {reason}"
+        ));
+        return Err(error.with_help(WITHOUT_HEAT));
+    }
+    match table.contains("temperature") {
+        false => Ok(()),
+        true => Err(beside_heat(table, "temperature")),
+    }
+}
+
+/// Refuses a key beside heat.
+fn beside_heat(table: &mut Table<'_>, key: &str) -> InputError {
+    table
+        .error(key, format!("`{key}` does not go together with [thermal]"))
+        .with_help(WITHOUT_HEAT)
 }
 
 /// What the results leave out that the case describes.

@@ -94,6 +94,7 @@ impl HeatSpace {
         FilmPlace {
             at: fields.place,
             pressure: fields.pressure,
+            pressure_rate: 0.0,
             pressure_gradient: fields.pressure_gradient,
             film: fields.film,
             filling: fields.filling(),

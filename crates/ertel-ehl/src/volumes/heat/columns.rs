@@ -4,7 +4,7 @@
 //!   R_a = ∫ φ_a (C − h(Q_shear + Q_comp)) + k/h T_s φ_a' ds = 0        W/m², φ_a the polynomials through the nodes of the film
 //!   R_0 = −q_1,  R_N = −q_2                                              heat that flows into the bodies
 //! ```
-//! with the convection C of [`super::transport`]; equations and laws are those of [`crate::forms::energy`].
+//! with what flows and is stored, C, of [`super::transport`]; equations and laws are those of [`crate::forms::energy`].
 
 use rayon::prelude::*;
 
@@ -14,6 +14,7 @@ use crate::film::{FilmFluid, FilmNodes, MOST_NODES};
 use crate::forms::energy::{FilmColumn, FilmPlace, Heat, Heights, film_column};
 use crate::volumes::film::slopes;
 use crate::volumes::grid::Grid;
+use crate::volumes::system::Storage;
 use crate::volumes::thinning::UNRESOLVED;
 
 /// What the equations of a film are made of.
@@ -26,6 +27,8 @@ pub struct FilmHeat<'a> {
     pub heat: &'a Heat,
     /// Heights at which the film is heated.
     pub heights: &'a Heights,
+    /// How temperatures at the nodes change in time, where they do.
+    pub stored: Option<&'a Storage>,
 }
 
 impl FilmHeat<'_> {
@@ -47,6 +50,8 @@ pub struct Films<'a> {
     pub temperature: &'a [f64],
     /// Conductances of the flow that is held; none where the gradient of the pressure is as it stands.
     pub held: &'a [f64],
+    /// ∂P/∂T; none of what is steady.
+    pub pressure_rate: &'a [f64],
 }
 
 /// All nodes of a grid.
@@ -62,6 +67,8 @@ pub struct Columns {
     pub capacity: Vec<f64>,
     /// H ρ̄u/u_m along the grid at each height.
     pub mass: Vec<[f64; 2]>,
+    /// H ρ̄ at each height.
+    pub content: Vec<f64>,
     /// Heat of shear and of compression, and the size of the latter, W/m².
     pub made: Vec<[f64; 3]>,
     /// Ψ.
@@ -82,6 +89,7 @@ pub fn place(grid: &Grid, films: &Films, f: usize, k: usize) -> FilmPlace {
     FilmPlace {
         at: grid.place(i, j),
         pressure: films.pressure[k],
+        pressure_rate: films.pressure_rate.get(k).copied().unwrap_or(0.0),
         pressure_gradient: grid.turn.to_motion(slopes(grid, films.pressure, i, j)),
         film,
         filling: fields.filling(),
@@ -96,6 +104,7 @@ struct Column {
     rows: Vec<f64>,
     capacity: Vec<f64>,
     mass: Vec<[f64; 2]>,
+    content: Vec<f64>,
     made: [f64; 3],
     conductance: f64,
 }
@@ -115,6 +124,7 @@ impl Columns {
             rows: Vec::with_capacity(n * f),
             capacity: Vec::with_capacity(n * h),
             mass: Vec::with_capacity(n * h),
+            content: Vec::with_capacity(n * h),
             made: Vec::with_capacity(n),
             conductance: Vec::with_capacity(n),
         };
@@ -123,6 +133,7 @@ impl Columns {
             all.rows.extend(column.rows);
             all.capacity.extend(column.capacity);
             all.mass.extend(column.mass);
+            all.content.extend(column.content);
             all.made.push(column.made);
             all.conductance.push(column.conductance);
         }
@@ -161,6 +172,7 @@ impl Columns {
                     rows.copy_from_slice(&column.rows);
                     moved.capacity[k * h..][..h].copy_from_slice(&column.capacity);
                     moved.mass[k * h..][..h].copy_from_slice(&column.mass);
+                    moved.content[k * h..][..h].copy_from_slice(&column.content);
                 }
                 None => {
                     for b in 0..f {
@@ -190,6 +202,7 @@ fn column(of: &FilmHeat, film: &FilmColumn, place: &FilmPlace, f: usize) -> Colu
         rows: vec![0.0; f],
         capacity: Vec::with_capacity(h),
         mass: Vec::with_capacity(h),
+        content: Vec::with_capacity(h),
         made: [0.0; 3],
         conductance: film.conductance,
     };
@@ -222,12 +235,17 @@ fn column(of: &FilmHeat, film: &FilmColumn, place: &FilmPlace, f: usize) -> Colu
         }
         column.capacity.push(point.lift_capacity);
         // Both are proportional to the density: a mass flow.
+        let content = match point.lift_capacity > 0.0 {
+            true => point.capacity / point.lift_capacity,
+            false => 0.0,
+        };
         let flow = match point.lift_capacity > 0.0 {
             true => point
                 .velocity
                 .map(|u| u * point.capacity / point.lift_capacity),
             false => [0.0; 2],
         };
+        column.content.push(content);
         column.mass.push(of.grid.turn.to_axes(flow));
         column.made[0] += weight * point.shear;
         column.made[1] += weight * point.compression;

@@ -1,7 +1,7 @@
 //! Heat by finite volumes: temperatures across the film at the nodes of each grid, and those of the surfaces of two moving half-spaces.
 //!
 //! ```text
-//!   film:    ρc h (u ∂T/∂x + v ∂T/∂y) + c ω ∂T/∂s − k/h ∂²T/∂s² = h(Q_shear + Q_comp)        [`columns`], [`transport`]
+//!   film:    ρc h (∂T/∂t + u ∂T/∂x + v ∂T/∂y) + c ω ∂T/∂s − k/h ∂²T/∂s² = h(Q_shear + Q_comp)        [`columns`], [`transport`]
 //!   bodies:  T_w = T_bulk + K * q                                                            [`source`], [`spreading`]
 //!   K_film, ρ̄, ū of the film equation by the temperatures                                    [`warmth`]
 //! ```
@@ -11,6 +11,8 @@
 //! |---|---|
 //! | [`source`] | temperature of a moving body by the heat that flows into cells |
 //! | [`spreading`] | the same on a grid, by fast Fourier transforms |
+//! | [`padded`] | the transforms themselves |
+//! | [`memory`] | what the bodies remember in time |
 //! | [`columns`] | the energy equation of the film over each node |
 //! | [`transport`] | what flows from node to node |
 //! | [`temperatures`] | Newton's method for film and surfaces |
@@ -23,7 +25,9 @@
 
 pub mod columns;
 pub mod figures;
+pub mod memory;
 pub mod output;
+pub mod padded;
 pub mod rounds;
 pub mod source;
 pub mod spreading;

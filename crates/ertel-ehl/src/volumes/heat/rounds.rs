@@ -18,7 +18,7 @@ use crate::solve::tuning::heat::{INNER_SHARE, NEGLIGIBLE_RISE};
 use crate::volumes::contents::missing;
 use crate::volumes::level::{Level, Sampled, within};
 use crate::volumes::newton::NewtonInfo;
-use crate::volumes::system::{State, System};
+use crate::volumes::system::{State, Storage, System};
 
 /// How heat is solved for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +27,8 @@ pub struct Params {
     pub depth: f64,
     /// Relative change from round to round, and the error that it leaves, at which film and heat have converged.
     pub tolerance: f64,
+    /// The same as a share of the error that films are told with, where that is more.
+    pub share_of_target: f64,
     /// Rounds at most.
     pub max_rounds: usize,
 }
@@ -36,6 +38,7 @@ impl Default for Params {
         Params {
             depth: 3.15,
             tolerance: 1e-4,
+            share_of_target: 0.25,
             max_rounds: 40,
         }
     }
@@ -44,7 +47,7 @@ impl Default for Params {
 impl Params {
     /// The tolerance of films that are told with some relative error.
     pub fn in_force(&self, target_error: f64) -> f64 {
-        self.tolerance.max(SHARE * target_error)
+        self.tolerance.max(self.share_of_target * target_error)
     }
 }
 
@@ -77,9 +80,6 @@ pub struct Warm {
     pub effort: Effort,
 }
 
-/// Share of the films' target that rounds may leave of temperatures and films.
-const SHARE: f64 = 0.25;
-
 /// Ratio of changes from round to round beyond which the flow is held from then on.
 const SLOW: f64 = 0.3;
 
@@ -100,6 +100,26 @@ pub struct Rounds<'a> {
     pub heights: Heights,
     /// Parameters.
     pub params: Params,
+    /// How temperatures at the nodes of the film and pressures change in time, where they do.
+    pub in_time: Option<InTime>,
+}
+
+/// ∂T/∂t and ∂p/∂t of a film by what they were, over the time a/u_m.
+pub struct InTime {
+    /// Of temperatures, node by node, K.
+    pub temperature: Storage,
+    /// Of P.
+    pub pressure: Storage,
+}
+
+impl InTime {
+    /// ∂P/∂T at pressures.
+    fn pressure_rate(&self, pressure: &[f64]) -> Vec<f64> {
+        let Storage { rate, past } = &self.pressure;
+        (pressure.iter().zip(past))
+            .map(|(p, past)| rate * p + past)
+            .collect()
+    }
 }
 
 impl<'a> Rounds<'a> {
@@ -109,6 +129,7 @@ impl<'a> Rounds<'a> {
             heat: problem.heat.as_ref()?,
             heights: temperatures::heights(&problem.fluid)?,
             params,
+            in_time: None,
         })
     }
 
@@ -275,7 +296,9 @@ impl<'a> Rounds<'a> {
         let at = system.linearise(state);
         let films: Vec<f64> = at.nodes.iter().map(|node| node.film).collect();
         let lacking = lacking(&system.fluid, &films, &at.contents);
+        let rate = self.pressure_rate(state);
         let as_it_stands = Films {
+            pressure_rate: &rate,
             pressure: &state.pressure,
             film: &films,
             missing: &lacking,
@@ -305,6 +328,11 @@ impl<'a> Rounds<'a> {
         Ok(())
     }
 
+    fn pressure_rate(&self, state: &State) -> Vec<f64> {
+        let rate = |in_time: &InTime| in_time.pressure_rate(&state.pressure);
+        self.in_time.as_ref().map_or_else(Vec::new, rate)
+    }
+
     /// The film as heat sees it.
     pub fn film_heat<'b>(&'b self, system: &'b System) -> FilmHeat<'b> {
         FilmHeat {
@@ -312,6 +340,7 @@ impl<'a> Rounds<'a> {
             fluid: &system.fluid,
             heat: self.heat,
             heights: &self.heights,
+            stored: self.in_time.as_ref().map(|in_time| &in_time.temperature),
         }
     }
 
@@ -320,7 +349,9 @@ impl<'a> Rounds<'a> {
         let at = system.linearise(state);
         let films: Vec<f64> = at.nodes.iter().map(|node| node.film).collect();
         let lacking = lacking(&system.fluid, &films, &at.contents);
+        let rate = self.pressure_rate(state);
         let now = Films {
+            pressure_rate: &rate,
             pressure: &state.pressure,
             film: &films,
             missing: &lacking,

@@ -203,10 +203,11 @@ pub fn solve<'a>(
             missing: &lacking(of.fluid, &films, &at.contents),
             temperature,
             held: &[],
+            pressure_rate: &[],
         },
     );
-    let transport = Transport::new(grid, of.heights, &columns, &at.faces, temperature);
-    let residual = Flow::new(grid, of.heights, &columns, &at.faces).residual(temperature);
+    let transport = Transport::new(&of, &columns, &at.faces, temperature);
+    let residual = Flow::new(&of, &columns, &at.faces).residual(temperature);
     let mut heated = own.temperatures.clone();
     note_flux(&residual, transport.unknown(), of.nodes(), &mut heated);
     let ratio = grid.spacing[1] / grid.spacing[0];
@@ -335,9 +336,10 @@ impl Coupled<'_, '_> {
             missing: &lacking(of.fluid, &films, &at.contents),
             temperature: &temperatures.film.clone(),
             held: &[],
+            pressure_rate: &[],
         };
         let columns = (self.columns).beside(&of, &moved, &own.temperatures.film, &self.near);
-        let flow = Flow::new(&system.grid, of.heights, &columns, &at.faces);
+        let flow = Flow::new(&of, &columns, &at.faces);
         let residual = flow.residual(&temperatures.film);
         note_flux(
             &residual,

@@ -86,21 +86,42 @@ impl Bodies {
         }
     }
 
+    /// Below a grid at an instant, by how both surfaces heat by what flows in then, and their temperatures without it.
+    pub fn at_instant(
+        grid: &Grid,
+        heat: &Heat,
+        depth: f64,
+        spreading: [Spreading; 2],
+        outer: [Vec<f64>; 2],
+    ) -> Bodies {
+        Bodies {
+            own: [0, 1].map(|b: usize| moving_body(heat, b, grid, depth)),
+            spreading: spreading.map(Arc::new),
+            cell: grid.spacing.map(|h| h * heat.length),
+            outer,
+            depth,
+        }
+    }
+
     /// Rise of the surface of a body by heat at the nodes, K.
     pub fn rise(&self, grid: &Grid, body: usize, flux: &[f64]) -> Vec<f64> {
-        // What a node stands for ends at the edge of the grid.
-        let mut flux = flux.to_vec();
-        let [nx, ny] = grid.n;
-        for row in flux.chunks_exact_mut(nx) {
-            row[0] *= 0.5;
-            row[nx - 1] *= 0.5;
-        }
-        flux[..nx].iter_mut().for_each(|q| *q *= 0.5);
-        if !grid.half {
-            flux[(ny - 1) * nx..].iter_mut().for_each(|q| *q *= 0.5);
-        }
-        self.spreading[body].apply(&flux)
+        self.spreading[body].apply(&within_edges(grid, flux))
     }
+}
+
+/// Heat at the nodes, W/m², where what a node stands for ends at the edge of the grid.
+pub fn within_edges(grid: &Grid, flux: &[f64]) -> Vec<f64> {
+    let mut flux = flux.to_vec();
+    let [nx, ny] = grid.n;
+    for row in flux.chunks_exact_mut(nx) {
+        row[0] *= 0.5;
+        row[nx - 1] *= 0.5;
+    }
+    flux[..nx].iter_mut().for_each(|q| *q *= 0.5);
+    if !grid.half {
+        flux[(ny - 1) * nx..].iter_mut().for_each(|q| *q *= 0.5);
+    }
+    flux
 }
 
 /// Largest change of a temperature in a step, and how far one may fall below the coldest that comes in, K, as by the finite elements.
@@ -148,7 +169,7 @@ pub fn step(
     if !info.is_finite {
         return (columns, info);
     }
-    let transport = Transport::new(grid, of.heights, &columns, faces, &temperatures.film);
+    let transport = Transport::new(of, &columns, faces, &temperatures.film);
     note_flux(transport.residual(), transport.unknown(), f, temperatures);
     let missing = missing(grid, bodies, f, temperatures);
     let rows: Vec<f64> = transport.residual().iter().map(|r| -r).collect();
@@ -305,7 +326,7 @@ pub fn account(
     temperatures: &mut Temperatures,
 ) -> Account {
     let columns = Columns::new(of, films);
-    let transport = Transport::new(of.grid, of.heights, &columns, faces, &temperatures.film);
+    let transport = Transport::new(of, &columns, faces, &temperatures.film);
     note_flux(
         transport.residual(),
         transport.unknown(),

@@ -107,6 +107,7 @@ impl Channel {
             fluid: &self.system.fluid,
             heat: &self.heat,
             heights: &self.heights,
+            stored: None,
         }
     }
 
@@ -117,6 +118,7 @@ impl Channel {
             missing: &[],
             temperature,
             held: &[],
+            pressure_rate: &[],
         }
     }
 

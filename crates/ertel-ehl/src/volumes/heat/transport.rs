@@ -1,20 +1,21 @@
 //! What flows from node to node, and the temperatures that follow from those of the walls.
 //!
 //! ```text
-//!   C = c Σ_f m_f (T_f − T_P) + c ω ∂T/∂s,   T_f = T_u + ½(T_u − T_uu)       second-order upwind at each height (Warming and Beam 1976)
+//!   C = c [H ρ̄ ∂T/∂t + Σ_f m_f (T_f − T_P) + ω ∂T/∂s],   T_f = T_u + ½(T_u − T_uu)       second-order upwind at each height (Warming and Beam 1976)
 //!   ω(s) = −Σ_f ∫_{−½}^s m_f ds' + (s + ½) Σ_f ∫ m_f ds                        mass flow across the film
 //! ```
-//! m_f is the mean of both nodes, scaled to the mass flow F that the film equation has for the face: what flows in at a height, flows out or to other heights, and
+//! The first term of C is there in time alone. m_f is the mean of both nodes, scaled to the mass flow F that the film equation has for the face: what flows in at a height, flows out or to other heights, and
 //! heat is kept as mass is.
 
 use rayon::prelude::*;
 
-use super::columns::Columns;
+use super::columns::{Columns, FilmHeat};
 use crate::film::MOST_NODES;
 use crate::forms::energy::Heights;
 use crate::volumes::contents::sides;
 use crate::volumes::faces::Face;
 use crate::volumes::grid::Grid;
+use crate::volumes::system::Storage;
 
 /// Mass that flows through the film of a grid, and the heat that it carries.
 pub struct Flow<'a> {
@@ -23,6 +24,8 @@ pub struct Flow<'a> {
     columns: &'a Columns,
     /// m through the faces behind each node along both directions, height by height.
     through: [Vec<f64>; 2],
+    /// How temperatures change in time, where they do.
+    stored: Option<&'a Storage>,
 }
 
 /// The equations of a grid at some temperatures.
@@ -117,16 +120,13 @@ const BATCH: usize = 256;
 
 impl<'a> Flow<'a> {
     /// With the mass flow of the film equation through the faces.
-    pub fn new(
-        grid: &'a Grid,
-        heights: &'a Heights,
-        columns: &'a Columns,
-        faces: &[Vec<Face>; 2],
-    ) -> Flow<'a> {
+    pub fn new(of: &FilmHeat<'a>, columns: &'a Columns, faces: &[Vec<Face>; 2]) -> Flow<'a> {
+        let (grid, heights) = (of.grid, of.heights);
         Flow {
             grid,
             heights,
             columns,
+            stored: of.stored,
             through: [0, 1].map(|d| through(grid, heights, columns, &faces[d], d)),
         }
     }
@@ -234,6 +234,16 @@ impl<'a> Flow<'a> {
             let slope: f64 = own.iter().zip(first).map(|(t, s)| t * s).sum();
             value[l] = from[l] + diagonal[l] * at_heights[k * h + l] + up[l] * slope;
         }
+        if let Some(stored) = self.stored {
+            let f = own.len();
+            let mut past = [0.0; MOST_NODES];
+            self.raise(&stored.past[k * f..][..f], &mut past[..h]);
+            for l in 0..h {
+                let content = self.columns.content[k * h + l];
+                diagonal[l] += content * stored.rate;
+                value[l] += content * (stored.rate * at_heights[k * h + l] + past[l]);
+            }
+        }
         Convection {
             diagonal,
             up,
@@ -267,16 +277,16 @@ impl<'a> Flow<'a> {
 impl<'a> Transport<'a> {
     /// With the mass flow of the film equation through the faces, at temperatures.
     pub fn new(
-        grid: &'a Grid,
-        heights: &'a Heights,
+        of: &FilmHeat<'a>,
         columns: &'a Columns,
         faces: &[Vec<Face>; 2],
         temperature: &[f64],
     ) -> Transport<'a> {
+        let grid = of.grid;
         let [f, _] = columns.n;
         let n = grid.n_nodes();
         let inner = f - 2;
-        let flow = Flow::new(grid, heights, columns, faces);
+        let flow = Flow::new(of, columns, faces);
         let mut slopes = columns.slopes.clone();
         let mut factors = vec![0.0; n * inner * inner];
         let mut pivots = vec![0; n * inner];

@@ -1,0 +1,313 @@
+//! Heat of the grids in time: temperatures of the film by what they were, surfaces by what both bodies remember of the heat that has flown in.
+//!
+//! ```text
+//!   T_w at the end of a step = T_bulk + T by what is remembered + K_Δ * q,      K_Δ the response to what flows in during the step
+//! ```
+//! What flows into the bodies beside the next grid is remembered apart: that grid has its surface temperatures given by it.
+
+use std::collections::VecDeque;
+
+use serde::{Deserialize, Serialize};
+
+use super::conditions::Conditions;
+use super::scheme::{MEMORY, Weights, extrapolation};
+use crate::engine::Problem;
+use crate::forms::energy::Heat;
+use crate::volumes::Plan;
+use crate::volumes::grid::Grid;
+use crate::volumes::heat::memory::{Below, Carried, Memory, Over};
+use crate::volumes::heat::rounds::{InTime, Rounds};
+use crate::volumes::heat::spreading::Spreading;
+use crate::volumes::heat::temperatures::{
+    Bodies, Temperatures, moving_body, unheated, within_edges,
+};
+use crate::volumes::heat::{Params, Warm};
+use crate::volumes::level::{Level, Sampled, within};
+use crate::volumes::system::Storage;
+
+/// A grid's heat at the newest instants.
+pub(super) struct GridHeat {
+    /// Temperatures at the nodes of the film, the newest first.
+    films: VecDeque<Vec<f64>>,
+    /// Heat into both bodies at the newest instant, W/m².
+    flux: [Vec<f64>; 2],
+    /// Pressures, the newest first.
+    pressures: VecDeque<Vec<f64>>,
+    /// Both bodies.
+    below: [Below; 2],
+    /// What they remember.
+    own: [Memory; 2],
+    /// What they remember of what flows in beside the next grid; none below the finest.
+    beside: Option<[Memory; 2]>,
+}
+
+/// The same for a checkpoint.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub(super) struct HeatMemory {
+    films: Vec<Vec<f64>>,
+    flux: [Vec<f64>; 2],
+    pressures: Vec<Vec<f64>>,
+    own: [Memory; 2],
+    beside: Option<[Memory; 2]>,
+}
+
+/// A step, as the bodies see it.
+#[derive(Clone, Copy)]
+pub(super) struct Passage {
+    /// Its length, s.
+    seconds: f64,
+    /// Mean velocities of both bodies along the motion, m/s.
+    velocities: [f64; 2],
+}
+
+impl Passage {
+    /// Of a step in T, in which the bodies move by a way, half-widths.
+    pub fn new(heat: &Heat, step: f64, way: [f64; 2]) -> Passage {
+        Passage {
+            seconds: step * heat.length / heat.entrainment_speed,
+            velocities: way.map(|way| way / step * heat.entrainment_speed),
+        }
+    }
+
+    fn over<'a>(&self, grid: &Grid, below: &'a Below, b: usize) -> Over<'a> {
+        let velocity = grid.turn.to_axes([self.velocities[b], 0.0]);
+        Over::new(below, self.seconds, velocity)
+    }
+}
+
+/// A grid's heat at the end of a step.
+pub(super) struct HeatTrial {
+    warm: Warm,
+    pressure: Vec<f64>,
+    own: [Memory; 2],
+    beside: Option<[Memory; 2]>,
+    /// Temperatures of both surfaces that the next grid has given.
+    given: [Vec<f64>; 2],
+}
+
+/// A step's start on a grid.
+pub(super) struct Begun<'a> {
+    overs: [Over<'a>; 2],
+    carried: [Carried; 2],
+    /// Both surfaces without what flows in on this grid, now or before.
+    given: [Vec<f64>; 2],
+}
+
+/// The largest speed of a body.
+fn fastest(conditions: &Conditions, heat: &Heat) -> f64 {
+    conditions.fastest() * heat.entrainment_speed
+}
+
+impl GridHeat {
+    /// Of a grid at the start.
+    pub fn new(level: &Level, heat: &Heat, params: &Params, conditions: &Conditions) -> GridHeat {
+        let grid = &level.system.grid;
+        let f = level.system.fluid.nodes().map_or(2, |nodes| nodes.n());
+        let speed = fastest(conditions, heat);
+        let below = [0, 1].map(|b: usize| {
+            let body = moving_body(heat, b, grid, params.depth);
+            Below::new(grid, body, heat.length, speed)
+        });
+        let n = grid.n_nodes();
+        let (temperatures, own, beside) = match &level.warm {
+            Some(warm) => {
+                let flux = &warm.temperatures.flux;
+                let own = [0, 1].map(|b: usize| below[b].settled(&within_edges(grid, &flux[b])));
+                let beside = level.patch.map(|patch| {
+                    [0, 1].map(|b: usize| {
+                        below[b].settled(&within_edges(grid, &beside(grid, patch, &flux[b])))
+                    })
+                });
+                (warm.temperatures.clone(), own, beside)
+            }
+            None => {
+                let cold = || [0, 1].map(|b: usize| below[b].cold(n));
+                (unheated(grid, heat, f), cold(), level.patch.map(|_| cold()))
+            }
+        };
+        GridHeat {
+            films: VecDeque::from([temperatures.film]),
+            flux: temperatures.flux,
+            pressures: VecDeque::from([level.state.pressure.clone()]),
+            below,
+            own,
+            beside,
+        }
+    }
+
+    /// How film and pressure change in a step.
+    pub fn in_time(&self, weights: &Weights) -> InTime {
+        InTime {
+            temperature: Storage {
+                rate: weights.rate(),
+                past: weights.past(self.films.iter()),
+            },
+            pressure: Storage {
+                rate: weights.rate(),
+                past: weights.past(self.pressures.iter()),
+            },
+        }
+    }
+
+    /// Begins a step on a grid that ends at the first of some instants, inside one whose heat is known at its end.
+    pub fn begin(
+        &self,
+        rounds: &Rounds,
+        grid: &Grid,
+        (passage, times): (&Passage, &[f64]),
+        coarser: Option<(&Level, &HeatTrial)>,
+    ) -> (Begun<'_>, (Bodies, Temperatures)) {
+        let heat = rounds.heat;
+        let overs = [0, 1].map(|b: usize| passage.over(grid, &self.below[b], b));
+        let carried = [0, 1].map(|b: usize| overs[b].carried(&self.own[b]));
+        let sampled = coarser.map(|(level, trial)| (Sampled::new(&level.system.grid, grid), trial));
+        let given = [0, 1].map(|b: usize| match &sampled {
+            None => vec![heat.bodies[b].bulk_temperature; grid.n_nodes()],
+            Some((sampled, trial)) => (grid.nodes())
+                .map(|[i, j]| sampled.cubic(&trial.given[b], i, j))
+                .collect(),
+        });
+        let outer = [0, 1].map(|b: usize| {
+            let mut outer = overs[b].rise(&carried[b]);
+            (outer.iter_mut().zip(&given[b])).for_each(|(t, given)| *t += given);
+            outer
+        });
+        let spreading: [Spreading; 2] = [0, 1].map(|b: usize| overs[b].spreading());
+        let bodies = Bodies::at_instant(grid, heat, rounds.params.depth, spreading, outer);
+        let f = self.films[0].len() / grid.n_nodes();
+        let mut film = self.ahead(times);
+        if let Some((sampled, trial)) = &sampled {
+            let coarse = &trial.warm.temperatures.film;
+            for m in 0..f {
+                let layer: Vec<f64> = coarse.iter().skip(m).step_by(f).copied().collect();
+                for [i, j] in grid.nodes().filter(|[i, j]| !grid.is_unknown(*i, *j)) {
+                    film[grid.index(i, j) * f + m] = sampled.linear(&layer, i, j);
+                }
+            }
+        }
+        let flux = self.flux.clone();
+        let begun = Begun {
+            overs,
+            carried,
+            given,
+        };
+        (begun, (bodies, Temperatures { film, flux }))
+    }
+
+    /// Temperatures that those before go on to at the first of some instants, by a line: a parabola goes astray where pressures do.
+    fn ahead(&self, times: &[f64]) -> Vec<f64> {
+        let known = &times[1..times.len().min(3)];
+        match extrapolation(known, times[0])[..] {
+            [newest, second] => (self.films[0].iter().zip(&self.films[1]))
+                .map(|(a, b)| newest * a + second * b)
+                .collect(),
+            _ => self.films[0].clone(),
+        }
+    }
+
+    /// Ends a step with what has been found.
+    pub fn end(
+        &self,
+        level: &Level,
+        patch: Option<[[usize; 2]; 2]>,
+        (begun, warm): (Begun, Warm),
+    ) -> HeatTrial {
+        let grid = &level.system.grid;
+        let Begun {
+            overs,
+            carried: [first, second],
+            mut given,
+        } = begun;
+        let flux = &warm.temperatures.flux;
+        let remembered = |b: usize, carried: Carried, flux: &[f64]| {
+            overs[b].remembered(carried, &within_edges(grid, flux))
+        };
+        let own = [
+            remembered(0, first, &flux[0]),
+            remembered(1, second, &flux[1]),
+        ];
+        let beside = patch.zip(self.beside.as_ref()).map(|(patch, before)| {
+            [0, 1].map(|b: usize| {
+                let arriving = beside(grid, patch, &flux[b]);
+                let all = remembered(b, overs[b].carried(&before[b]), &arriving);
+                let rise = self.below[b].rise(&all);
+                (given[b].iter_mut().zip(rise)).for_each(|(t, rise)| *t += rise);
+                all
+            })
+        });
+        HeatTrial {
+            pressure: level.state.pressure.clone(),
+            own,
+            beside,
+            given,
+            warm,
+        }
+    }
+
+    /// Goes on to the end of a step.
+    pub fn accept(&mut self, trial: HeatTrial) -> Warm {
+        let Temperatures { film, flux } = &trial.warm.temperatures;
+        self.films.push_front(film.clone());
+        self.films.truncate(MEMORY);
+        self.flux.clone_from(flux);
+        self.pressures.push_front(trial.pressure);
+        self.pressures.truncate(MEMORY);
+        self.own = trial.own;
+        self.beside = trial.beside;
+        trial.warm
+    }
+
+    /// Forgets how temperatures and pressures changed until now; what the bodies hold stays.
+    pub fn forget(&mut self) {
+        self.films.truncate(1);
+        self.pressures.truncate(1);
+    }
+
+    /// What it remembers.
+    pub fn memory(&self) -> HeatMemory {
+        HeatMemory {
+            films: self.films.iter().cloned().collect(),
+            flux: self.flux.clone(),
+            pressures: self.pressures.iter().cloned().collect(),
+            own: self.own.clone(),
+            beside: self.beside.clone(),
+        }
+    }
+
+    /// Whether it could have remembered something at so many instants.
+    pub fn fits(&self, memory: &HeatMemory, instants: usize) -> bool {
+        let n = self.pressures[0].len();
+        let n_film = self.films[0].len();
+        let both = |memories: &[Memory; 2]| {
+            (memories.iter().zip(&self.below)).all(|(m, below)| m.fits(&below.modes, n))
+        };
+        memory.films.len() == instants
+            && memory.pressures.len() == instants
+            && memory.films.iter().all(|film| film.len() == n_film)
+            && (memory.flux.iter().chain(&memory.pressures)).all(|values| values.len() == n)
+            && both(&memory.own)
+            && memory.beside.is_some() == self.beside.is_some()
+            && memory.beside.iter().all(both)
+    }
+
+    /// Goes on from what another one remembered.
+    pub fn remember(&mut self, memory: &HeatMemory) {
+        self.films = memory.films.iter().cloned().collect();
+        self.flux = memory.flux.clone();
+        self.pressures = memory.pressures.iter().cloned().collect();
+        self.own = memory.own.clone();
+        self.beside = memory.beside.clone();
+    }
+}
+
+/// Heat of a grid that flows in beside the next one.
+fn beside(grid: &Grid, patch: [[usize; 2]; 2], flux: &[f64]) -> Vec<f64> {
+    (grid.nodes().zip(flux))
+        .map(|([i, j], q)| q * (1.0 - within(patch, grid.half, i, j)))
+        .collect()
+}
+
+/// What heat is solved with on the grids of a problem; `None` where it does not count.
+pub(super) fn rounds(problem: &Problem<Plan>) -> Option<Rounds<'_>> {
+    Rounds::new(problem, problem.plan.heat)
+}

@@ -1,0 +1,549 @@
+//! Heat that has flown into a moving body, and the temperature that its surface has by it later on.
+//!
+//! ```text
+//!   T = Σ_j w_j φ_j,   ∂φ_j/∂t + u·∇φ_j = χ(∇²φ_j − μ_j² φ_j) + q/ρc                along the surface
+//!   exact in a layer of depth D:  μ_n = (n + ½)π/D,  w_n = 2/D                      (Carslaw and Jaeger 1959, section 3.8)
+//!   many of them as one:  Σ_n 2/D g(μ_n) ≈ 2/π ∫ g(μ) dμ                            by Gauss's rule in ln μ
+//! ```
+//! These are the instantaneous sources of [`super::source`], θ(t)/√(πχt) = Σ_j w_j e^{−χμ_j²t}. A wave e^{ik·x} of q that goes from q_0 to q_1 in a step Δ makes
+//!
+//! ```text
+//!   φ̂_1 = e^{−zΔ} φ̂_0 + [(I_0 − I_1/Δ) q̂_1 + I_1/Δ q̂_0]/ρc,   z = χ(μ_j² + k²) + ik·u,   I_m = ∫_0^Δ t^m e^{−zt} dt
+//! ```
+//! without any error but that of q between both instants, for steps of any length. What has moved off the grid is gone. Layers so thin that they follow a cell
+//! which passes by at once have the steady response.
+//!
+//! Theory: Heat in time.
+
+use std::f64::consts::PI;
+
+use ertel_fem::quadrature::Quadrature;
+use rayon::prelude::*;
+use realfft::num_complex::Complex64;
+use serde::{Deserialize, Serialize};
+
+use super::padded::{Fading, NO_FADING, Padded};
+use super::source::MovingBody;
+use super::spreading::Spreading;
+use crate::volumes::grid::Grid;
+
+/// What the temperature below the surface is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Modes {
+    /// χμ², 1/s, and w, 1/m.
+    each: Vec<[f64; 2]>,
+    /// Σ w/(χμ²) of those that are not among them, s/m.
+    at_once: f64,
+}
+
+/// Modes that stand for themselves, and how far the next ones reach that stand for many, in ratios of μ.
+const EXACT: usize = 4;
+const RATIO: f64 = 4.0;
+
+/// Rate of the fastest mode over that at which a cell passes or heat spreads over it.
+const FASTEST: f64 = 10.0;
+
+/// e-folds by which the slowest mode has forgotten.
+const FORGOTTEN: f64 = 30.0;
+
+impl Modes {
+    /// Of a body below cells of a size, m, that moves at a speed at most, m/s.
+    pub fn new(body: &MovingBody, cell: [f64; 2], speed: f64) -> Modes {
+        let (chi, depth) = (body.diffusivity(), body.depth);
+        let smallest = cell[0].min(cell[1]);
+        let needed = FASTEST * (speed / smallest).max(chi / (smallest * smallest));
+        let mut each: Vec<[f64; 2]> = (0..EXACT)
+            .map(|n| {
+                let mu = (n as f64 + 0.5) * PI / depth;
+                [chi * mu * mu, 2.0 / depth]
+            })
+            .collect();
+        let rule = Quadrature::simplex(1, 5);
+        let mut low = EXACT as f64 * PI / depth;
+        while chi * low * low < needed {
+            for (x, weight) in rule.points.iter().zip(&rule.weights) {
+                let mu = low * RATIO.powf(x[0]);
+                each.push([chi * mu * mu, 2.0 / PI * mu * RATIO.ln() * weight]);
+            }
+            low *= RATIO;
+        }
+        Modes {
+            each,
+            at_once: 2.0 / (PI * chi * low),
+        }
+    }
+}
+
+/// What a body remembers at the nodes of a grid.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+pub struct Memory {
+    /// φ of each mode, K·m.
+    fields: Vec<Vec<f64>>,
+    /// Heat that flows in, W/m².
+    flux: Vec<f64>,
+}
+
+impl Memory {
+    /// Whether it is one of so many modes at so many nodes.
+    pub fn fits(&self, modes: &Modes, n_nodes: usize) -> bool {
+        self.fields.len() == modes.each.len()
+            && self
+                .fields
+                .iter()
+                .chain([&self.flux])
+                .all(|values| values.len() == n_nodes)
+    }
+}
+
+/// A body below a grid.
+#[derive(Clone)]
+pub struct Below {
+    /// It.
+    pub body: MovingBody,
+    /// What its temperature is made of.
+    pub modes: Modes,
+    /// Size of a cell, m.
+    pub cell: [f64; 2],
+    /// Transforms on the grid.
+    pub transforms: Padded,
+}
+
+impl Below {
+    /// Below a grid whose half-width is `length`, m; the body moves at a speed at most, m/s.
+    pub fn new(grid: &Grid, body: MovingBody, length: f64, speed: f64) -> Below {
+        let cell = grid.spacing.map(|h| h * length);
+        Below {
+            modes: Modes::new(&body, cell, speed),
+            transforms: Padded::new(grid),
+            body,
+            cell,
+        }
+    }
+
+    /// Of a body that has been like this for ever.
+    pub fn settled(&self, flux: &[f64]) -> Memory {
+        let over = Over::new(self, f64::INFINITY, self.body.velocity);
+        let arriving = self.transforms.spectrum(flux, NO_FADING);
+        let fields = (self.modes.each.iter())
+            .map(|[rate, _]| {
+                let spectrum = over.map(*rate, |at| at.cell * at.whole * arriving[at.k]);
+                self.transforms.values(spectrum)
+            })
+            .collect();
+        Memory {
+            fields,
+            flux: flux.to_vec(),
+        }
+    }
+
+    /// Of one that was never heated.
+    pub fn cold(&self, n_nodes: usize) -> Memory {
+        Memory {
+            fields: vec![vec![0.0; n_nodes]; self.modes.each.len()],
+            flux: vec![0.0; n_nodes],
+        }
+    }
+
+    /// Rise of the surface by what it remembers, K.
+    pub fn rise(&self, memory: &Memory) -> Vec<f64> {
+        let at_once = self.modes.at_once / self.body.capacity;
+        let mut rise: Vec<f64> = memory.flux.iter().map(|q| at_once * q).collect();
+        for (field, [_, weight]) in memory.fields.iter().zip(&self.modes.each) {
+            for (rise, value) in rise.iter_mut().zip(field) {
+                *rise += weight * value;
+            }
+        }
+        rise
+    }
+}
+
+/// A time over which a body moves at a mean velocity.
+pub struct Over<'a> {
+    below: &'a Below,
+    /// s.
+    duration: f64,
+    /// That after which what was on the grid has left it, or the step's, s.
+    counted: f64,
+    velocity: [f64; 2],
+    /// All waves.
+    waves: Vec<Along>,
+}
+
+/// A wave along the surface.
+struct Along {
+    /// χk² + ik·u, 1/s.
+    rate: Complex64,
+    /// e to the power of minus that times `counted`.
+    decay: Complex64,
+    /// Transform of a cell, over the heat capacity and the number of nodes, m³·K/J.
+    cell: f64,
+}
+
+/// A wave of a mode over a time.
+struct Wave {
+    k: usize,
+    /// Transform of a cell, over the heat capacity and the number of nodes, m³·K/J.
+    cell: f64,
+    /// e^{−zΔ} over the number of nodes; 0 where all has left.
+    decay: Complex64,
+    /// I_0, s.
+    whole: Complex64,
+    /// I_1/Δ, s.
+    before: Complex64,
+}
+
+/// Waves that a thread takes at a time.
+const LEAST: usize = 2048;
+
+/// Decay below which nothing is remembered.
+const NEGLIGIBLE: f64 = 40.0;
+
+impl<'a> Over<'a> {
+    /// A time in s and the mean velocity in it, m/s.
+    pub fn new(below: &'a Below, duration: f64, velocity: [f64; 2]) -> Over<'a> {
+        let covered = below.transforms.covered();
+        let leaves = (0..2)
+            .map(|d| covered[d] as f64 * below.cell[d] / velocity[d].abs())
+            .fold(FORGOTTEN / below.modes.each[0][0], f64::min);
+        let counted = duration.min(leaves);
+        let Below {
+            body,
+            cell,
+            transforms,
+            ..
+        } = below;
+        let [px, py] = transforms.padded();
+        let each = 1.0 / (px * py) as f64;
+        let of_wave = |k: usize| {
+            let (turns, is_shortest) = transforms.wave(k);
+            let [kx, ky] = [0, 1].map(|d: usize| turns[d] / cell[d]);
+            // Of the wave of two nodes only what is real is seen.
+            let passing = |d: usize| match is_shortest[d] {
+                true => 0.0,
+                false => turns[d] / cell[d] * velocity[d],
+            };
+            let spread = body.diffusivity() * (kx * kx + ky * ky);
+            let rate = Complex64::new(spread, passing(0) + passing(1));
+            Along {
+                rate,
+                decay: (-rate * counted).exp(),
+                cell: each * sinc(0.5 * turns[0]) * sinc(0.5 * turns[1]) / body.capacity,
+            }
+        };
+        Over {
+            duration,
+            counted,
+            velocity,
+            waves: (0..transforms.len())
+                .into_par_iter()
+                .with_min_len(LEAST)
+                .map(of_wave)
+                .collect(),
+            below,
+        }
+    }
+
+    /// Something of each wave of a mode, in the order of a spectrum.
+    fn map(&self, rate: f64, of: impl Fn(&Wave) -> Complex64 + Sync) -> Vec<Complex64> {
+        let [px, py] = self.below.transforms.padded();
+        let each = 1.0 / (px * py) as f64;
+        let t = self.counted;
+        let forgotten = (-rate * t).exp();
+        let is_left = self.duration <= t;
+        (self.waves.par_iter().enumerate())
+            .with_min_len(LEAST)
+            .map(|(k, along)| {
+                let (z, e) = (along.rate + rate, along.decay * forgotten);
+                let [whole, first] = integrals(z, e, t);
+                of(&Wave {
+                    k,
+                    cell: along.cell,
+                    decay: if is_left {
+                        each * e
+                    } else {
+                        Complex64::default()
+                    },
+                    whole,
+                    before: first / self.duration,
+                })
+            })
+            .collect()
+    }
+
+    /// By how many nodes what a body remembers goes on beyond the grid for nothing to come in again at the other side.
+    fn fading(&self) -> Fading {
+        let Below {
+            cell, transforms, ..
+        } = self.below;
+        let (covered, padded) = (transforms.covered(), transforms.padded());
+        [0, 1].map(|d: usize| {
+            let moved = (self.velocity[d].abs() * self.counted / cell[d]).ceil() as usize;
+            (padded[d] - covered[d]).saturating_sub(moved) / 2
+        })
+    }
+
+    /// How a surface heats by what flows in at the end of the time, if it grows from nothing to it.
+    pub fn spreading(&self) -> Spreading {
+        let Below {
+            body,
+            modes,
+            transforms,
+            ..
+        } = self.below;
+        let at_once = modes.at_once / body.capacity;
+        let mut symbol = vec![Complex64::default(); transforms.len()];
+        let [px, py] = transforms.padded();
+        for [rate, weight] in &modes.each {
+            let own = self.map(*rate, |at| weight * at.cell * (at.whole - at.before));
+            for (sum, own) in symbol.iter_mut().zip(own) {
+                *sum += own;
+            }
+        }
+        for value in &mut symbol {
+            *value += at_once / (px * py) as f64;
+        }
+        Spreading::of_symbol(transforms.clone(), symbol)
+    }
+
+    /// What is left of what a body remembered.
+    pub fn carried(&self, memory: &Memory) -> Carried {
+        let Below {
+            modes, transforms, ..
+        } = self.below;
+        let before = transforms.spectrum(&memory.flux, NO_FADING);
+        let fading = self.fading();
+        let spectra = (modes.each.iter().zip(&memory.fields))
+            .map(|([rate, _], field)| {
+                let is_left = self.duration <= self.counted && rate * self.duration < NEGLIGIBLE;
+                let own = is_left.then(|| transforms.spectrum(field, fading));
+                self.map(*rate, |at| {
+                    let new = at.cell * at.before * before[at.k];
+                    own.as_ref().map_or(new, |own| new + at.decay * own[at.k])
+                })
+            })
+            .collect();
+        Carried { spectra }
+    }
+
+    /// Rise of the surface by it, K.
+    pub fn rise(&self, carried: &Carried) -> Vec<f64> {
+        let Below {
+            modes, transforms, ..
+        } = self.below;
+        let mut sum = vec![Complex64::default(); transforms.len()];
+        for (spectrum, [_, weight]) in carried.spectra.iter().zip(&modes.each) {
+            for (sum, value) in sum.iter_mut().zip(spectrum) {
+                *sum += *weight * *value;
+            }
+        }
+        transforms.values(sum)
+    }
+
+    /// What the body remembers at the end, with the heat that flows in then.
+    pub fn remembered(&self, carried: Carried, flux: &[f64]) -> Memory {
+        let Below {
+            modes, transforms, ..
+        } = self.below;
+        let arriving = transforms.spectrum(flux, NO_FADING);
+        let fields = (modes.each.iter().zip(carried.spectra))
+            .map(|([rate, _], carried)| {
+                let spectrum = self.map(*rate, |at| {
+                    carried[at.k] + at.cell * (at.whole - at.before) * arriving[at.k]
+                });
+                transforms.values(spectrum)
+            })
+            .collect();
+        Memory {
+            fields,
+            flux: flux.to_vec(),
+        }
+    }
+}
+
+/// What is left of a memory at the end of a time, wave by wave.
+pub struct Carried {
+    spectra: Vec<Vec<Complex64>>,
+}
+
+/// |zt| below which I_m are power series.
+const SMALL: f64 = 0.05;
+
+/// I_0 and I_1 over a time with e^{−zt}.
+fn integrals(z: Complex64, e: Complex64, t: f64) -> [Complex64; 2] {
+    let x = z * t;
+    if x.norm_sqr() < SMALL * SMALL {
+        let series = |c: [f64; 5]| {
+            (c.iter().rev()).fold(Complex64::default(), |sum, c| {
+                sum * (-x) + Complex64::from(*c)
+            })
+        };
+        return [
+            t * series([1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0, 1.0 / 120.0]),
+            t * t * series([1.0 / 2.0, 1.0 / 3.0, 1.0 / 8.0, 1.0 / 30.0, 1.0 / 144.0]),
+        ];
+    }
+    let one = Complex64::from(1.0);
+    [(one - e) / z, (one - e * (one + x)) / (z * z)]
+}
+
+/// sin x/x.
+fn sinc(x: f64) -> f64 {
+    if x.abs() < 1e-4 { 1.0 } else { x.sin() / x }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{HertzZone, Turn};
+    use approx::assert_relative_eq;
+
+    /// Half-width, m, and cells of it.
+    const A: f64 = 1e-4;
+    const CELL: f64 = 0.0625;
+
+    fn grid(half: bool) -> Grid {
+        let zone = HertzZone {
+            axis_ratio: 1.0,
+            turn: Turn::NONE,
+            roller: None,
+        };
+        Grid::covering([[-2.0, 2.0], [-2.0, 2.0]], CELL, half, &zone)
+    }
+
+    /// Steel to a depth of 3.15 half-widths that moves by so many half-widths while heat spreads over one: u a/χ.
+    fn below(grid: &Grid, peclet: [f64; 2]) -> Below {
+        let mut body = MovingBody {
+            conductivity: 46.0,
+            capacity: 7850.0 * 470.0,
+            velocity: [0.0; 2],
+            depth: 3.15 * A,
+        };
+        let unit = body.diffusivity() / A;
+        body.velocity = peclet.map(|p| p * unit);
+        let speed = body.velocity.iter().fold(0.0_f64, |m, u| m.max(u.abs()));
+        Below::new(grid, body, A, speed)
+    }
+
+    /// Heat q e^{−r²/s²} with s half a half-width.
+    const WIDTH: f64 = 0.5 * A;
+    const HEAT: f64 = 1e7;
+
+    fn bell(grid: &Grid) -> Vec<f64> {
+        let heat = grid.nodes().map(|[i, j]| {
+            let [x, y] = grid.place(i, j).map(|x| x * A / WIDTH);
+            HEAT * (-x * x - y * y).exp()
+        });
+        heat.collect()
+    }
+
+    fn largest(values: &[f64]) -> f64 {
+        values.iter().fold(0.0, |m, v| m.max(v.abs()))
+    }
+
+    /// A body that has been heated for ever has the steady rise, which is found as a sum over time; and so has one that is heated so for long. Bodies that
+    /// move along and across, fast and slowly, or not at all: what spreads far beyond this small grid comes in again at the other side, by 1 % at most.
+    #[test]
+    fn for_ever_is_steady() {
+        for (peclet, half, most) in [
+            ([0.0, 0.0], false, 0.015),
+            ([2.0, 0.0], true, 0.015),
+            ([100.0, 0.0], true, 0.003),
+            ([-100.0, 0.0], true, 0.003),
+            ([20.0, 30.0], false, 0.003),
+        ] {
+            let grid = grid(half);
+            let below = below(&grid, peclet);
+            let heat = bell(&grid);
+            let steady = Spreading::new(&grid, &below.body, A).apply(&heat);
+            let differs = |own: &[f64]| {
+                let errors: Vec<f64> = own.iter().zip(&steady).map(|(a, b)| a - b).collect();
+                largest(&errors) / largest(&steady)
+            };
+            let own = below.rise(&below.settled(&heat));
+            assert!(differs(&own) < most, "{peclet:?}: {}", differs(&own));
+            // A step of two minutes after rest without heat.
+            let over = Over::new(&below, 120.0, below.body.velocity);
+            let carried = over.carried(&below.cold(grid.n_nodes()));
+            let after = below.rise(&over.remembered(carried, &heat));
+            assert!(differs(&after) < most, "{peclet:?}: {}", differs(&after));
+        }
+    }
+
+    /// Heat from some time on, while the body moves: T = q/ρc ∫_0^t s²/(s² + 4χτ) e^{−(x − uτ)²/(s² + 4χτ)} dτ/√(πχτ), instantaneous sources that spread
+    /// (Carslaw and Jaeger 1959, section 10.2), summed here by itself. Steps of any lengths give it, and what a step finds for the response adds up to it.
+    #[test]
+    fn heat_from_some_time_on() {
+        let grid = grid(false);
+        let heat = bell(&grid);
+        for peclet in [0.0, 40.0] {
+            let below = below(&grid, [peclet, 0.0]);
+            let (body, u) = (below.body, below.body.velocity[0]);
+            let chi = body.diffusivity();
+            // A half-width of way, or what heat spreads over.
+            let unit = if u > 0.0 { A / u } else { 0.2 * A * A / chi };
+            let exact = |x: f64, t: f64| {
+                let n = 20_000;
+                let step = t.sqrt() / f64::from(n);
+                let sum: f64 = (0..n)
+                    .map(|k| ((f64::from(k) + 0.5) * step).powi(2))
+                    .map(|time| {
+                        let wide = WIDTH * WIDTH + 4.0 * chi * time;
+                        WIDTH * WIDTH / wide * (-(x - u * time).powi(2) / wide).exp()
+                    })
+                    .sum();
+                2.0 * HEAT * step * sum / (body.capacity * (PI * chi).sqrt())
+            };
+            let mut memory = below.cold(grid.n_nodes());
+            memory.flux = heat.clone();
+            let mut time = 0.0;
+            for share in [0.05, 0.3, 0.01, 0.5] {
+                let over = Over::new(&below, share * unit, body.velocity);
+                let carried = over.carried(&memory);
+                let mut parts = over.rise(&carried);
+                let by_new = over.spreading().apply(&heat);
+                (parts.iter_mut().zip(by_new)).for_each(|(sum, t)| *sum += t);
+                memory = over.remembered(carried, &heat);
+                time += share * unit;
+                let rise = below.rise(&memory);
+                let [i, j] = grid.centre();
+                let size = exact(0.0, time);
+                for k in -6..=12 {
+                    let at = grid.index((i as i64 + k) as usize, j);
+                    let exact = exact(k as f64 * CELL * A, time);
+                    let error = (rise[at] - exact).abs() / size;
+                    assert!(error < 0.005, "{peclet} {share} {k}: {} {exact}", rise[at]);
+                    assert_relative_eq!(parts[at], rise[at], max_relative = 1e-6);
+                }
+            }
+        }
+    }
+
+    /// Without heat what has been put in moves on with the body, and after the whole grid has passed nothing is left, nor does anything come in again at the other side.
+    #[test]
+    fn heat_leaves_with_the_body() {
+        let grid = grid(true);
+        let below = below(&grid, [200.0, 0.0]);
+        let mut memory = below.settled(&bell(&grid));
+        let none = vec![0.0; grid.n_nodes()];
+        let start = largest(&below.rise(&memory));
+        let u = below.body.velocity[0];
+        let hottest = |memory: &Memory| {
+            let rise = below.rise(memory);
+            let all = grid.nodes().zip(rise);
+            let (at, rise) = all.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+            (grid.place(at[0], at[1])[0], rise)
+        };
+        let mut step = |share: f64| {
+            let over = Over::new(&below, share * A / u, [u, 0.0]);
+            memory = over.remembered(over.carried(&memory), &none);
+            hottest(&memory)
+        };
+        // The heat falls to nothing within the first step.
+        let (before, _) = step(0.01);
+        let (after, size) = step(0.5);
+        assert!((after - before - 0.5).abs() < 0.2, "{before} {after}");
+        assert!(size < 0.9 * start);
+        let (_, size) = step(3.4);
+        assert!(size < 0.01 * start, "{}", size / start);
+    }
+}

@@ -1,0 +1,228 @@
+//! Fourier transforms of what stands at the nodes of a grid, with room beside it: what goes round it ends there.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use rayon::prelude::*;
+use realfft::num_complex::Complex64;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use rustfft::Fft;
+
+use crate::volumes::grid::Grid;
+
+/// Transforms on a grid at least twice as long along both directions.
+#[derive(Clone)]
+pub struct Padded {
+    /// Nodes of the grid, and whether its last row is the centreline of a mirrored half.
+    n: [usize; 2],
+    half: bool,
+    /// Nodes with the room beside them.
+    padded: [usize; 2],
+    forward: Arc<dyn RealToComplex<f64>>,
+    backward: Arc<dyn ComplexToReal<f64>>,
+    along: [Arc<dyn Fft<f64>>; 2],
+}
+
+/// Rows and waves that a thread takes at a time.
+const ROWS: usize = 16;
+
+/// The next even length at least as large that transforms fast.
+fn smooth(least: usize) -> usize {
+    let is_smooth = |n: &usize| {
+        let mut n = *n;
+        for p in [2, 3, 5] {
+            while n.is_multiple_of(p) {
+                n /= p;
+            }
+        }
+        n == 1
+    };
+    2 * (least.div_ceil(2)..).find(is_smooth).unwrap_or(least)
+}
+
+/// By how many nodes values go on beyond the edges of the grid, falling to zero, along both directions; 0: they end there.
+pub type Fading = [usize; 2];
+
+/// Values end at the edges.
+pub const NO_FADING: Fading = [0, 0];
+
+impl Padded {
+    /// For a grid.
+    pub fn new(grid: &Grid) -> Padded {
+        let n = grid.n;
+        let rows = if grid.half { 2 * n[1] - 1 } else { n[1] };
+        let padded = [2 * n[0], 2 * rows].map(smooth);
+        let mut planner = RealFftPlanner::<f64>::new();
+        let forward = planner.plan_fft_forward(padded[0]);
+        let backward = planner.plan_fft_inverse(padded[0]);
+        let mut complex = rustfft::FftPlanner::<f64>::new();
+        let along = [
+            complex.plan_fft_forward(padded[1]),
+            complex.plan_fft_inverse(padded[1]),
+        ];
+        Padded {
+            n,
+            half: grid.half,
+            padded,
+            forward,
+            backward,
+            along,
+        }
+    }
+
+    /// Nodes along both directions, mirrored ones among them.
+    pub fn covered(&self) -> [usize; 2] {
+        let [nx, ny] = self.n;
+        [nx, if self.half { 2 * ny - 1 } else { ny }]
+    }
+
+    /// Nodes along both directions with the room beside them.
+    pub fn padded(&self) -> [usize; 2] {
+        self.padded
+    }
+
+    /// Waves along the rows.
+    pub fn waves(&self) -> usize {
+        self.padded[0] / 2 + 1
+    }
+
+    /// Numbers of a spectrum.
+    pub fn len(&self) -> usize {
+        self.waves() * self.padded[1]
+    }
+
+    /// Radians from node to node along both directions of the wave at each place of a spectrum, and whether a wave of two nodes is among them.
+    pub fn wave(&self, k: usize) -> ([f64; 2], [bool; 2]) {
+        let [px, py] = self.padded;
+        let (i, j) = (k / py, k % py);
+        let signed = if 2 * j > py {
+            j as f64 - py as f64
+        } else {
+            j as f64
+        };
+        (
+            [
+                2.0 * PI * i as f64 / px as f64,
+                2.0 * PI * signed / py as f64,
+            ],
+            [2 * i == px, 2 * j == py],
+        )
+    }
+
+    /// The transform of values at the nodes of the grid, a line of waves across for each wave along the rows.
+    pub fn spectrum(&self, values: &[f64], fading: Fading) -> Vec<Complex64> {
+        let ([nx, ny], [px, py], waves) = (self.n, self.padded, self.waves());
+        let ramps = fading.map(ramp);
+        let mut rows = vec![Complex64::default(); ny * waves];
+        (rows.par_chunks_exact_mut(waves))
+            .zip(values.par_chunks_exact(nx))
+            .with_min_len(ROWS)
+            .for_each_init(
+                || {
+                    (
+                        self.forward.make_input_vec(),
+                        self.forward.make_scratch_vec(),
+                    )
+                },
+                |(row, scratch), (spectrum, values)| {
+                    row[..nx].copy_from_slice(values);
+                    row[nx..].fill(0.0);
+                    for (m, share) in ramps[0].iter().enumerate() {
+                        row[nx + m] = share * values[nx - 1];
+                        row[px - 1 - m] = share * values[0];
+                    }
+                    (self.forward)
+                        .process_with_scratch(row, spectrum, scratch)
+                        .expect("lengths agree");
+                },
+            );
+        let mut lines = vec![Complex64::default(); waves * py];
+        let [_, covered] = self.covered();
+        (lines.par_chunks_exact_mut(py))
+            .enumerate()
+            .with_min_len(ROWS)
+            .for_each(|(k, line)| {
+                for j in 0..ny {
+                    line[j] = rows[j * waves + k];
+                }
+                if self.half {
+                    for j in 1..ny {
+                        line[ny - 1 + j] = line[ny - 1 - j];
+                    }
+                }
+                for (m, share) in ramps[1].iter().enumerate() {
+                    line[covered + m] = line[covered - 1] * share;
+                    line[py - 1 - m] = line[0] * share;
+                }
+                self.along[0].process(line);
+            });
+        lines
+    }
+
+    /// Values at the nodes of the grid, times the number of nodes with the room beside them.
+    pub fn values(&self, mut lines: Vec<Complex64>) -> Vec<f64> {
+        let ([nx, ny], [_, py], waves) = (self.n, self.padded, self.waves());
+        (lines.par_chunks_exact_mut(py))
+            .with_min_len(ROWS)
+            .for_each(|line| self.along[1].process(line));
+        let mut values = vec![0.0; nx * ny];
+        (values.par_chunks_exact_mut(nx))
+            .enumerate()
+            .with_min_len(ROWS)
+            .for_each_init(
+                || {
+                    (
+                        self.backward.make_input_vec(),
+                        self.backward.make_output_vec(),
+                    )
+                },
+                |(spectrum, row), (j, values)| {
+                    for (k, value) in spectrum.iter_mut().enumerate() {
+                        *value = lines[k * py + j];
+                    }
+                    // Of real numbers; all but rounding.
+                    spectrum[0].im = 0.0;
+                    spectrum[waves - 1].im = 0.0;
+                    self.backward.process(spectrum, row).expect("lengths agree");
+                    values.copy_from_slice(&row[..nx]);
+                },
+            );
+        values
+    }
+
+    /// The transform of a response at the offsets between nodes, row by row, over the number of nodes with the room beside them.
+    pub fn of_response(&self, response: &[f64]) -> Vec<Complex64> {
+        let [px, py] = self.padded;
+        let reach = self.covered().map(|n| n - 1);
+        let width = 2 * reach[0] + 1;
+        let mut symbol = vec![Complex64::default(); self.len()];
+        let (mut row, mut out) = (
+            self.forward.make_input_vec(),
+            self.forward.make_output_vec(),
+        );
+        for j in 0..2 * reach[1] + 1 {
+            row.fill(0.0);
+            for i in 0..width {
+                row[(i + px - reach[0]) % px] = response[j * width + i];
+            }
+            self.forward
+                .process(&mut row, &mut out)
+                .expect("lengths agree");
+            for (k, value) in out.iter().enumerate() {
+                symbol[k * py + (j + py - reach[1]) % py] = *value / (px * py) as f64;
+            }
+        }
+        symbol
+            .par_chunks_exact_mut(py)
+            .with_min_len(ROWS)
+            .for_each(|line| self.along[0].process(line));
+        symbol
+    }
+}
+
+/// Shares of a value at nodes beyond an edge, from one to zero with a level slope at both ends.
+fn ramp(n: usize) -> Vec<f64> {
+    (1..=n)
+        .map(|m| 0.5 + 0.5 * (PI * m as f64 / (n + 1) as f64).cos())
+        .collect()
+}
