@@ -39,7 +39,12 @@ pub(super) struct GridHeat {
     own: [Memory; 2],
     /// What they remember of what flows in beside the next grid; none below the finest.
     beside: Option<[Memory; 2]>,
+    /// Ratio by which changes have shrunk from round to round of film and heat, 0 where it is not known.
+    contraction: f64,
 }
+
+/// Least ratio of changes that is believed of rounds to come.
+const LEAST_CONTRACTION: f64 = 0.1;
 
 /// The same for a checkpoint.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -49,6 +54,7 @@ pub(super) struct HeatMemory {
     pressures: Vec<Vec<f64>>,
     own: [Memory; 2],
     beside: Option<[Memory; 2]>,
+    contraction: f64,
 }
 
 /// A step, as the bodies see it.
@@ -132,6 +138,7 @@ impl GridHeat {
             below,
             own,
             beside,
+            contraction: (level.warm.as_ref()).map_or(0.0, |warm| shrinks(warm, 0.0)),
         }
     }
 
@@ -146,6 +153,7 @@ impl GridHeat {
                 rate: weights.rate(),
                 past: weights.past(self.pressures.iter()),
             },
+            contraction: self.contraction,
         }
     }
 
@@ -254,6 +262,7 @@ impl GridHeat {
         self.pressures.truncate(MEMORY);
         self.own = trial.own;
         self.beside = trial.beside;
+        self.contraction = shrinks(&trial.warm, self.contraction);
         trial.warm
     }
 
@@ -271,6 +280,7 @@ impl GridHeat {
             pressures: self.pressures.iter().cloned().collect(),
             own: self.own.clone(),
             beside: self.beside.clone(),
+            contraction: self.contraction,
         }
     }
 
@@ -297,6 +307,15 @@ impl GridHeat {
         self.pressures = memory.pressures.iter().cloned().collect();
         self.own = memory.own.clone();
         self.beside = memory.beside.clone();
+        self.contraction = memory.contraction;
+    }
+}
+
+/// The ratio by which changes shrank; of a single round that from before.
+fn shrinks(warm: &Warm, before: f64) -> f64 {
+    match warm.effort.rounds > 1 {
+        true => warm.effort.contraction.max(LEAST_CONTRACTION),
+        false => before,
     }
 }
 

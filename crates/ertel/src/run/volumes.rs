@@ -152,6 +152,7 @@ pub(super) fn plan(case: &Case) -> Plan {
                 depth: thermal.depth,
                 tolerance: thermal.tolerance,
                 max_rounds: thermal.max_iterations,
+                ..Params::default()
             },
             ..plan
         },

@@ -110,6 +110,8 @@ pub struct InTime {
     pub temperature: Storage,
     /// Of P.
     pub pressure: Storage,
+    /// Ratio by which changes have shrunk from round to round before.
+    pub contraction: f64,
 }
 
 impl InTime {
@@ -256,7 +258,12 @@ impl<'a> Rounds<'a> {
             } else {
                 effort.contraction = (change / first).powf(1.0 / (round - 1) as f64);
             }
-            let ratio = (round > 1).then_some(change / previous);
+            // Of a first round in time by what was seen at instants before.
+            let known = self.in_time.as_ref().map(|in_time| in_time.contraction);
+            let ratio = match round {
+                1 => known.filter(|ratio| *ratio > 0.0),
+                _ => Some(change / previous),
+            };
             hold |= ratio.is_some_and(|ratio| ratio > SLOW);
             let settled = ratio.is_some_and(|ratio| has_settled(change, share, ratio, tolerance));
             // The grids before the first whose figures are told are a start alone.

@@ -12,10 +12,11 @@ use crate::contact::{HertzZone, Motion, Turn};
 use crate::film::cross_film::CrossFilm;
 use crate::film::{FilmFluid, FilmNodes, MOST_NODES};
 use crate::forms::energy::{BodyHeat, Heat, Heights};
+use crate::transient::scheme::Weights;
 use crate::volumes::contents::Arrival;
 use crate::volumes::convolution::Convolution;
 use crate::volumes::grid::{Grid, RING};
-use crate::volumes::system::{Balance, Linearised, State, System};
+use crate::volumes::system::{Balance, Linearised, State, Storage, System};
 use crate::volumes::tests::problem;
 
 const AMBIENT: f64 = 313.15;
@@ -101,13 +102,13 @@ impl Channel {
         }
     }
 
-    fn of(&self) -> FilmHeat<'_> {
+    fn of<'a>(&'a self, stored: Option<&'a Storage>) -> FilmHeat<'a> {
         FilmHeat {
             grid: &self.system.grid,
             fluid: &self.system.fluid,
             heat: &self.heat,
             heights: &self.heights,
-            stored: None,
+            stored,
         }
     }
 
@@ -124,12 +125,17 @@ impl Channel {
 
     /// Temperatures after some steps from the given ones, which stand along the edges.
     fn solve(&self, own: &mut Temperatures) -> Linearised {
+        self.solve_at(None, own)
+    }
+
+    /// The same at an instant.
+    fn solve_at(&self, stored: Option<&Storage>, own: &mut Temperatures) -> Linearised {
         let bodies = Bodies::new(&self.system.grid, &self.heat, 3.15, None);
         let at = self.system.linearise(&self.state);
         for _ in 0..12 {
             let temperature = own.film.clone();
             let now = self.films(&temperature);
-            let (_, info) = step(&self.of(), &bodies, &now, &at.faces, own);
+            let (_, info) = step(&self.of(stored), &bodies, &now, &at.faces, own);
             assert!(info.is_finite);
         }
         at
@@ -144,7 +150,7 @@ fn couette(speed: f64, viscosity: &ViscosityLaw) -> (f64, f64, f64) {
     let at = channel.solve(&mut own);
     let temperature = own.film.clone();
     let now = channel.films(&temperature);
-    let made = account(&channel.of(), &now, &at.faces, &mut own).made;
+    let made = account(&channel.of(None), &now, &at.faces, &mut own).made;
     let [i, j] = grid.centre();
     let k = grid.index(i, j);
     (
@@ -194,6 +200,56 @@ fn film_cools_along_the_flow() {
         let order = (before / after).log2();
         assert!((1.8..2.3).contains(&order), "{order}: {before} {after}");
     }
+}
+
+/// A film that is warm everywhere between cold walls, T = T_w + ΔT cos πs, cools as e^(−t/τ), τ = ρ c h²/(π² k): error at mid-film after 2τ in so many steps.
+fn cooling_in_time_error(steps: u32) -> f64 {
+    let speed = 1.0;
+    let motion = Motion::straight(speed, 0.0);
+    let length = problem(&motion, 0.01).scales.length;
+    // τ is the time in which the film passes a half-width.
+    let height =
+        std::f64::consts::PI * (CONDUCTIVITY * length / (DENSITY * HEAT_CAPACITY * speed)).sqrt();
+    let viscosity = ViscosityLaw::constant(VISCOSITY).unwrap();
+    let channel = Channel::new(height, &motion, &viscosity, 0.5, 0.125);
+    let grid = &channel.system.grid;
+    let heights = FilmNodes::new(8).points().to_vec();
+    let at = |time: f64| {
+        let column = heights
+            .iter()
+            .map(|s| AMBIENT + 20.0 * (std::f64::consts::PI * s).cos() * (-time).exp());
+        column.collect::<Vec<f64>>().repeat(grid.n_nodes())
+    };
+    let step = 2.0 / f64::from(steps);
+    // What was before the start is known.
+    let mut times: Vec<f64> = (0..3).map(|n| -step * f64::from(n)).collect();
+    let mut films: Vec<Vec<f64>> = times.iter().map(|t| at(*t)).collect();
+    for n in 1..=steps {
+        let time = step * f64::from(n);
+        times.insert(0, time);
+        let weights = Weights::new(&times);
+        let stored = Storage {
+            rate: weights.rate(),
+            past: weights.past(films.iter()),
+        };
+        // Along the edges it is given.
+        let mut own = unheated(grid, &channel.heat, NODES);
+        own.film = at(time);
+        channel.solve_at(Some(&stored), &mut own);
+        films.insert(0, own.film);
+    }
+    let [i, j] = grid.centre();
+    let k = NODES * grid.index(i, j) + NODES / 2;
+    (films[0][k] - at(2.0)[k]).abs() / 20.0
+}
+
+/// Storage in the film: the closed form, by the second order.
+#[test]
+fn film_cools_in_time() {
+    let [coarse, fine] = [8, 16].map(cooling_in_time_error);
+    let order = (coarse / fine).log2();
+    assert!(fine < 2e-3, "{coarse} {fine}");
+    assert!((1.7..2.5).contains(&order), "{order}: {coarse} {fine}");
 }
 
 /// A film of one viscosity heats up by the parabola of μU²/8k, and half of its heat goes into each body.
