@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::super::figure::{temperature, unit_of_size, with_bar};
+use super::super::figure::{peak_of, temperature, unit_of_size, with_bar};
 use super::super::lines::{Lines, Table};
 use super::super::pictures::film_unit;
 use super::AMPLITUDE_RATIO;
@@ -191,11 +191,11 @@ pub(super) fn at(time: f64, (factor, unit): (f64, &str)) -> String {
 
 /// A figure of a whole run in its unit.
 pub(in crate::output) fn over_time_text(figure: &TimeFigure, is_line: bool) -> String {
-    if !figure.resolved {
-        return "not resolved".to_owned();
-    }
     let value = figure.estimate.value;
     match figure.kind {
+        // Instants may have higher ones than their grids draw.
+        Kind::PeakPressure => peak_of(figure.estimate, figure.resolved),
+        _ if !figure.resolved => "not resolved".to_owned(),
         Kind::Temperature => temperature(figure.estimate, None),
         Kind::Power | Kind::Force => with_bar(figure.estimate, 1.0, figure.kind.unit(is_line)),
         kind => {
