@@ -286,7 +286,7 @@ fn mean(rows: &[At]) -> Option<Estimate> {
     let bars: Option<Vec<(f64, f64)>> = (rows.iter()).map(|at| Some((at.time, at.bar?))).collect();
     let error = bars.map(|bars| {
         let mut coarse: Vec<(f64, f64)> = values.iter().copied().step_by(2).collect();
-        if values.len() % 2 == 0 {
+        if values.len().is_multiple_of(2) {
             coarse.extend(values.last());
         }
         integral(&bars) + (integral(&coarse) - value).abs() / 3.0
@@ -310,7 +310,7 @@ fn without_bar(name: &str, found: &TransientSolution) -> Option<(f64, Option<f64
     match name {
         "amplitude_ratio_lowest" => ratios().min_by(|a, b| a.0.total_cmp(&b.0)),
         "amplitude_ratio_highest" => ratios().max_by(|a, b| a.0.total_cmp(&b.0)),
-        "amplitude_ratio_last" => ratios().last(),
+        "amplitude_ratio_last" => ratios().next_back(),
         "film_force_highest" => moves().and_then(|()| largest(|i| i.film_force)),
         "approach_highest" => moves().and_then(|()| largest(|i| i.approach)),
         "coefficient_of_restitution" => Some((found.restitution()?, None)),

@@ -92,7 +92,7 @@ fn waves_under_sliding_have_companions_at_the_speed_of_the_film() {
                 turn: Turn::NONE,
             }));
         }
-        let (fluid, scales) = (problem.fluid.clone(), problem.scales.clone());
+        let (fluid, scales) = (problem.fluid.clone(), problem.scales);
         let mut lines = Lines::default();
         march(problem, &conditions, &Params::default(), &mut lines).unwrap();
         (lines.0, fluid, scales)

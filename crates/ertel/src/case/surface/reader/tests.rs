@@ -224,19 +224,20 @@ fn binary_sdf() {
         assert_relative_eq!(map.heights[7], 7e-9, max_relative = 1e-12);
     }
     let whole = [header("bISO-1.0", 5, 1e-9), cases[3].2.clone()].concat();
-    let said = |change: &dyn Fn(&mut Vec<u8>)| {
+    type Change = fn(&mut Vec<u8>);
+    let said = |change: Change| {
         let mut bytes = whole.clone();
         change(&mut bytes);
         let path = written(&folder, "c.sdf", &bytes);
         read(&path, &Told::default()).unwrap_err().to_string()
     };
-    let cases: [(&dyn Fn(&mut Vec<u8>), &str); 6] = [
-        (&|b| b.truncate(80), "80 bytes"),
-        (&|b| b.truncate(120), "39 bytes of heights"),
-        (&|b| b[78] = 1, "compressed"),
-        (&|b| b[79] = 8, "DataType is 8"),
-        (&|b| b[46..54].fill(0), "Xscale is 0"),
-        (&|b| b[42] = 2, "too few"),
+    let cases: [(Change, &str); 6] = [
+        (|b| b.truncate(80), "80 bytes"),
+        (|b| b.truncate(120), "39 bytes of heights"),
+        (|b| b[78] = 1, "compressed"),
+        (|b| b[79] = 8, "DataType is 8"),
+        (|b| b[46..54].fill(0), "Xscale is 0"),
+        (|b| b[42] = 2, "too few"),
     ];
     for (change, says) in cases {
         let said = said(change);
