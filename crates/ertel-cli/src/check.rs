@@ -131,7 +131,7 @@ impl Checked {
             n_points,
             cpu_seconds: match case.transient {
                 None => n_solves as f64 * typical_cpu_seconds(case),
-                Some(_) => IN_TIME * typical_cpu_seconds(case),
+                Some(_) => n_solves as f64 * IN_TIME * typical_cpu_seconds(case),
             },
         }
     }

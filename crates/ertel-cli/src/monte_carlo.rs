@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 use ertel::case::{Case, Study};
 use ertel::machine::MachineFigures;
 use ertel::output;
+use ertel::run::over_time::over_time;
+use ertel::run::transient::TransientSolution;
 use ertel::solution::Solution;
 use ertel::study::monte_carlo::{MonteCarlo, MonteCarloParams, study_of};
 use ertel::sweep::{SweepParams, finished_points, sweep};
@@ -70,6 +72,8 @@ pub enum Solved<'a> {
     Contact(&'a Solution),
     /// A whole machine.
     Machine(&'a MachineFigures),
+    /// A case in time.
+    InTime(&'a TransientSolution),
 }
 
 /// Solves the samples, or what is left of them, and writes what they come to.
@@ -97,6 +101,10 @@ pub fn run(samples: &Samples, solved: &Solved<'_>, arguments: &SolveArgs) -> Res
         Solved::Contact(solution) => {
             let found = MonteCarlo::of(study, &records);
             (found, solution.uncertainty.as_ref())
+        }
+        Solved::InTime(run) => {
+            let figures = over_time(run);
+            (MonteCarlo::in_time(study, &records, &figures), None)
         }
         Solved::Machine(figures) => (MonteCarlo::of_machines(study, &records, figures), None),
     };

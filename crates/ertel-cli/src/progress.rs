@@ -174,7 +174,8 @@ impl InstantObserver for Progress<'_> {
             _ => String::new(),
         };
         self.show(format!(
-            "step {}: {} of {} s, central film {}{left}",
+            "{}step {}: {} of {} s, central film {}{left}",
+            self.point,
             reached.steps,
             digits(reached.time, 4),
             digits(reached.duration, 4),
@@ -198,6 +199,10 @@ impl CurveObserver for Progress<'_> {
             json!({ "point": index + 1, "points": n_points, "value": value }),
         );
         self.point = format!("point {}/{n_points} ({value}), ", index + 1);
+    }
+
+    fn reached(&mut self, reached: &Reached) {
+        self.instant(reached);
     }
 
     fn finished(&mut self, index: usize, point: &PointSolution) {

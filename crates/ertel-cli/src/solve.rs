@@ -117,7 +117,7 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
         (false, true) => Progress::in_lines(&CANCELLED),
         (false, false) => Progress::new(arguments.quiet, &CANCELLED),
     };
-    if case.transient.is_some() {
+    if case.transient.is_some() && case.curve.is_none() {
         events.warn(&case.warnings);
         let (file, from) = Checkpoints::open(case, folder, arguments)?;
         progress.keep(file);
@@ -128,11 +128,14 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
         // What was not written may be wanted once more; that a film is not resolved changes by no further step.
         let is_written = matches!(written, Ok(_) | Err(Failure::Unresolved(_)));
         file.close(found.failure.is_none() && is_written)?;
+        if let (Some(samples), true) = (&samples, is_written) {
+            monte_carlo::run(samples, &Solved::InTime(&found), arguments)?;
+        }
         return written;
     }
     if arguments.checkpoint.is_some() || arguments.resume {
         return Err(Failure::Argument(format!(
-            "{}: --checkpoint and --resume are for cases with [transient]",
+            "{}: --checkpoint and --resume are for cases with [transient], without a [curve]",
             given.name
         )));
     }

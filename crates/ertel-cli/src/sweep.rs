@@ -396,6 +396,7 @@ impl SweepObserver for Progress<'_> {
                     "reason": if record.converged { None } else { Some(&record.reason) },
                     "film_central": number("film_central_m"),
                     "film_minimum": number("film_minimum_m"),
+                    "film_minimum_lowest": number("film_minimum_lowest_m"),
                     "traction_coefficient": number("traction_coefficient"),
                     "wall_seconds": record.seconds,
                     "finished": progress.n_finished,
@@ -408,11 +409,15 @@ impl SweepObserver for Progress<'_> {
             return;
         }
         let record = progress.record;
-        let film = record.field("film_central_m");
-        let film = film.and_then(|value| value.parse::<f64>().ok());
-        let outcome = match film {
-            Some(film) => format!("central film {}", length(film)),
-            None => format!("failed: {}", record.reason),
+        let film = |name: &str| {
+            record
+                .field(name)
+                .and_then(|value| value.parse::<f64>().ok())
+        };
+        let outcome = match (film("film_central_m"), film("film_minimum_lowest_m")) {
+            (Some(film), _) => format!("central film {}", length(film)),
+            (None, Some(film)) => format!("lowest minimum film {}", length(film)),
+            (None, None) => format!("failed: {}", record.reason),
         };
         let left = match progress.n_finished == progress.n_points {
             true => String::new(),

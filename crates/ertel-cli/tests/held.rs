@@ -46,7 +46,19 @@ const TRACTION_CELLS: &[(usize, &str, f64)] =
     &[(0, "traction_coefficient", 1.0), (1, "film_central_m", 1e9)];
 const CAM: &str = "results/cam-turn-speeds/results.csv";
 
+const WAVES: &str = "results/waves-and-speeds/results.csv";
+const WAVES_CELLS: &[(usize, &str, f64)] = &[
+    (0, "film_minimum_lowest_m", 1e9),
+    (1, "amplitude_ratio_last", 100.0),
+];
+
 const HELD: &[Held] = &[
+    Held::row("time", "| 0.173 mm | 0.32 m/s | ", WAVES, 0, WAVES_CELLS),
+    Held::row("time", "| 0.173 mm | 0.64 m/s | ", WAVES, 1, WAVES_CELLS),
+    Held::row("time", "| 0.173 mm | 1.28 m/s | ", WAVES, 2, WAVES_CELLS),
+    Held::row("time", "| 0.346 mm | 0.32 m/s | ", WAVES, 3, WAVES_CELLS),
+    Held::row("time", "| 0.346 mm | 0.64 m/s | ", WAVES, 4, WAVES_CELLS),
+    Held::row("time", "| 0.346 mm | 1.28 m/s | ", WAVES, 5, WAVES_CELLS),
     Held::row("bearing", "| 500 rpm | ", BEARING, 0, BEARING_CELLS),
     Held::row("bearing", "| 2000 rpm | ", BEARING, 1, BEARING_CELLS),
     Held::row("bearing", "| 6000 rpm | ", BEARING, 2, BEARING_CELLS),

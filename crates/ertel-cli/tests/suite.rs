@@ -25,6 +25,7 @@ mod releases;
 mod schema;
 mod solve;
 mod studies;
+mod studies_in_time;
 mod sweep;
 mod transient;
 mod uncertainty;

@@ -97,7 +97,7 @@ fn a_ramp_is_solved_written_and_replaced() {
     }
 }
 
-/// A relief that no allowed grid resolves ends with the reason and exit code 3; studies and cross-checks refuse a case in time.
+/// A relief that no allowed grid resolves ends with the reason and exit code 3; cross-checks refuse a case in time.
 #[test]
 fn what_is_not_solved_in_time_is_told() {
     let relief = "\n[[surface]]\nkind = \"groove\"\nbody = \"body_1\"\nhalf_width = \"1 um\"\ndepth = \"20 nm\"\nx = \"-0.3 mm\"\n\n[mesh]\nmax_unknowns = 2000\n";
@@ -110,18 +110,6 @@ fn what_is_not_solved_in_time_is_told() {
         "{message}"
     );
     assert!(!folder.path().join("out").exists());
-    std::fs::write(
-        folder.path().join("study.toml"),
-        "case = \"case.toml\"\n[[axis]]\nkey = \"contact.load\"\nvalues = [\"50 kN/m\", \"60 kN/m\"]\n",
-    )
-    .unwrap();
-    let output = ertel(&folder, &["sweep", "study.toml"]);
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(
-        message.contains("studies, curves and samples solve steady contacts"),
-        "{message}"
-    );
     let output = ertel(&folder, &["solve", "case.toml", "--cross-check"]);
     assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
 }

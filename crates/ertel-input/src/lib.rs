@@ -178,6 +178,30 @@ impl Document {
         let mut keys = path.split('.').peekable();
         while let Some(key) = keys.next() {
             let kind = table.kind();
+            // Tables of an array, such as those of [[surface]], are counted from 1.
+            if let Value::Array(nodes) = &table.value {
+                let n = nodes.len();
+                let place = tree::place_of(key).filter(|place| *place < n);
+                let Some(place) = place else {
+                    return Err(InputError::at(
+                        &self.source,
+                        key_span.clone(),
+                        path,
+                        format!(
+                            "`{path}` cannot be set: `{key}` is none of the {n} entries of the array, which are counted from 1"
+                        ),
+                    ));
+                };
+                let Value::Array(nodes) = &mut table.value else {
+                    unreachable!("it is one");
+                };
+                table = &mut nodes[place];
+                if keys.peek().is_none() {
+                    *table = node;
+                    return Ok(());
+                }
+                continue;
+            }
             let Value::Table(entries) = &mut table.value else {
                 let at = &path[..key.as_ptr() as usize - path.as_ptr() as usize];
                 let parent = at.trim_end_matches('.');

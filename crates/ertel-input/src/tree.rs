@@ -46,6 +46,11 @@ pub struct Entry {
     pub node: Node,
 }
 
+/// The place of an entry of an array whose number, from 1, stands in a key path: `surface.2.depth`.
+pub(crate) fn place_of(key: &str) -> Option<usize> {
+    key.parse::<usize>().ok()?.checked_sub(1)
+}
+
 impl Node {
     /// The same with all spans moved on by `offset` bytes, those of keys too.
     #[must_use]
@@ -72,10 +77,12 @@ impl Node {
     /// The entry at a key path such as `contact.load`, if it is there.
     #[must_use]
     pub fn entry(&self, path: &str) -> Option<&Entry> {
-        let Value::Table(entries) = &self.value else {
-            return None;
-        };
         let (key, rest) = path.split_once('.').unwrap_or((path, ""));
+        let entries = match &self.value {
+            Value::Table(entries) => entries,
+            Value::Array(nodes) => return nodes.get(place_of(key)?)?.entry(rest),
+            _ => return None,
+        };
         let entry = entries.iter().find(|entry| entry.key == key)?;
         if rest.is_empty() {
             Some(entry)

@@ -78,7 +78,7 @@ impl NativeCase {
     /// Whether it changes in time.
     #[getter]
     fn is_transient(&self) -> bool {
-        self.case.transient.is_some()
+        self.case.transient.is_some() && self.case.curve.is_none()
     }
 
     /// Whether it asks for a curve.

@@ -139,6 +139,10 @@ impl CurveObserver for Messages {
             "event": "point", "point": index + 1, "n_points": n_points, "label": label,
         }));
     }
+
+    fn reached(&mut self, reached: &Reached) {
+        self.instant(reached);
+    }
 }
 
 /// Solves a case; `start` is the solution of a similar one.

@@ -79,6 +79,22 @@ def test_machines_are_points(tmp_path: Path, cases: Path) -> None:
     assert (tmp_path / "spread" / "results.csv").read_bytes() == (tmp_path / "alone" / "results.csv").read_bytes()
 
 
+def test_runs_in_time_are_points(tmp_path: Path, cases: Path) -> None:
+    """Points that start from no other, in any order on any worker."""
+    text = (cases / "roller.toml").read_text() + '\n[transient]\nduration = "0.3 ms"\nload = { course = "ramp", end = "0.2 ms", to = "50 kN/m" }\n'
+    (tmp_path / "roller.toml").write_text(text)
+    study = tmp_path / "loads.toml"
+    study.write_text('case = "roller.toml"\n[[axis]]\nkey = "transient.load.to"\nvalues = ["40 kN/m", "60 kN/m", "80 kN/m"]\n')
+    ertel.sweep(study, tmp_path / "alone")
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        rows = ertel_distributed.sweep(study, client, tmp_path / "spread", points_per_task=1)
+    assert rows["converged"].all() and (rows["film_minimum_lowest_m"] > 0.0).all()
+    assert (tmp_path / "spread" / "results.csv").read_bytes() == (tmp_path / "alone" / "results.csv").read_bytes()
+
+
 def test_bad_studies_are_refused_before_anything_is_sent(tmp_path: Path) -> None:
     path = tmp_path / "bad.toml"
     path.write_text('case = "nowhere.toml"\n[[axis]]\nkey = "contact.load"\nvalues = ["1 N"]\n')

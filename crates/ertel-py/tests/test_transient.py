@@ -125,3 +125,26 @@ def test_start_and_studies_are_refused(case: ertel.Case) -> None:
     assert isinstance(result, ertel.Result)
     with pytest.raises(ertel.CaseError, match="steady contact"):
         case.solve(start=result)
+
+
+def test_a_study_over_time_has_figures_of_whole_runs(case: ertel.Case, solved: ertel.Transient, tmp_path: Path, cases: Path) -> None:
+    lowest = solved.over_time["film_minimum_lowest"]
+    films = solved.series("film_minimum")
+    assert lowest["value"] == films.min() and lowest["time"] == solved.time[films.argmin()] and lowest["resolved"]
+    load = '[transient.load]\ncourse = "ramp"\nstart = "0.1 ms"\nend = "0.3 ms"\nto = "50 kN/m"\n'
+    text = f'{(cases / "roller.toml").read_text()}\n[transient]\nduration = "0.5 ms"\noutput_times = ["0 ms", "0.3 ms"]\n{load}'
+    (tmp_path / "case.toml").write_text(text)
+    study = {
+        "case": str(tmp_path / "case.toml"),
+        "axis": [{"key": "transient.load.to", "values": ["50 kN/m", "120 kN/m"]}],
+    }
+    rows = ertel.sweep(study, tmp_path / "out", folders=True)
+    assert rows["converged"].all() and len(rows) == 2
+    assert rows["film_minimum_lowest_m"][0] == pytest.approx(lowest["value"], rel=1e-6)
+    # More load, less film and more pressure.
+    assert rows["film_central_last_m"][1] < rows["film_central_last_m"][0]
+    assert rows["pressure_maximum_highest_Pa"][1] > rows["pressure_maximum_highest_Pa"][0]
+    found = ertel.read(tmp_path / "out")
+    run = found.point(2)
+    assert isinstance(run, ertel.Transient) and run.over_time["film_central_last"]["value"] == rows["film_central_last_m"][1]
+    assert found.plot("film_minimum_lowest") is not None

@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use crate::case::{CaseEcho, WholeMachine};
-use crate::solution::{Estimate, FilmReduction, FormulaFilm, Solution, ThermalReduction};
+use crate::run::over_time::{TimeFigure, over_time};
+use crate::run::transient::TransientSolution;
+use crate::solution::{Estimate, Figure, FilmReduction, FormulaFilm, Solution, ThermalReduction};
 use crate::warning::{Warning, by_kind};
 
 /// A point of a curve or a study, solved or not.
@@ -17,6 +19,8 @@ pub struct PointSolution {
     pub formulas: Vec<FormulaFilm>,
     /// Its solution, or why there is none; of a whole machine that of the governing contact, where all contacts are solved.
     pub outcome: Outcome,
+    /// Whether it is a case in time, solved or not.
+    pub is_in_time: bool,
     /// The whole machine, where the point is one.
     pub machine: Option<Arc<MachinePoint>>,
     /// The same point without shear thinning, where that is asked for.
@@ -50,6 +54,9 @@ impl PointSolution {
 
     /// Whether it has figures that its mesh does not resolve.
     pub fn is_unresolved(&self) -> bool {
+        if let Some(run) = self.outcome.in_time() {
+            return !run.unresolved.is_empty();
+        }
         let mut solutions = self.solutions().into_iter();
         solutions.any(|solution| !solution.unresolved.is_empty())
     }
@@ -57,7 +64,11 @@ impl PointSolution {
     /// What to know about it; of the contacts of a machine the worst of each kind.
     pub fn warnings(&self) -> Vec<Warning> {
         let Some(machine) = &self.machine else {
-            return (self.outcome.solution()).map_or(Vec::new(), |s| s.warnings.clone());
+            return match &self.outcome {
+                Outcome::Solved(solution) => solution.warnings.clone(),
+                Outcome::InTime(run) => run.warnings.clone(),
+                Outcome::Failed(_) => Vec::new(),
+            };
         };
         let contacts = self.solutions().into_iter().enumerate();
         let of = contacts.flat_map(|(i, s)| s.warnings.iter().map(move |w| (i, w)));
@@ -112,23 +123,81 @@ impl PointSolution {
 pub enum Outcome {
     /// Solved.
     Solved(Box<Solution>),
+    /// Solved from the start of its time to the end.
+    InTime(Box<RunInTime>),
     /// Not solved; the reason in one sentence.
     Failed(String),
 }
 
+/// A case in time at a point of a curve or a study.
+#[derive(Clone, Debug)]
+pub struct RunInTime {
+    /// Figures of the whole run.
+    pub figures: Vec<TimeFigure>,
+    /// Steps in time, and how many were refused.
+    pub steps: [usize; 2],
+    /// Newton iterations on all grids.
+    pub newton_iterations: usize,
+    /// Names of the films that are not resolved at some instant.
+    pub unresolved: Vec<&'static str>,
+    /// What to know.
+    pub warnings: Vec<Warning>,
+    /// All instants, where they are kept.
+    pub instants: Option<Arc<TransientSolution>>,
+}
+
+impl RunInTime {
+    /// What becomes of a run that has come to its end; `keep` keeps its instants.
+    pub(crate) fn new(found: TransientSolution, keep: bool) -> RunInTime {
+        let films = [Figure::FilmCentral, Figure::FilmMinimum];
+        let is_unresolved = |film: &Figure| {
+            let mut instants = found.instants.iter();
+            instants.any(|instant| !instant.measured.is_resolved(*film))
+        };
+        RunInTime {
+            figures: over_time(&found),
+            steps: [found.info.steps, found.info.refused],
+            newton_iterations: found.info.newton_iterations,
+            unresolved: (films.into_iter().filter(is_unresolved))
+                .map(Figure::name)
+                .collect(),
+            warnings: found.warnings.clone(),
+            instants: keep.then(|| Arc::new(found)),
+        }
+    }
+
+    /// A figure by its name.
+    pub fn find(&self, name: &str) -> Option<&TimeFigure> {
+        self.figures.iter().find(|figure| figure.name == name)
+    }
+}
+
 impl Outcome {
-    /// The solution, if there is one.
+    /// The solution, if there is one; of a case in time there is none.
     pub fn solution(&self) -> Option<&Solution> {
         match self {
             Outcome::Solved(solution) => Some(solution),
-            Outcome::Failed(_) => None,
+            Outcome::InTime(_) | Outcome::Failed(_) => None,
         }
+    }
+
+    /// The run, if it is that of a case in time.
+    pub fn in_time(&self) -> Option<&RunInTime> {
+        match self {
+            Outcome::InTime(run) => Some(run),
+            Outcome::Solved(_) | Outcome::Failed(_) => None,
+        }
+    }
+
+    /// Whether it is solved, as a steady contact or in time.
+    pub fn is_solved(&self) -> bool {
+        self.reason().is_none()
     }
 
     /// The reason of a failure.
     pub fn reason(&self) -> Option<&str> {
         match self {
-            Outcome::Solved(_) => None,
+            Outcome::Solved(_) | Outcome::InTime(_) => None,
             Outcome::Failed(reason) => Some(reason),
         }
     }
@@ -181,7 +250,7 @@ impl MachineSolution {
     pub fn failure(&self) -> Option<String> {
         let mut failed = self.solved().filter_map(|(i, point)| match &point.outcome {
             Outcome::Failed(reason) => Some((i, reason)),
-            Outcome::Solved(_) => None,
+            Outcome::Solved(_) | Outcome::InTime(_) => None,
         });
         let (first, reason) = failed.next()?;
         let n = 1 + failed.count();

@@ -18,6 +18,7 @@ mod body;
 mod resumed;
 mod shapes;
 mod supply;
+mod waves;
 
 /// A contact and its oil.
 struct Given {

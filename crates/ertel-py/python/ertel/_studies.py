@@ -13,6 +13,7 @@ from ._ertel import OutputError
 from ._machine import MachineSolution
 from ._result import Result
 from ._stored import Stored, document, shaped, text_of
+from ._transient import Transient
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -65,7 +66,7 @@ class Study:
 
         return pd.read_csv(io.StringIO(self._table))
 
-    def point(self, number: int) -> Result | MachineSolution:
+    def point(self, number: int) -> Result | Transient | MachineSolution:
         """The results of a point by its number, from 1; of a study that was run with ``folders=True``.
 
         Raises
@@ -78,6 +79,8 @@ class Study:
         place = self.folder / "points" / f"{number:0{len(str(self.n_points))}d}"
         if (place / "machine.json").exists():
             return MachineSolution._read(place, self._inputs)
+        if (place / "transient.json").exists():
+            return Transient._read(place, self._inputs)
         if (place / "result.json").exists():
             return Result._read(place, self._inputs)
         raise OutputError(f"{place}: no results of point {number}; run the study with folders=True, or `ertel sweep --folders`")

@@ -218,6 +218,11 @@ class Transient(Tabulated):
         return self._document["coefficient_of_restitution"]
 
     @property
+    def over_time(self) -> dict[str, dict[str, Any]]:
+        """Figures of the whole run by their names, as ``film_minimum_lowest``: ``value`` and ``error`` (SI), ``time`` at which it is (s, none of means), ``resolved``, ``unit``, ``words``."""
+        return self._document.get("over_time", {})
+
+    @property
     def warnings(self) -> list[str]:
         """What you should know."""
         return list(self._document["warnings"])

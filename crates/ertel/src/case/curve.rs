@@ -290,6 +290,12 @@ pub(super) fn read(
         };
         return Err(table.error("isothermal", reason));
     }
+    if base.transient.is_some() && (newtonian || isothermal) {
+        let key = if newtonian { "newtonian" } else { "isothermal" };
+        return Err(table
+            .error(key, format!("`{key}` solves a steady contact beside each point, and this case changes in time"))
+            .with_help("make a study of it: an [[axis]] over `solver.newtonian` has both"));
+    }
     if base.whole.is_some() && (newtonian || isothermal) {
         let key = if newtonian { "newtonian" } else { "isothermal" };
         return Err(table

@@ -93,9 +93,6 @@ pub(super) fn read(
         return Ok(None);
     };
     check(case, &mut table)?;
-    if root.contains("curve") {
-        return Err(table.error_here("[transient] does not go together with [curve]: choose one"));
-    }
     let passage = (case.whole.as_ref())
         .map(|machine| machine.passage().map_err(|text| table.error_here(text)))
         .transpose()?;

@@ -187,13 +187,18 @@ pub fn pressure_estimate(e: Estimate) -> String {
 
 /// A largest pressure; no more than a lower bound where the mesh does not draw its peak.
 pub fn peak(at: &Located) -> String {
-    if at.resolved {
-        return pressure_estimate(at.estimate());
+    peak_of(at.estimate(), at.resolved)
+}
+
+/// The same without its place.
+pub fn peak_of(e: Estimate, resolved: bool) -> String {
+    if resolved {
+        return pressure_estimate(e);
     }
-    let (factor, unit) = pressure_unit(at.value);
+    let (factor, unit) = pressure_unit(e.value);
     format!(
         "at least {} {unit}, not resolved",
-        floored(factor * at.value)
+        floored(factor * e.value)
     )
 }
 

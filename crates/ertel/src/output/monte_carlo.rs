@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::figure::{axis_name, unit_of_size};
 use super::lines::Lines;
-use super::machine::TOLD;
+use super::machine::{TOLD, TOLD_IN_TIME};
 use super::pictures::film_unit;
 use super::result_json::FORMAT_VERSION;
 use super::{OutputError, replace_picture};
@@ -106,7 +106,7 @@ fn reading<'a>(
 fn shown(found: &MonteCarlo) -> impl Iterator<Item = &Distribution> {
     let is_shown = |figure: &&Distribution| match figure.figure {
         Sampled::Contact(_) => true,
-        Sampled::Machine { name, .. } => TOLD.contains(&name),
+        Sampled::Machine { name, .. } => TOLD.contains(&name) || TOLD_IN_TIME.contains(&name),
     };
     found.figures.iter().filter(is_shown)
 }
@@ -164,6 +164,7 @@ fn unit(figure: &Distribution) -> (f64, String) {
     let (factor, unit) = match figure.figure {
         Sampled::Contact(of) => unit_of_size(of.kind(), figure.mean),
         Sampled::Machine { unit: "m", .. } => film_unit(figure.mean),
+        Sampled::Machine { unit: "Pa", .. } => (1e-9, "GPa"),
         Sampled::Machine { unit: "N m", .. } if figure.mean < 1.0 => (1e3, "N mm"),
         Sampled::Machine { unit, .. } => (1.0, unit),
     };

@@ -4,8 +4,9 @@ use std::collections::{HashMap, HashSet};
 
 use ertel_quantity::Unit;
 
-use super::machine::{DRAWN, Drawn};
+use super::machine::{DRAWN, DRAWN_IN_TIME, Drawn};
 use super::pictures::{ERROR_BARS, film_unit};
+use crate::run::over_time::words_of;
 use crate::solution::Figure;
 use crate::study::journal::{PointKey, Record};
 use crate::study::{Column, ISOTHERMAL, StudyEcho, titled};
@@ -60,11 +61,28 @@ pub fn study_pictures(study: &StudyEcho, records: &HashMap<PointKey, Record>) ->
     let machine = (study.points.iter())
         .filter_map(|(key, _)| records.get(key))
         .find(|record| is_machine(record));
-    let mut pictures = vec![StudyPicture {
-        name: "traction",
-        drawing: study_tractions(study, records),
-    }];
-    for drawn in &DRAWN {
+    let finished = (study.points.iter()).filter_map(|(key, _)| records.get(key));
+    let is_in_time = { finished }.any(|record| record.field(IN_TIME).is_some());
+    let of_time = |drawn: &Drawn| {
+        let drawing = is_in_time.then(|| study_figures(study, records, drawn));
+        StudyPicture {
+            name: drawn.name,
+            drawing: drawing.flatten(),
+        }
+    };
+    let (shared, own): (Vec<&Drawn>, Vec<&Drawn>) =
+        (DRAWN_IN_TIME.iter()).partition(|drawn| ["film", "traction"].contains(&drawn.name));
+    let mut pictures: Vec<StudyPicture> = own.into_iter().map(of_time).collect();
+    if is_in_time {
+        pictures.extend(shared.into_iter().map(of_time));
+    } else {
+        pictures.push(StudyPicture {
+            name: "traction",
+            drawing: study_tractions(study, records),
+        });
+    }
+    let of_steady = |drawn: &&Drawn| !is_in_time || drawn.name != "film";
+    for drawn in DRAWN.iter().filter(of_steady) {
         let drawing = match (machine.is_some(), drawn.name) {
             (true, _) => study_figures(study, records, drawn),
             (false, "film") => study_films(study, records),
@@ -78,7 +96,10 @@ pub fn study_pictures(study: &StudyEcho, records: &HashMap<PointKey, Record>) ->
     pictures
 }
 
-/// Figures of whole machines likewise.
+/// A column that points in time alone have.
+const IN_TIME: &str = "film_central_lowest_m";
+
+/// Figures of whole machines and of runs in time likewise.
 fn study_figures(
     study: &StudyEcho,
     records: &HashMap<PointKey, Record>,
@@ -93,7 +114,7 @@ fn study_figures(
         .map(|(i, (titles, name))| Shown {
             look: drawn.look(i, has_field(study, records, &titles[1])),
             titles,
-            words: name.replace('_', " "),
+            words: words_of(name).map_or_else(|| name.replace('_', " "), str::to_owned),
         })
         .collect();
     let largest = layout.values(study, records, &figures);

@@ -14,7 +14,7 @@ use super::result_json::FORMAT;
 use super::transient::{TRANSIENT_FORMAT, is_file_of_instant};
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
-const OWN_FILES: [&str; 96] = [
+const OWN_FILES: [&str; 102] = [
     "result.json",
     super::html::REPORT_PAGE,
     "curve.json",
@@ -95,6 +95,12 @@ const OWN_FILES: [&str; 96] = [
     "life-curve.svg",
     "life-curve.png",
     "life-curve.pdf",
+    "pressure-curve.svg",
+    "pressure-curve.png",
+    "pressure-curve.pdf",
+    "amplitude-ratio-curve.svg",
+    "amplitude-ratio-curve.png",
+    "amplitude-ratio-curve.pdf",
     "machine.json",
     "machine.csv",
     "around.svg",

@@ -15,6 +15,7 @@
 pub mod checkpoint;
 mod describe;
 mod elements;
+pub mod over_time;
 pub mod transient;
 mod volumes;
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{MachinePoint, Outcome, PointSolution};
+use super::{MachinePoint, Outcome, PointSolution, RunInTime};
 use crate::solution::{Estimate, Figure, Kind, MixedLubrication, Solution, Thermal, Unresolved};
 
 /// A column of a table, and beside it that of its error bar if it has one.
@@ -113,8 +113,11 @@ pub(crate) fn titled(name: &str, unit: &str) -> String {
     }
 }
 
-/// Titles with the cells of a point: of a single contact those of all columns, of a whole machine its figures.
+/// Titles with the cells of a point: of a single contact those of all columns, of a whole machine and of a case in time their figures.
 pub fn point_fields(point: &PointSolution, is_line: bool) -> Vec<(String, Cell)> {
+    if point.is_in_time {
+        return fields_in_time(point, point.outcome.in_time(), is_line);
+    }
     match &point.machine {
         None => columns().flat_map(|c| c.fields(point, is_line)).collect(),
         Some(machine) => machine_fields(point, machine),
@@ -127,7 +130,7 @@ fn machine_fields(point: &PointSolution, machine: &MachinePoint) -> Vec<(String,
     let text = |name: &str, text: String| (name.to_owned(), Cell::Text(text));
     let count = |name: &str, n: usize| (name.to_owned(), Cell::Count(n));
     let mut fields = vec![
-        text("converged", point.outcome.solution().is_some().to_string()),
+        text("converged", point.outcome.is_solved().to_string()),
         count("contacts", solution.n_contacts()),
         count("contacts_failed", solution.n_failed()),
     ];
@@ -156,6 +159,50 @@ fn machine_fields(point: &PointSolution, machine: &MachinePoint) -> Vec<(String,
         count("krylov_iterations", sum(krylov_iterations)),
         text("unresolved", unresolved.join(" ")),
         text("uncertain_figures", uncertain.join(" ")),
+        ("seconds".to_owned(), Cell::Number(point.seconds)),
+        text(
+            "reason",
+            point.outcome.reason().unwrap_or_default().to_owned(),
+        ),
+    ]);
+    fields
+}
+
+/// The figures of a whole run with their error bars and their instants, and what belongs to the solve.
+fn fields_in_time(
+    point: &PointSolution,
+    run: Option<&RunInTime>,
+    is_line: bool,
+) -> Vec<(String, Cell)> {
+    let text = |name: &str, text: String| (name.to_owned(), Cell::Text(text));
+    let mut fields = vec![text("converged", point.outcome.is_solved().to_string())];
+    for figure in run.iter().flat_map(|run| &run.figures) {
+        let (name, unit) = (figure.name, figure.kind.unit(is_line));
+        let Estimate { value, error } = figure.estimate;
+        fields.push((titled(name, unit), Cell::Number(value)));
+        if figure.has_bar() {
+            fields.push((titled(&format!("{name}_error"), unit), error.into()));
+        }
+        if let Some(time) = figure.time {
+            fields.push((titled(&format!("{name}_time"), "s"), Cell::Number(time)));
+        }
+    }
+    if let Some(run) = run {
+        let [steps, refused] = run.steps;
+        let uncertain = run.figures.iter().filter(|figure| !figure.resolved);
+        let uncertain: Vec<&str> = uncertain.map(|figure| figure.name).collect();
+        fields.extend([
+            ("steps".to_owned(), Cell::Count(steps)),
+            ("refused_steps".to_owned(), Cell::Count(refused)),
+            (
+                "newton_iterations".to_owned(),
+                Cell::Count(run.newton_iterations),
+            ),
+            text("unresolved", run.unresolved.join(" ")),
+            text("uncertain_figures", uncertain.join(" ")),
+        ]);
+    }
+    fields.extend([
         ("seconds".to_owned(), Cell::Number(point.seconds)),
         text(
             "reason",
@@ -247,7 +294,7 @@ impl From<Option<usize>> for Cell {
 /// All columns, after the point's number and the quantity.
 pub fn columns() -> impl Iterator<Item = Column> {
     let converged = Column::plain("converged", "", |point| {
-        Cell::Text(point.outcome.solution().is_some().to_string())
+        Cell::Text(point.outcome.is_solved().to_string())
     });
     let figures = Figure::ALL.into_iter().map(Column::of);
     std::iter::once(converged)

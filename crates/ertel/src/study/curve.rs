@@ -10,6 +10,7 @@ use super::walk::Walk;
 use crate::case::Curve;
 use crate::case::curve::Quantity;
 use crate::point::PointSolution;
+use crate::run::transient::Reached;
 use crate::solve::Observer;
 use crate::words::digits;
 
@@ -17,6 +18,8 @@ use crate::words::digits;
 pub trait CurveObserver: Observer {
     /// The next point begins: its index from 0, how many there are, and the quantity's value with its unit.
     fn point(&mut self, _index: usize, _n_points: usize, _value: &str) {}
+    /// A point that is a case in time has come to an instant.
+    fn reached(&mut self, _reached: &Reached) {}
     /// A point ended: its index from 0, and what became of it.
     fn finished(&mut self, _index: usize, _point: &PointSolution) {}
 }
@@ -39,7 +42,7 @@ pub struct CurveSolution {
 impl CurveSolution {
     /// Points without solution.
     pub fn n_failed(&self) -> usize {
-        let failed = |p: &&PointSolution| p.outcome.solution().is_none();
+        let failed = |p: &&PointSolution| !p.outcome.is_solved();
         self.points.iter().filter(failed).count()
     }
 

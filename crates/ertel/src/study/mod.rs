@@ -13,7 +13,7 @@ pub(crate) mod table;
 mod unresolved;
 pub(crate) mod walk;
 
-pub use crate::point::{MachinePoint, MachineSolution, Outcome, PointSolution};
+pub use crate::point::{MachinePoint, MachineSolution, Outcome, PointSolution, RunInTime};
 pub use columns::{Cell, Column, columns, point_fields};
 pub(crate) use columns::{joint_titles, titled};
 pub(crate) use curve::RPM;

@@ -70,8 +70,22 @@ impl Plan {
         }
     }
 
-    /// The tree of a study.
+    /// Points that start from no other, in their order.
+    pub fn apart(n_points: usize) -> Plan {
+        Plan {
+            parents: vec![None; n_points],
+            order: (0..n_points).collect(),
+            groups: vec![(0..n_points).collect()],
+            group_of: vec![0; n_points],
+            for_later: false,
+        }
+    }
+
+    /// The tree of a study; cases in time begin with steady contacts of their own.
     pub fn new(study: &Study) -> Plan {
+        if study.points.iter().any(|p| p.case.transient.is_some()) {
+            return Plan::apart(study.points.len());
+        }
         let features = features(study);
         let n = features.len();
         let mut plan = Plan {

@@ -10,11 +10,15 @@ use super::{CurveObserver, MachineObserver};
 use crate::case::Case;
 use crate::case::study::StudyPoint;
 use crate::machine::{SolvedMachine, figures, solve_by};
-use crate::point::{MachinePoint, Outcome, PointSolution};
+use crate::point::{MachinePoint, Outcome, PointSolution, RunInTime};
 use crate::reference::film_formulas;
+use crate::run::transient::{InstantObserver, Reached, solve as solve_in_time};
 use crate::run::{Start, groups, solve_from};
-use crate::solution::{Centreline, ElementFields, FilmTemperatures, Solution, SurfaceField};
-use crate::solve::SolveError;
+use crate::solution::{
+    Centreline, ElementFields, FilmTemperatures, IterationRecord, Solution, SurfaceField,
+};
+use crate::solve::{Observer, SolveError};
+use crate::transient::TransientError;
 
 /// A point to be solved.
 pub(crate) struct Task<'a> {
@@ -127,6 +131,7 @@ impl Task<'_> {
             case: case.echo(),
             formulas: film_formulas(&case.contact, &groups(case, slope), case.relative_density()),
             outcome,
+            is_in_time: case.transient.is_some(),
             machine: None,
             newtonian: None,
             isothermal: None,
@@ -199,6 +204,9 @@ fn attempt(
     fields: bool,
     observer: &mut dyn CurveObserver,
 ) -> Result<(Outcome, Option<Arc<Start>>), Interrupted> {
+    if case.transient.is_some() {
+        return Ok((attempt_in_time(case, fields, observer)?, None));
+    }
     let solve = || solve_from(case, from, ahead, observer);
     let failed = |reason| Ok((Outcome::Failed(reason), None));
     match catch_unwind(AssertUnwindSafe(solve)) {
@@ -210,7 +218,54 @@ fn attempt(
         }
         Ok(Err(SolveError::Interrupted)) => Err(Interrupted),
         Ok(Err(error)) => failed(error.to_string()),
-        Err(_) => failed("internal error; the message stands above".to_owned()),
+        Err(_) => failed(PANICKED.to_owned()),
+    }
+}
+
+/// Why a point whose solve panicked is not solved.
+const PANICKED: &str = "internal error; the message stands above";
+
+/// What becomes of a case in time, which starts from no other: its own steady contact, or bodies apart.
+fn attempt_in_time(
+    case: &Case,
+    keep: bool,
+    observer: &mut dyn CurveObserver,
+) -> Result<Outcome, Interrupted> {
+    let solve = || solve_in_time(case, &mut Instants(observer));
+    let Ok(found) = catch_unwind(AssertUnwindSafe(solve)) else {
+        return Ok(Outcome::Failed(PANICKED.to_owned()));
+    };
+    match &found.failure {
+        Some(TransientError::Interrupted) => Err(Interrupted),
+        Some(error) => Ok(Outcome::Failed(error.to_string())),
+        None => Ok(Outcome::InTime(Box::new(RunInTime::new(found, keep)))),
+    }
+}
+
+/// Tells the observer of a curve of the instants of a point.
+struct Instants<'a>(&'a mut dyn CurveObserver);
+
+impl Observer for Instants<'_> {
+    fn level(&mut self, level: usize, n_levels: usize, n_pressure: usize, n_displacement: usize) {
+        self.0.level(level, n_levels, n_pressure, n_displacement);
+    }
+
+    fn iteration(&mut self, record: &IterationRecord) {
+        self.0.iteration(record);
+    }
+
+    fn round(&mut self, round: usize, change: f64, rise: f64) {
+        self.0.round(round, change, rise);
+    }
+
+    fn cancelled(&self) -> bool {
+        self.0.cancelled()
+    }
+}
+
+impl InstantObserver for Instants<'_> {
+    fn instant(&mut self, reached: &Reached) {
+        self.0.reached(reached);
     }
 }
 

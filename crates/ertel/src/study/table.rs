@@ -265,10 +265,10 @@ fn operating_point(point: &PointSolution, is_line: bool) -> Vec<(String, String)
 pub(crate) fn record(key: PointKey, point: &PointSolution) -> Record {
     Record {
         key,
-        converged: point.outcome.solution().is_some(),
+        converged: point.outcome.is_solved(),
         reason: match &point.outcome {
             Outcome::Failed(reason) => reason.clone(),
-            Outcome::Solved(_) => String::new(),
+            Outcome::Solved(_) | Outcome::InTime(_) => String::new(),
         },
         fields: fields(point),
         warnings: point.warnings(),

@@ -16,7 +16,7 @@ use crate::study::table::{POINTS, StudyEcho, TABLE};
 use crate::warning::by_kind;
 
 /// Every file that a study writes into its folder.
-pub const FILES: [&str; 32] = [
+pub const FILES: [&str; 38] = [
     LOCK,
     JOURNAL,
     POINTS,
@@ -49,6 +49,12 @@ pub const FILES: [&str; 32] = [
     "life.svg",
     "life.pdf",
     "life.png",
+    "pressure.svg",
+    "pressure.pdf",
+    "pressure.png",
+    "amplitude-ratio.svg",
+    "amplitude-ratio.pdf",
+    "amplitude-ratio.png",
 ];
 /// Folder within that of a study, with the results of its points where these are asked for.
 pub const FOLDERS: &str = "points";
@@ -175,9 +181,11 @@ pub(super) fn has_folder(
     study: &Study,
     record: Option<&Record>,
 ) -> bool {
-    let results = match study.points[index].case.whole {
-        Some(_) => "machine.json",
-        None => "result.json",
+    let case = &study.points[index].case;
+    let results = match (&case.whole, &case.transient) {
+        (_, Some(_)) => "transient.json",
+        (Some(_), None) => "machine.json",
+        (None, None) => "result.json",
     };
     let point = point_folder(folder, index, study.points.len());
     record.is_some_and(|r| !r.converged) || point.join(results).exists()

@@ -72,6 +72,12 @@ impl Shared<'_> {
         };
         let solved = task.solve(from, &mut Stop(self));
         let (solved, ends) = solved.map_err(|Interrupted| None)?;
+        if let (true, Some(run)) = (folders, solved.outcome.in_time()) {
+            let target = point_folder(self.folder, index, points.len());
+            let instants = run.instants.as_ref().expect("they are kept for folders");
+            output::write_transient(&solved.case, instants, &target, &point.case.output)
+                .map_err(|e| Some(e.into()))?;
+        }
         if let (true, Some(solution)) = (folders, solved.outcome.solution()) {
             let target = point_folder(self.folder, index, points.len());
             let (case, params) = (&solved.case, &point.case.output);

@@ -13,7 +13,7 @@ pub use filter::Pass;
 pub use generated::{Generated, SelfAffine};
 pub use level::Levelling;
 pub use parameters::Parameters;
-pub use spectrum::{Spectrum, spectrum};
+pub use spectrum::{Spectrum, radial_spectrum, spectrum};
 
 /// Heights, m, at points at equal distances, not a number where there is none.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,6 +5,11 @@
 //! ```
 //! One-sided power spectral density, m³, the mean over all rows, or columns, with Hann's window; the mean over bands of wavelengths of half an
 //! octave. Jacobs, Junge and Pastewka 2017, C^1D.
+//!
+//! ```text
+//!   C(f_k, g_l) = Δx Δy/(N_x N_y ⟨w²⟩) |Σ_mn w_m w_n z_mn exp(−2πi (k m/N_x + l n/N_y))|²        ∬ C df dg = Sq²
+//! ```
+//! Density of a surface, m⁴, the mean over all directions in bands of half an octave of 1/√(f² + g²), as far as all directions have waves: their C^iso.
 
 use std::f64::consts::PI;
 
@@ -73,6 +78,61 @@ pub fn spectrum(map: &Topography, direction: usize) -> Spectrum {
     found
 }
 
+/// Over all directions, of a surface without holes; none of a profile, and where a side is too short.
+pub fn radial_spectrum(map: &Topography) -> Option<Spectrum> {
+    let [nx, ny] = map.counts;
+    if nx.min(ny) < LEAST_POINTS {
+        return None;
+    }
+    let mean = map.heights.iter().sum::<f64>() / map.heights.len() as f64;
+    let windows = map.counts.map(|n| -> Vec<f64> {
+        (0..n)
+            .map(|i| 0.5 * (1.0 - (2.0 * PI * i as f64 / n as f64).cos()))
+            .collect()
+    });
+    let square = |w: &[f64]| w.iter().map(|w| w * w).sum::<f64>() / w.len() as f64;
+    let square = square(&windows[0]) * square(&windows[1]);
+    let mut planner = FftPlanner::new();
+    let (along, across) = (planner.plan_fft_forward(nx), planner.plan_fft_forward(ny));
+    let mut waves: Vec<Complex<f64>> = (map.heights.iter().enumerate())
+        .map(|(k, z)| Complex::new(windows[0][k % nx] * windows[1][k / nx] * (z - mean), 0.0))
+        .collect();
+    waves
+        .chunks_exact_mut(nx)
+        .for_each(|row| along.process(row));
+    let mut column = vec![Complex::default(); ny];
+    for i in 0..nx {
+        (column.iter_mut().enumerate()).for_each(|(j, z)| *z = waves[j * nx + i]);
+        across.process(&mut column);
+        (column.iter().enumerate()).for_each(|(j, z)| waves[j * nx + i] = *z);
+    }
+    let sides = [0, 1].map(|d: usize| map.counts[d] as f64 * map.spacing[d]);
+    let least = 1.0 / sides[0].min(sides[1]);
+    let most = 0.5 / map.spacing[0].max(map.spacing[1]);
+    let band = |f: f64| (BANDS * (f / least).log2() + 0.5).floor() as usize;
+    // Sums of densities and frequencies, and how many.
+    let mut bands = vec![[0.0; 3]; band(most) + 1];
+    let number = |k: usize, n: usize| k.min(n - k) as f64;
+    for (k, z) in waves.iter().enumerate() {
+        let f = (number(k % nx, nx) / sides[0]).hypot(number(k / nx, ny) / sides[1]);
+        if f >= least * (1.0 - 1e-9) && f <= most * (1.0 + 1e-9) {
+            let own = &mut bands[band(f).min(band(most))];
+            own[0] += z.norm_sqr();
+            own[1] += f;
+            own[2] += 1.0;
+        }
+    }
+    let factor = map.spacing[0] * map.spacing[1] / ((nx * ny) as f64 * square);
+    let known = bands.iter().filter(|[.., n]| *n > 0.0);
+    let (wavelength, density) = known
+        .map(|[power, f, n]| (n / f, factor * power / n))
+        .unzip();
+    Some(Spectrum {
+        wavelength,
+        density,
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -99,6 +159,12 @@ mod tests {
                 assert_relative_eq!(*density, expected, max_relative = 0.15);
             }
         }
+        // On surfaces σ² Δx Δy, in bands of some hundreds of waves.
+        let found = radial_spectrum(&white).unwrap();
+        for (wavelength, density) in found.wavelength.iter().zip(&found.density).skip(7) {
+            assert!(*wavelength >= 1.0 / (1.0 + 1e-9), "{wavelength}");
+            assert_relative_eq!(*density, 0.125, max_relative = 0.15);
+        }
         let wave = Topography {
             heights: (0..65_536)
                 .map(|k| (2.0 * PI * f64::from(k % 256) / 32.0).cos())
@@ -109,5 +175,39 @@ mod tests {
         let peak = (along.wavelength.iter().zip(&along.density)).max_by(|a, b| a.1.total_cmp(b.1));
         assert_relative_eq!(*peak.unwrap().0, 16.0, max_relative = 0.2);
         assert!(spectrum(&wave, 1).density[3..].iter().all(|d| *d < 1e-12));
+    }
+
+    /// cos(2π f·x) of the amplitude A at (1, 1)/16 has ½A² in all, within a band about 1/f = 16/√2; a profile has none.
+    #[test]
+    fn the_radial_density_of_a_wave_has_its_power() {
+        let n = 128_usize;
+        let height = |k: usize| {
+            let phase = (k % n + k / n) as f64 / 16.0;
+            0.2 * (2.0 * PI * phase).cos()
+        };
+        let mut map = Topography {
+            counts: [n, n],
+            spacing: [1.0; 2],
+            heights: (0..n * n).map(height).collect(),
+        };
+        let found = radial_spectrum(&map).unwrap();
+        let rows = || found.wavelength.iter().zip(&found.density);
+        let peak = rows().max_by(|a, b| a.1.total_cmp(b.1)).unwrap();
+        let middle = 16.0 / 2.0_f64.sqrt();
+        assert_relative_eq!(*peak.0, middle, max_relative = 0.1);
+        // Modes of the band times their density, over the area.
+        let [low, high] = [-0.5, 0.5].map(|half| {
+            let number = (2.0 * (n as f64 / middle).log2()).round() + half;
+            2.0_f64.powf(0.5 * number)
+        });
+        let modes = (0..n * n).filter(|k| {
+            let number = |k: usize| k.min(n - k) as f64;
+            let f = number(k % n).hypot(number(k / n));
+            (low..high).contains(&f)
+        });
+        let power = *peak.1 * modes.count() as f64 / (n * n) as f64;
+        assert_relative_eq!(power, 0.5 * 0.04, max_relative = 0.02);
+        map.counts = [n * n, 1];
+        assert_eq!(radial_spectrum(&map), None);
     }
 }

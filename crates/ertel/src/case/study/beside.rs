@@ -62,6 +62,12 @@ impl Study {
                 error.with_help("take [curve] out of the case, or compare with a copy without it")
             );
         }
+        if let Some(transient) = case.tree().entry("transient") {
+            let message =
+                format!("the rows of {file} are steady contacts, and this case changes in time");
+            let error = case.error_at(transient.key_span.clone(), "transient", message);
+            return Err(error.with_help("take [transient] out of the case"));
+        }
         let title = case.root().optional_str("title")?.unwrap_or_default();
         let title = title.to_owned();
         let (case, offset) = case.beside(&file, text);

@@ -22,6 +22,7 @@
 
 mod axis;
 mod beside;
+mod in_time;
 mod points;
 mod text;
 pub(super) mod values;
@@ -158,13 +159,10 @@ impl StudyPoint {
             }
             let mut case = Case::without_curve(&varied, folder, replaced.clone())?;
             case.read_contacts(&varied, folder, replaced)?;
-            match case.transient {
-                None => Ok(case),
-                Some(_) => Err(varied
-                    .root()
-                    .error("transient", "studies, curves and samples solve steady contacts, and this case changes in time")
-                    .with_help("solve it alone, or take [transient] out of the case")),
+            for setting in settings {
+                in_time::check_effect(&varied, setting)?;
             }
+            Ok(case)
         };
         let mut case = read().map_err(|error| error.with_help(told(&label)))?;
         let keys = settings.iter().map(|s| s.key.as_str());

@@ -11,7 +11,8 @@ use super::reader::{MOST_POINTS, MapError, Told, read};
 use super::{HEIGHT, SIZE, direction};
 use crate::contact::gap::{Form, HeightMap};
 use crate::contact::topography::{
-    Generated, Levelling, Parameters, Pass, SelfAffine, Spectrum, Topography, spectrum,
+    Generated, Levelling, Parameters, Pass, SelfAffine, Spectrum, Topography, radial_spectrum,
+    spectrum,
 };
 use crate::words::length;
 
@@ -50,6 +51,12 @@ pub struct SurfaceEcho {
     pub levelled_spectra: [Spectrum; 2],
     /// Those of the filtered one.
     pub filtered_spectra: [Spectrum; 2],
+    /// Spectrum of the levelled surface over all directions; none of a profile.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub levelled_radial_spectrum: Option<Spectrum>,
+    /// That of the filtered one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub filtered_radial_spectrum: Option<Spectrum>,
 }
 
 /// Share of points without a height that is filled where the case does not say another.
@@ -288,6 +295,7 @@ fn finished(
     let levelled = map.parameters();
     let spectra = |map: &Topography| [0, 1].map(|d| spectrum(map, d));
     let levelled_spectra = spectra(&map);
+    let levelled_radial_spectrum = radial_spectrum(&map);
     for (pass, cutoff) in [(Pass::Short, own.high_pass), (Pass::Long, own.low_pass)] {
         if let Some(cutoff) = cutoff {
             map.filter(pass, cutoff);
@@ -318,6 +326,8 @@ fn finished(
         filtered,
         levelled_spectra,
         filtered_spectra,
+        levelled_radial_spectrum,
+        filtered_radial_spectrum: radial_spectrum(&map),
     };
     map.taper(taper);
     let form = Form::Map {

@@ -24,10 +24,7 @@ pub(super) fn curve_chart(title: &str, curve: &CurveSolution, y_label: &str) -> 
         Axis::linear_around(&label, values().map(shown).chain(origin))
     };
     let mut chart = Chart::new(title, x, Axis::linear(y_label, 0.0, 1.0));
-    let failed = curve
-        .points
-        .iter()
-        .filter(|p| p.outcome.solution().is_none());
+    let failed = curve.points.iter().filter(|p| !p.outcome.is_solved());
     chart.markers = failed
         .map(|p| Marker {
             x: shown(p.value),

@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use super::super::machine::machine_figures_json;
 use super::super::result_json::{FORMAT_VERSION, figures_json, units};
+use super::super::transient::over_time_json;
 use crate::case::CaseEcho;
 use crate::run::NUMERICS;
 use crate::study::{CurveSolution, Outcome, PointSolution};
@@ -48,7 +49,7 @@ pub fn point_json(index: usize, point: &PointSolution) -> serde_json::Result<Val
         let mut json = json!({
             "point": index + 1,
             "value": point.value,
-            "converged": point.outcome.solution().is_some(),
+            "converged": point.outcome.is_solved(),
             "seconds": point.seconds,
             "figures": machine_figures_json(&machine.figures),
             "n_contacts": machine.solution.n_contacts(),
@@ -61,6 +62,9 @@ pub fn point_json(index: usize, point: &PointSolution) -> serde_json::Result<Val
         }
         return Ok(json);
     }
+    if point.is_in_time {
+        return json_in_time(index, point);
+    }
     let formulas: Vec<Value> = point
         .formulas
         .iter()
@@ -69,7 +73,7 @@ pub fn point_json(index: usize, point: &PointSolution) -> serde_json::Result<Val
     let mut json = json!({
         "point": index + 1,
         "value": point.value,
-        "converged": point.outcome.solution().is_some(),
+        "converged": point.outcome.is_solved(),
         "seconds": point.seconds,
         "formulas": formulas,
     });
@@ -92,6 +96,8 @@ pub fn point_json(index: usize, point: &PointSolution) -> serde_json::Result<Val
             json["unresolved"] = serde_json::to_value(&s.unresolved)?;
             json["warnings"] = json!(texts(&s.warnings));
         }
+        // Told above.
+        Outcome::InTime(_) => {}
         Outcome::Failed(reason) => json["reason"] = json!(reason),
     }
     if let Some(newtonian) = &point.newtonian {
@@ -99,6 +105,28 @@ pub fn point_json(index: usize, point: &PointSolution) -> serde_json::Result<Val
     }
     if let Some(isothermal) = &point.isothermal {
         json["isothermal"] = beside(isothermal)?;
+    }
+    Ok(json)
+}
+
+/// A point that is a case in time: the figures of the whole run.
+fn json_in_time(index: usize, point: &PointSolution) -> serde_json::Result<Value> {
+    let mut json = json!({
+        "point": index + 1,
+        "value": point.value,
+        "converged": point.outcome.is_solved(),
+        "seconds": point.seconds,
+    });
+    if let Some(run) = point.outcome.in_time() {
+        json["over_time"] = over_time_json(&run.figures, point.case.contact.kind.is_line());
+        json["steps"] = json!(run.steps[0]);
+        json["refused_steps"] = json!(run.steps[1]);
+        json["newton_iterations"] = json!(run.newton_iterations);
+        json["unresolved"] = json!(run.unresolved);
+        json["warnings"] = json!(texts(&run.warnings));
+    }
+    if let Some(reason) = point.outcome.reason() {
+        json["reason"] = json!(reason);
     }
     Ok(json)
 }
@@ -113,6 +141,8 @@ fn beside(outcome: &Outcome) -> serde_json::Result<Value> {
             "traction": serde_json::to_value(&s.traction)?,
             "warnings": texts(&s.warnings),
         }),
+        // Curves of cases in time have none beside them.
+        Outcome::InTime(_) => json!({ "converged": true }),
         Outcome::Failed(reason) => json!({ "converged": false, "reason": reason }),
     })
 }

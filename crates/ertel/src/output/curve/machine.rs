@@ -1,15 +1,19 @@
-//! Figures of whole machines over the quantity of a curve.
+//! Figures of whole machines and of runs in time over the quantity of a curve.
 
-use super::super::machine::{DRAWN, Drawn};
+use super::super::machine::{DRAWN, DRAWN_IN_TIME, Drawn};
 use super::super::pictures::{ERROR_BARS, Picture};
 use super::frame::{curve_chart, fit_y, largest, points_over};
-use crate::machine::MachineFigure;
+use crate::solution::Estimate;
 use crate::study::{CurveSolution, PointSolution};
 use ertel_plot::{Chart, ErrorBars, PALETTE, Series, Side};
 
-/// A picture of each kind of figure that the machines have.
+/// A picture of each kind of figure that the machines, or the runs in time, have.
 pub(super) fn pictures(title: &str, curve: &CurveSolution) -> Vec<Picture> {
-    let charts = DRAWN
+    let drawn: &[Drawn] = match curve.points.iter().any(|point| point.is_in_time) {
+        true => &DRAWN_IN_TIME,
+        false => &DRAWN,
+    };
+    let charts = drawn
         .iter()
         .filter_map(|drawn| Some((drawn, chart(title, curve, drawn)?)));
     charts
@@ -18,8 +22,20 @@ pub(super) fn pictures(title: &str, curve: &CurveSolution) -> Vec<Picture> {
 }
 
 /// A figure of a point.
-fn figure<'a>(point: &'a PointSolution, name: &str) -> Option<&'a MachineFigure> {
-    point.machine.as_ref()?.figures.find(name)
+struct Shown {
+    words: &'static str,
+    estimate: Estimate,
+}
+
+fn figure(point: &PointSolution, name: &str) -> Option<Shown> {
+    if let Some(run) = point.outcome.in_time() {
+        let found = run.find(name)?;
+        let (words, estimate) = (found.words, found.estimate);
+        return Some(Shown { words, estimate });
+    }
+    let found = point.machine.as_ref()?.figures.find(name)?;
+    let (words, estimate) = (found.words, found.estimate);
+    Some(Shown { words, estimate })
 }
 
 /// Figures over the quantity, with the bars that they have; `None` where no point has one.
@@ -36,8 +52,8 @@ fn chart(title: &str, curve: &CurveSolution, drawn: &Drawn) -> Option<Chart> {
         let Some(words) = of.next().map(|figure| figure.words) else {
             continue;
         };
-        let over = |of: &dyn Fn(&MachineFigure) -> Option<f64>| {
-            points_over(curve, |p| Some(factor * of(figure(p, name)?)? + summand))
+        let over = |of: &dyn Fn(&Shown) -> Option<f64>| {
+            points_over(curve, |p| Some(factor * of(&figure(p, name)?)? + summand))
         };
         let ends = |sign: f64| over(&|f| Some(f.estimate.value + sign * f.estimate.error?));
         let bars: Vec<[f64; 3]> = (ends(-1.0).into_iter().zip(ends(1.0)))

@@ -20,10 +20,11 @@ use super::folder::{NewFolder, OutputFile, Part};
 use super::html::{REPORT_PAGE, curve_page};
 use super::machine::{check as check_machine, write_files_of_machine};
 use super::pictures::Picture;
+use super::transient::{check_finite, write_files as write_files_in_time};
 use super::{OutputError, finite, write_files, write_picture};
 use crate::case::CaseEcho;
 use crate::params::OutputParams;
-use crate::study::{CurveSolution, Outcome};
+use crate::study::{CurveSolution, Outcome, PointSolution};
 use ertel_plot::Chart;
 
 /// Writes the results of a curve into one folder, as [`super::write`] does; `folders` adds the results of each
@@ -44,6 +45,11 @@ pub fn write_curve(
     if folders {
         let width = curve.n_points.to_string().len();
         for (i, point) in curve.points.iter().enumerate() {
+            if let Some(run) = point.outcome.in_time() {
+                let part = folder.point(&format!("{:0width$}", i + 1))?;
+                let instants = run.instants.as_ref().expect("they are kept for folders");
+                write_files_in_time(&part, &point.case, instants, params)?;
+            }
             let Outcome::Solved(solution) = &point.outcome else {
                 continue;
             };
@@ -77,6 +83,10 @@ pub fn curve_files(
 
 fn check_curve(curve: &CurveSolution) -> Result<(), OutputError> {
     for (i, point) in curve.points.iter().enumerate() {
+        let run = point.outcome.in_time();
+        if let Some(instants) = run.and_then(|run| run.instants.as_ref()) {
+            check_finite(instants)?;
+        }
         if let Some(machine) = &point.machine {
             check_machine(&machine.solution, &machine.figures)?;
         }
@@ -122,7 +132,8 @@ fn write_files_of_curve(
 
 /// Every picture of a curve.
 fn pictures(title: &str, curve: &CurveSolution) -> Vec<Picture> {
-    if curve.points.iter().any(|point| point.machine.is_some()) {
+    let has_figures = |point: &PointSolution| point.machine.is_some() || point.is_in_time;
+    if curve.points.iter().any(has_figures) {
         return machine::pictures(title, curve);
     }
     let picture = |name, chart: Chart| Picture::new(name, chart.drawing());

@@ -4,9 +4,11 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::super::figure::{estimate, number, peak, temperature};
-use super::super::machine::{TOLD, shown};
+use super::super::machine::{TOLD, TOLD_IN_TIME, shown};
 use super::super::mixed::share;
+use super::super::transient::over_time_text;
 use crate::case::CaseEcho;
+use crate::run::over_time::words_of;
 use crate::solution::MixedLubrication;
 use crate::study::{CurveSolution, Outcome, PointSolution, UnresolvedFigures, value_text};
 use crate::warning::by_kind;
@@ -21,9 +23,11 @@ pub fn curve_report(case: &CaseEcho, curve: &CurveSolution, folder: Option<&Path
     let rule = "─".repeat(title.chars().count().max(4));
     let mut text = format!("{title}\n{rule}\n\nCurve over {}\n", curve.quantity.path);
     let is_machine = curve.points.iter().any(|p| p.machine.is_some());
-    let rows = match is_machine {
-        true => rows_of_machines(curve),
-        false => rows(curve),
+    let is_in_time = curve.points.iter().any(|p| p.is_in_time);
+    let rows = match (is_machine, is_in_time) {
+        (true, _) => rows_of_machines(curve),
+        (false, true) => rows_in_time(curve),
+        (false, false) => rows(curve),
     };
     let width = |j: usize| rows.iter().map(|r| r[j].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
@@ -113,7 +117,7 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
                     time,
                 ]
             }
-            Outcome::Failed(_) => [
+            Outcome::InTime(_) | Outcome::Failed(_) => [
                 value,
                 failed(),
                 none(),
@@ -156,6 +160,37 @@ fn rows_of_machines(curve: &CurveSolution) -> Vec<Vec<String>> {
                 (all, failed) => format!("{failed} of {all} failed"),
             },
         });
+        row.push(format!("{} s", digits(point.seconds, 2)));
+        rows.push(row);
+    }
+    rows
+}
+
+/// The table of runs in time with its header: those of the main figures that they have, not zero at all of them.
+fn rows_in_time(curve: &CurveSolution) -> Vec<Vec<String>> {
+    let figure = |p: &PointSolution, name: &str| p.outcome.in_time()?.find(name).cloned();
+    let is_told = |name: &&&str| {
+        let mut found = curve.points.iter().filter_map(|p| figure(p, name));
+        found.any(|figure| figure.estimate.value != 0.0)
+    };
+    let names: Vec<&&str> = TOLD_IN_TIME.iter().filter(is_told).collect();
+    let words = names.iter().map(|name| words_of(name).unwrap_or_default());
+    let mut head = vec![curve.quantity.name.to_owned()];
+    head.extend(words.map(str::to_owned));
+    head.extend(["steps", "time"].map(str::to_owned));
+    let mut rows = vec![head];
+    for point in &curve.points {
+        let mut row = vec![value_text(&curve.quantity, point.value)];
+        let failed = |name: &str| match name {
+            "film_central_lowest" => "failed".to_owned(),
+            _ => "-".to_owned(),
+        };
+        row.extend(names.iter().map(|name| {
+            let is_line = point.case.contact.kind.is_line();
+            let shown = figure(point, name).map(|figure| over_time_text(&figure, is_line));
+            shown.unwrap_or_else(|| failed(name))
+        }));
+        row.push((point.outcome.in_time()).map_or("-".to_owned(), |run| run.steps[0].to_string()));
         row.push(format!("{} s", digits(point.seconds, 2)));
         rows.push(row);
     }

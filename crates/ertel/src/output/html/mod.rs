@@ -266,7 +266,7 @@ pub fn transient_page(case: &CaseEcho, found: &TransientSolution, pictures: &[Pi
             .map(str::to_owned)
             .collect(),
         results: part(
-            |out| write_transient(out, found, case.contact.kind.load_unit()),
+            |out| write_transient(out, found, case.contact.kind),
             "Results",
         ),
         inputs: part(|out| write_case(out, case), "Case at the start"),

@@ -8,7 +8,7 @@ mod table;
 
 pub(super) use json::machine_figures_json;
 pub use json::{MACHINE_FORMAT, machine_json};
-pub(super) use over::{DRAWN, Drawn, TOLD};
+pub(super) use over::{DRAWN, DRAWN_IN_TIME, Drawn, TOLD, TOLD_IN_TIME};
 pub(super) use picture::pictures as machine_pictures;
 pub use report::machine_report;
 pub(super) use report::{shown, warning_texts, write_figures, write_idle};

@@ -1,4 +1,4 @@
-//! Which figures of machines are drawn over the quantity of a curve or the axis of a study, and told of each point in its report.
+//! Which figures of machines and of runs in time are drawn over the quantity of a curve or the axis of a study, and told of each point in its report.
 
 use super::super::pictures::film_unit;
 use ertel_plot::Look;
@@ -24,6 +24,7 @@ enum Scale {
     Unit(&'static str),
     Share,
     Celsius,
+    Pressure,
     Pure,
 }
 
@@ -103,6 +104,50 @@ pub(in crate::output) const DRAWN: [Drawn; 8] = [
     },
 ];
 
+/// Every picture of runs in time over what varies.
+pub(in crate::output) const DRAWN_IN_TIME: [Drawn; 4] = [
+    Drawn {
+        name: "film",
+        curve: "film-curve",
+        axis: "Film thickness *h*",
+        scale: Scale::Film,
+        figures: &["film_central_lowest", "film_minimum_lowest"],
+    },
+    Drawn {
+        name: "traction",
+        curve: "traction-curve",
+        axis: "Friction coefficient",
+        scale: Scale::Pure,
+        figures: &["traction_coefficient_highest", "traction_coefficient_mean"],
+    },
+    Drawn {
+        name: "pressure",
+        curve: "pressure-curve",
+        axis: "Pressure *p*",
+        scale: Scale::Pressure,
+        figures: &["pressure_maximum_highest"],
+    },
+    Drawn {
+        name: "amplitude-ratio",
+        curve: "amplitude-ratio-curve",
+        axis: "Amplitude ratio *A*_{d}/*A*_{i}",
+        scale: Scale::Pure,
+        figures: &["amplitude_ratio_last"],
+    },
+];
+
+/// Figures that the report of a curve tells of each run in time.
+pub(in crate::output) const TOLD_IN_TIME: [&str; 8] = [
+    "film_central_lowest",
+    "film_minimum_lowest",
+    "film_central_last",
+    "pressure_maximum_highest",
+    "traction_coefficient_highest",
+    "traction_coefficient_mean",
+    "amplitude_ratio_last",
+    "coefficient_of_restitution",
+];
+
 /// Figures that the report of a curve tells of each point.
 pub(in crate::output) const TOLD: [&str; 12] = [
     "film_minimum",
@@ -127,6 +172,7 @@ impl Drawn {
             Scale::Torque => "N m",
             Scale::Unit(unit) => unit,
             Scale::Celsius => "K",
+            Scale::Pressure => "Pa",
             Scale::Share | Scale::Pure => "",
         }
     }
@@ -143,6 +189,7 @@ impl Drawn {
             Scale::Unit(unit) => (1.0, 0.0, unit),
             Scale::Share => (100.0, 0.0, "%"),
             Scale::Celsius => (1.0, -273.15, "°C"),
+            Scale::Pressure => (1e-9, 0.0, "GPa"),
             Scale::Pure => (1.0, 0.0, ""),
         };
         let label = match unit {

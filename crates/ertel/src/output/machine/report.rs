@@ -160,7 +160,7 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
                 (s.thermal.as_ref())
                     .map_or_else(none, |t| temperature(t.film_maximum.estimate(), None)),
             ],
-            Outcome::Failed(_) => {
+            Outcome::InTime(_) | Outcome::Failed(_) => {
                 let mut cells = std::array::from_fn(|_| none());
                 [cells[0], cells[1], cells[2], cells[3], cells[4]] =
                     [name, load, hertz, speed, ratio];
@@ -249,6 +249,8 @@ fn warnings(machine: &MachineSolution, figures: &MachineFigures) -> Vec<Warning>
                 machine.machine.contacts[place].name
             ))),
             Outcome::Solved(s) => told.extend(s.warnings.iter().map(|w| (place, w))),
+            // Contacts of a whole machine are steady.
+            Outcome::InTime(_) => {}
         }
     }
     let merged = by_kind(told);

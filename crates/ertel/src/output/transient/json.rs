@@ -6,12 +6,29 @@ use super::super::result_json::{FORMAT_VERSION, units};
 use super::table::unresolved;
 use crate::case::CaseEcho;
 use crate::run::NUMERICS;
+use crate::run::over_time::{TimeFigure, over_time};
 use crate::run::transient::TransientSolution;
 use crate::solution::Figure;
 use crate::warning::texts;
 
 /// Value of the key `format` by which the results of a case in time are recognised.
 pub const TRANSIENT_FORMAT: &str = "ertel-transient";
+
+/// Figures of a whole run by their names.
+pub(in crate::output) fn over_time_json(figures: &[TimeFigure], is_line: bool) -> Value {
+    let rows = figures.iter().map(|figure| {
+        let told = json!({
+            "value": figure.estimate.value,
+            "error": figure.estimate.error,
+            "time": figure.time,
+            "resolved": figure.resolved,
+            "unit": figure.kind.unit(is_line),
+            "words": figure.words,
+        });
+        (figure.name.to_owned(), told)
+    });
+    Value::Object(rows.collect())
+}
 
 /// The document; SI throughout.
 pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json::Result<Value> {
@@ -88,6 +105,7 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
         "complete": found.failure.is_none(),
         "reason": found.failure.as_ref().map(ToString::to_string),
         "coefficient_of_restitution": found.restitution(),
+        "over_time": over_time_json(&over_time(found), is_line),
         "steps": found.info.steps,
         "refused_steps": found.info.refused,
         "newton_iterations": found.info.newton_iterations,

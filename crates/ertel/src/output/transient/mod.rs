@@ -10,12 +10,13 @@ mod table;
 
 pub use animation::animation;
 pub(super) use fields::is_file_of_instant;
+pub(super) use json::over_time_json;
 pub use json::{TRANSIENT_FORMAT, transient_json};
 pub use netcdf::transient_netcdf;
 pub(super) use picture::{film_axis, film_range};
 pub use picture::{film_over_time, map_of_film};
 pub use report::transient_report;
-pub(super) use report::write_results;
+pub(super) use report::{over_time_text, write_results};
 pub use table::{profiles_table, transient_table};
 
 use std::path::Path;
@@ -64,7 +65,7 @@ pub fn transient_files(
 }
 
 /// No number that is none gets into a file.
-fn check_finite(found: &TransientSolution) -> Result<(), OutputError> {
+pub(super) fn check_finite(found: &TransientSolution) -> Result<(), OutputError> {
     for instant in &found.instants {
         let figures = &instant.measured.figures;
         let mut values = Figure::ALL
@@ -87,7 +88,8 @@ fn check_finite(found: &TransientSolution) -> Result<(), OutputError> {
     Ok(())
 }
 
-fn write_files(
+/// The files of a case in time.
+pub(super) fn write_files(
     root: &Part,
     case: &CaseEcho,
     found: &TransientSolution,

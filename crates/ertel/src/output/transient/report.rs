@@ -2,13 +2,15 @@
 
 use std::path::Path;
 
-use super::super::figure::with_bar;
+use super::super::figure::{peak_of, temperature, unit_of_size, with_bar};
 use super::super::lines::{Lines, Table};
 use super::super::pictures::film_unit;
 use super::AMPLITUDE_RATIO;
 use crate::case::CaseEcho;
+use crate::contact::ContactKind;
+use crate::run::over_time::{TimeFigure, over_time};
 use crate::run::transient::{InstantSolution, TransientSolution};
-use crate::solution::Figure;
+use crate::solution::{Figure, Kind};
 use crate::words::{digits, length};
 
 /// Extremes over time, the instants of the output, warnings, effort.
@@ -20,7 +22,7 @@ pub fn transient_report(
     let mut out = Lines::default();
     out.title(&case.title);
     out.heading("Results");
-    write_results(&mut out, found, case.contact.kind.load_unit());
+    write_results(&mut out, found, case.contact.kind);
     out.warnings(&found.warnings);
     if let Some(folder) = folder {
         out.line(&format!("Results in {}", folder.display()));
@@ -28,12 +30,25 @@ pub fn transient_report(
     out.text()
 }
 
+/// Figures of the whole run that are told first.
+const AT_INSTANTS: [&str; 8] = [
+    "film_central_lowest",
+    "film_central_highest",
+    "film_minimum_lowest",
+    "pressure_maximum_highest",
+    "traction_coefficient_highest",
+    "traction_coefficient_mean",
+    "friction_power_mean",
+    "film_temperature_maximum_highest",
+];
+
 /// The same without title and warnings.
 pub(in crate::output) fn write_results(
     out: &mut Lines,
     found: &TransientSolution,
-    force_unit: &str,
+    kind: ContactKind,
 ) {
+    let force_unit = kind.load_unit();
     let instants = &found.instants;
     let (Some(first), Some(last)) = (instants.first(), instants.last()) else {
         if let Some(failure) = &found.failure {
@@ -42,38 +57,17 @@ pub(in crate::output) fn write_results(
         return;
     };
     let time = time_unit(last.time);
-    for (name, figure, is_lowest) in [
-        ("lowest central film thickness", Figure::FilmCentral, true),
-        ("highest central film thickness", Figure::FilmCentral, false),
-        ("lowest minimum film thickness", Figure::FilmMinimum, true),
-        ("highest pressure maximum", Figure::PressureMaximum, false),
-        (
-            "highest friction coefficient",
-            Figure::TractionCoefficient,
-            false,
-        ),
-    ] {
-        // The sign of friction tells its direction.
-        let value = |instant: &InstantSolution| {
-            let value = instant.measured.figures.value(figure)?;
-            Some(match figure {
-                Figure::TractionCoefficient => value.abs(),
-                _ => value,
-            })
-        };
-        let sorted = |a: &&InstantSolution, b: &&InstantSolution| {
-            let [a, b] = [a, b].map(|instant| value(instant).unwrap_or(f64::NAN));
-            a.total_cmp(&b)
-        };
-        let known = || instants.iter().filter(|instant| value(instant).is_some());
-        let found = match is_lowest {
-            true => known().min_by(sorted),
-            false => known().max_by(sorted),
-        };
-        if let Some(instant) = found.filter(|instant| value(instant) != Some(0.0)) {
+    let told = over_time(found);
+    for name in AT_INSTANTS {
+        let figure = told.iter().find(|figure| figure.name == name);
+        if let Some(figure) = figure.filter(|figure| figure.estimate.value != 0.0) {
+            let text = over_time_text(figure, kind.is_line());
             out.row(
-                name,
-                format!("{} at {}", shown(instant, figure), at(instant.time, time)),
+                figure.words,
+                match figure.time {
+                    Some(at_time) => format!("{text} at {}", at(at_time, time)),
+                    None => text,
+                },
             );
         }
     }
@@ -193,6 +187,22 @@ pub(super) fn time_unit(longest: f64) -> (f64, &'static str) {
 
 pub(super) fn at(time: f64, (factor, unit): (f64, &str)) -> String {
     format!("{} {unit}", digits(factor * time, 4))
+}
+
+/// A figure of a whole run in its unit.
+pub(in crate::output) fn over_time_text(figure: &TimeFigure, is_line: bool) -> String {
+    let value = figure.estimate.value;
+    match figure.kind {
+        // Instants may have higher ones than their grids draw.
+        Kind::PeakPressure => peak_of(figure.estimate, figure.resolved),
+        _ if !figure.resolved => "not resolved".to_owned(),
+        Kind::Temperature => temperature(figure.estimate, None),
+        Kind::Power | Kind::Force => with_bar(figure.estimate, 1.0, figure.kind.unit(is_line)),
+        kind => {
+            let (factor, unit) = unit_of_size(kind, value);
+            with_bar(figure.estimate, factor, unit)
+        }
+    }
 }
 
 fn shown(instant: &InstantSolution, figure: Figure) -> String {

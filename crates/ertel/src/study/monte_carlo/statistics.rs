@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::case::study::Study;
 use crate::machine::MachineFigures;
+use crate::run::over_time::TimeFigure;
 use crate::solution::Figure;
 use crate::study::columns::{Column, titled};
 use crate::study::journal::Record;
@@ -29,7 +30,7 @@ pub struct MonteCarlo {
 pub enum Sampled {
     /// That of a contact.
     Contact(Figure),
-    /// That of a whole machine.
+    /// That of a whole machine, or of a run in time.
     Machine {
         /// Name in results.
         name: &'static str,
@@ -95,6 +96,21 @@ impl MonteCarlo {
             name: figure.name,
             words: figure.words,
             unit: figure.unit,
+        });
+        MonteCarlo::of_figures(study, records, figures)
+    }
+
+    /// Of a study whose points are samples of a case in time that has these figures.
+    pub fn in_time(
+        study: &Study,
+        records: &[Option<Record>],
+        figures: &[TimeFigure],
+    ) -> MonteCarlo {
+        let is_line = (study.points.first()).is_some_and(|p| p.case.contact.kind.is_line());
+        let figures = figures.iter().map(|figure| Sampled::Machine {
+            name: figure.name,
+            words: figure.words,
+            unit: figure.kind.unit(is_line),
         });
         MonteCarlo::of_figures(study, records, figures)
     }

@@ -135,9 +135,8 @@ pub fn read(path: &Path, told: &Told) -> Result<Heights, MapError> {
             (x3p::parse(&bytes)?, Format::X3p)
         }
         _ if sdf::is_binary(&bytes) => {
-            return Err(MapError::content(
-                "binary SDF is not read: export ASCII SDF, whose first line is aISO-1.0",
-            ));
+            told.nothing_of_the_file(true)?;
+            (sdf::binary::parse(&bytes)?, Format::Sdf)
         }
         _ => {
             let text = read_table(path)?;

@@ -1,5 +1,7 @@
 //! SDF, ASCII (ISO 25178-71): a header of keys, heights, a trailer, each of which ends with an asterisk. Lengths are in metres.
 
+pub(super) mod binary;
+
 use super::{MapError, checked};
 use crate::contact::topography::Topography;
 

@@ -137,13 +137,112 @@ fn sdf() {
         ("Xscale = 2e-6", "Xscale = 0", "not positive"),
         ("Compression = 0", "Compression = 1", "compressed"),
         ("BAD", "1e999", "no height"),
-        ("aISO", "bISO", "binary"),
     ] {
         let said = error(&text.replace(from, to));
         assert!(said.contains(says), "{said}");
     }
     let twice = read(&path, &ROWS).unwrap_err().to_string();
     assert!(twice.contains("`spacing`"), "{twice}");
+}
+
+/// Files made by the layout of the standard: each type of height, one with a trailer, one with bytes added to the header as some makers do.
+#[test]
+fn binary_sdf() {
+    let folder = folder();
+    let header = |magic: &str, kind: u8, unit: f64| {
+        let mut bytes = magic.as_bytes().to_vec();
+        bytes.extend(b"made by us030220260900040220260900");
+        for count in [5_u16, 4] {
+            bytes.extend(count.to_le_bytes());
+        }
+        for scale in [2e-6, 3e-6, unit, -1.0] {
+            bytes.extend(f64::to_le_bytes(scale));
+        }
+        bytes.extend([0, kind, 0]);
+        assert_eq!(bytes.len(), 81);
+        bytes
+    };
+    let nm = || expected().into_iter().map(|h| (1e9 * h).round());
+    let integers = |hole: f64| nm().map(move |h| if h.is_nan() { hole } else { h });
+    let cases: [(u8, f64, Vec<u8>); 6] = [
+        (
+            1,
+            1e-9,
+            integers(65535.0)
+                .flat_map(|h| (h as u16).to_le_bytes())
+                .collect(),
+        ),
+        (
+            2,
+            1e-9,
+            integers(4_294_967_295.0)
+                .flat_map(|h| (h as u32).to_le_bytes())
+                .collect(),
+        ),
+        (
+            3,
+            1e-9,
+            nm().flat_map(|h| (h as f32).to_le_bytes()).collect(),
+        ),
+        (
+            5,
+            1e-9,
+            integers(-32768.0)
+                .flat_map(|h| (h as i16).to_le_bytes())
+                .collect(),
+        ),
+        (
+            6,
+            1e-9,
+            integers(-2_147_483_648.0)
+                .flat_map(|h| (h as i32).to_le_bytes())
+                .collect(),
+        ),
+        (
+            7,
+            1.0,
+            expected().iter().flat_map(|h| h.to_le_bytes()).collect(),
+        ),
+    ];
+    for (kind, unit, data) in &cases {
+        for (magic, added, trailer) in [
+            ("bISO-1.0", &b""[..], &b""[..]),
+            ("bBCR-1.0", b"", b"Comment"),
+            ("bISO-1.0", b"\x05\0\0\0\x01\0\0\0", b""),
+        ] {
+            let bytes = [&header(magic, *kind, *unit), added, data, trailer].concat();
+            let path = written(&folder, "a.sdf", &bytes);
+            assert_is_expected(&read(&path, &Told::default()).unwrap(), Format::Sdf);
+        }
+    }
+    // Bytes have no number for a point without height.
+    for kind in [0, 4] {
+        let bytes = [header("bISO-1.0", kind, 1e-9), (0..20).collect()].concat();
+        let map = read(&written(&folder, "b.sdf", &bytes), &Told::default())
+            .unwrap()
+            .map;
+        assert_relative_eq!(map.heights[7], 7e-9, max_relative = 1e-12);
+    }
+    let whole = [header("bISO-1.0", 5, 1e-9), cases[3].2.clone()].concat();
+    type Change = fn(&mut Vec<u8>);
+    let said = |change: Change| {
+        let mut bytes = whole.clone();
+        change(&mut bytes);
+        let path = written(&folder, "c.sdf", &bytes);
+        read(&path, &Told::default()).unwrap_err().to_string()
+    };
+    let cases: [(Change, &str); 6] = [
+        (|b| b.truncate(80), "80 bytes"),
+        (|b| b.truncate(120), "39 bytes of heights"),
+        (|b| b[78] = 1, "compressed"),
+        (|b| b[79] = 8, "DataType is 8"),
+        (|b| b[46..54].fill(0), "Xscale is 0"),
+        (|b| b[42] = 2, "too few"),
+    ];
+    for (change, says) in cases {
+        let said = said(change);
+        assert!(said.contains(says), "{said}");
+    }
 }
 
 fn zipped(files: &[(&str, &[u8], bool)]) -> Vec<u8> {
@@ -264,6 +363,149 @@ fn x3p() {
         (zipped(&[("a", b"b", false)]), "no main.xml"),
     ] {
         let said = error(&bytes);
+        assert!(said.contains(says), "{said}");
+    }
+}
+
+/// Places of their own: both of them in a matrix, in a list in another order, y alone, and as texts.
+#[test]
+fn x3p_with_places() {
+    let folder = folder();
+    let axis = |kind: &str, data: &str, unit: &str| {
+        format!(
+            "<AxisType>{kind}</AxisType><DataType>{data}</DataType><Increment>{unit}</Increment>"
+        )
+    };
+    let described = |x: String, y: String, z: String, rest: &str| {
+        format!(
+            "<?xml version=\"1.0\"?><p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\"><Record1><FeatureType>PCL</FeatureType><Axes><CX>{x}</CX><CY>{y}</CY>\
+             <CZ>{z}</CZ></Axes></Record1><Record3>{rest}</Record3></p:ISO5436_2>"
+        )
+    };
+    let matrix =
+        "<MatrixDimension><SizeX>5</SizeX><SizeY>4</SizeY><SizeZ>1</SizeZ></MatrixDimension>";
+    let link = "<DataLink><PointDataLink>data.bin</PointDataLink></DataLink>";
+    let place = |k: usize| (7.0 + 2.0 * (k % 5) as f64, 3.0 * (k / 5) as f64 - 1.0);
+    let all = expected();
+    let doubles = |order: &[usize]| -> Vec<u8> {
+        let point = |k: &usize| {
+            let (x, y) = place(*k);
+            [x * 1e-6, y * 1e-6, all[*k]].map(f64::to_le_bytes).concat()
+        };
+        order.iter().flat_map(point).collect()
+    };
+    let in_order: Vec<usize> = (0..20).collect();
+    let turned: Vec<usize> = (0..20).map(|i| (7 * i + 3) % 20).collect();
+    // y in whole µm, x by its place in the row.
+    let mixed: Vec<u8> = (0..20)
+        .flat_map(|k| {
+            [
+                &(place(k).1 as i16).to_le_bytes()[..],
+                &(all[k] as f32).to_le_bytes(),
+            ]
+            .concat()
+        })
+        .collect();
+    let absolute = || axis("A", "D", "1");
+    let texts: String = (0..20)
+        .map(|k| {
+            let (x, y) = place(k);
+            let z = if all[k].is_nan() {
+                String::new()
+            } else {
+                format!("{:e}", all[k])
+            };
+            format!("<Datum>{:e};{:e};{z}</Datum>", x * 1e-6, y * 1e-6)
+        })
+        .collect();
+    let list = format!("<ListDimension>20</ListDimension><DataList>{texts}</DataList>");
+    let in_list = format!("<ListDimension>20</ListDimension>{link}");
+    let in_matrix = format!("{matrix}{link}");
+    for (name, xml, data) in [
+        (
+            "matrix",
+            described(absolute(), absolute(), absolute(), &in_matrix),
+            doubles(&in_order),
+        ),
+        (
+            "list",
+            described(absolute(), absolute(), absolute(), &in_list),
+            doubles(&turned),
+        ),
+        (
+            "mixed",
+            described(
+                axis("I", "D", "2e-6"),
+                axis("A", "I", "1e-6"),
+                axis("A", "F", "1"),
+                &in_matrix,
+            ),
+            mixed,
+        ),
+        (
+            "texts",
+            described(absolute(), absolute(), absolute(), &list),
+            Vec::new(),
+        ),
+    ] {
+        let bytes = zipped(&[
+            ("main.xml", xml.as_bytes(), true),
+            ("data.bin", &data, true),
+        ]);
+        let path = written(&folder, name, &bytes);
+        assert_is_expected(&read(&path, &Told::default()).unwrap(), Format::X3p);
+    }
+    let said = |xml: String, data: &[u8]| {
+        let bytes = zipped(&[("main.xml", xml.as_bytes(), true), ("data.bin", data, true)]);
+        read(&written(&folder, "bad", &bytes), &Told::default())
+            .unwrap_err()
+            .to_string()
+    };
+    let mut off = doubles(&in_order);
+    off[24..32].copy_from_slice(&8.3e-6_f64.to_le_bytes());
+    for (xml, data, says) in [
+        (
+            described(absolute(), absolute(), absolute(), &in_list),
+            off,
+            "equal distances along x",
+        ),
+        (
+            described(absolute(), absolute(), absolute(), &in_list),
+            doubles(&turned[..19]),
+            "456 bytes",
+        ),
+        (
+            described(absolute(), absolute(), absolute(), link),
+            Vec::new(),
+            "how many points",
+        ),
+        (
+            described(axis("I", "D", "2e-6"), absolute(), absolute(), &in_list),
+            Vec::new(),
+            "of the type A",
+        ),
+        (
+            described(axis("A", "D", "0"), absolute(), absolute(), &in_list),
+            Vec::new(),
+            "increment of CX",
+        ),
+        (
+            described(axis("A", "X", "1"), absolute(), absolute(), &in_list),
+            Vec::new(),
+            "data type X",
+        ),
+        (
+            described(
+                absolute(),
+                absolute(),
+                absolute(),
+                "<ListDimension>1</ListDimension><DataList><Datum>1;2</Datum></DataList>",
+            ),
+            Vec::new(),
+            "is no point",
+        ),
+    ] {
+        let said = said(xml, &data);
         assert!(said.contains(says), "{said}");
     }
 }

@@ -204,7 +204,7 @@ pub(super) fn parse_csv(file: &str, text: &str) -> Result<Topography, MapError> 
 }
 
 /// Points on a grid whose rows lie along x; those that are not there have no height.
-fn gridded(points: &[[f64; 3]]) -> Result<Topography, MapError> {
+pub(super) fn gridded(points: &[[f64; 3]]) -> Result<Topography, MapError> {
     if points.is_empty() {
         return Err(MapError::content("the file has no points"));
     }

@@ -4,6 +4,7 @@ use miniz_oxide::inflate::decompress_to_vec_with_limit;
 use rawzip::{CompressionMethod, ZipArchive};
 use roxmltree::{Document, Node};
 
+use super::text::gridded;
 use super::{MOST_POINTS, MapError, checked};
 use crate::contact::topography::Topography;
 
@@ -43,7 +44,7 @@ fn file(archive: &[u8], name: &str, limit: usize) -> Result<Option<Vec<u8>>, Map
 }
 
 /// The text at a path of elements.
-fn at<'a>(node: Node<'a, 'a>, path: &[&str]) -> Option<&'a str> {
+fn at<'a>(node: Node<'a, '_>, path: &[&str]) -> Option<&'a str> {
     let found = path.iter().try_fold(node, |node, name| {
         node.children()
             .find(|child| child.tag_name().name() == *name)
@@ -61,6 +62,20 @@ enum Number {
 }
 
 impl Number {
+    /// That of an axis.
+    fn of(root: Node<'_, '_>, axis: &str) -> Result<Number, MapError> {
+        match at(root, &["Record1", "Axes", axis, "DataType"]) {
+            Some("I") => Ok(Number::Short),
+            Some("L") => Ok(Number::Long),
+            Some("F") => Ok(Number::Float),
+            Some("D") => Ok(Number::Double),
+            other => Err(MapError::content(format!(
+                "main.xml: {axis} has the data type {}, which is none of I, L, F and D",
+                other.unwrap_or("of no name")
+            ))),
+        }
+    }
+
     fn size(self) -> usize {
         match self {
             Number::Short => 2,
@@ -108,12 +123,11 @@ pub(super) fn parse(archive: &[u8]) -> Result<Topography, MapError> {
     let count = |axis: &str| -> Result<usize, MapError> {
         number(&["Record3", "MatrixDimension", axis]).map(|n| n as usize)
     };
-    for axis in ["CX", "CY"] {
-        if at(root, &["Record1", "Axes", axis, "AxisType"]).is_some_and(|kind| kind != "I") {
-            return Err(MapError::content(format!(
-                "main.xml: {axis} is no axis of equal distances; points with their own places are not read"
-            )));
-        }
+    let is_absolute = |axis: &str| {
+        at(root, &["Record1", "Axes", axis, "AxisType"]).is_some_and(|kind| kind == "A")
+    };
+    if is_absolute("CX") || is_absolute("CY") {
+        return placed(archive, root);
     }
     let counts = checked([count("SizeX")?, count("SizeY")?])?;
     if count("SizeZ")? != 1 {
@@ -134,18 +148,7 @@ pub(super) fn parse(archive: &[u8]) -> Result<Topography, MapError> {
     let n = counts[0] * counts[1];
     let mut heights = match at(root, &["Record3", "DataLink", "PointDataLink"]) {
         Some(name) => {
-            let kind = match at(root, &["Record1", "Axes", "CZ", "DataType"]) {
-                Some("I") => Number::Short,
-                Some("L") => Number::Long,
-                Some("F") => Number::Float,
-                Some("D") => Number::Double,
-                other => {
-                    return Err(MapError::content(format!(
-                        "main.xml: the heights have the data type {}, which is none of I, L, F and D",
-                        other.unwrap_or("of no name")
-                    )));
-                }
-            };
+            let kind = Number::of(root, "CZ")?;
             let bytes = file(archive, name, n * kind.size())?
                 .ok_or_else(|| MapError::content(format!("the archive has no `{name}`")))?;
             if bytes.len() != n * kind.size() {
@@ -172,17 +175,10 @@ pub(super) fn parse(archive: &[u8]) -> Result<Topography, MapError> {
             counts[1]
         )));
     }
-    if let Some(name) = at(root, &["Record3", "DataLink", "ValidPointsLink"]) {
-        // One bit a point, the lowest first.
-        let bits = file(archive, name, n.div_ceil(8))?
-            .filter(|bits| bits.len() == n.div_ceil(8))
-            .ok_or_else(|| {
-                MapError::content(format!("`{name}` does not have a bit for each point"))
-            })?;
-        for (k, h) in heights.iter_mut().enumerate() {
-            if bits[k / 8] >> (k % 8) & 1 == 0 {
-                *h = f64::NAN;
-            }
+    let is_valid = valid(archive, root, n)?;
+    for (k, h) in heights.iter_mut().enumerate() {
+        if !is_valid(k) {
+            *h = f64::NAN;
         }
     }
     if heights.iter().any(|h| h.is_infinite()) {
@@ -195,16 +191,191 @@ pub(super) fn parse(archive: &[u8]) -> Result<Topography, MapError> {
     })
 }
 
-/// Heights in the description: `x;y;z` or `z` each, empty where a point has none.
-fn listed(root: Node<'_, '_>, unit: f64) -> Result<Vec<f64>, MapError> {
+/// Which of the points have a height: one bit a point, the lowest first.
+fn valid(
+    archive: &[u8],
+    root: Node<'_, '_>,
+    n: usize,
+) -> Result<impl Fn(usize) -> bool + use<>, MapError> {
+    let bits = match at(root, &["Record3", "DataLink", "ValidPointsLink"]) {
+        None => None,
+        Some(name) => {
+            let bits = file(archive, name, n.div_ceil(8))?
+                .filter(|bits| bits.len() == n.div_ceil(8))
+                .ok_or_else(|| {
+                    MapError::content(format!("`{name}` does not have a bit for each point"))
+                })?;
+            Some(bits)
+        }
+    };
+    Ok(move |k: usize| {
+        bits.as_ref()
+            .is_none_or(|bits| bits[k / 8] >> (k % 8) & 1 == 1)
+    })
+}
+
+/// Points that tell where they are (axes of the type A), of a matrix or a list: they must lie on a grid, in whatever order.
+fn placed<'a>(archive: &[u8], root: Node<'a, 'a>) -> Result<Topography, MapError> {
+    let count = |path: &[&str]| at(root, path).and_then(|text| text.parse::<usize>().ok());
+    let rows = ["SizeX", "SizeY"].map(|size| count(&["Record3", "MatrixDimension", size]));
+    let n = match (count(&["Record3", "ListDimension"]), rows) {
+        (Some(n), _) => Some(n),
+        (None, [Some(nx), Some(ny)]) => nx.checked_mul(ny),
+        _ => None,
+    };
+    let n = n.filter(|n| (1..=MOST_POINTS).contains(n)).ok_or_else(|| {
+        MapError::content(format!(
+            "main.xml does not say how many points there are, 1 to {MOST_POINTS}"
+        ))
+    })?;
+    let axis = |name: &'static str| -> Result<Axis, MapError> {
+        let of = |key: &str| at(root, &["Record1", "Axes", name, key]);
+        let increment = of("Increment").map_or(Some(1.0), |text| text.parse::<f64>().ok());
+        let increment = increment.filter(|value| value.is_finite() && *value > 0.0);
+        let increment = increment.ok_or_else(|| {
+            MapError::content(format!(
+                "main.xml: the increment of {name} is no positive number"
+            ))
+        })?;
+        let is_absolute = name == "CZ" || of("AxisType") == Some("A");
+        Ok(Axis {
+            name,
+            increment,
+            is_absolute,
+        })
+    };
+    let axes = [axis("CX")?, axis("CY")?, axis("CZ")?];
+    if rows[0].is_none() && axes.iter().any(|axis| !axis.is_absolute) {
+        return Err(MapError::content(
+            "main.xml: in a list of points both x and y must be of the type A",
+        ));
+    }
+    // Place in the matrix where an axis has equal distances.
+    let own = |k: usize, d: usize| match (d, rows[0]) {
+        (0, Some(nx)) => (k % nx) as f64,
+        (1, Some(nx)) => (k / nx) as f64,
+        _ => 0.0,
+    };
+    let told = |k: usize, mut next: Box<dyn FnMut(usize) -> f64 + '_>| {
+        let mut point = [0.0; 3];
+        for (d, axis) in axes.iter().enumerate() {
+            let value = if axis.is_absolute { next(d) } else { own(k, d) };
+            point[d] = axis.increment * value;
+        }
+        point
+    };
+    let mut points: Vec<[f64; 3]> = match at(root, &["Record3", "DataLink", "PointDataLink"]) {
+        Some(name) => {
+            let mut kinds = [None; 3];
+            for (kind, axis) in kinds.iter_mut().zip(&axes) {
+                if axis.is_absolute {
+                    *kind = Some(Number::of(root, axis.name)?);
+                }
+            }
+            let size: usize = kinds.iter().flatten().map(|kind| kind.size()).sum();
+            let bytes = file(archive, name, n * size)?
+                .ok_or_else(|| MapError::content(format!("the archive has no `{name}`")))?;
+            if bytes.len() != n * size {
+                return Err(MapError::content(format!(
+                    "`{name}` has {} bytes, and {n} points take {}",
+                    bytes.len(),
+                    n * size
+                )));
+            }
+            let point = |(k, mut bytes): (usize, &[u8])| {
+                let next = move |d: usize| {
+                    let Some(kind) = kinds[d] else { return 0.0 };
+                    let (own, rest) = bytes.split_at(kind.size());
+                    bytes = rest;
+                    kind.read(own)
+                };
+                told(k, Box::new(next))
+            };
+            bytes.chunks_exact(size).enumerate().map(point).collect()
+        }
+        None => {
+            let texts = data(root)?;
+            let mut points = Vec::new();
+            for (k, text) in texts.into_iter().enumerate() {
+                let cells: Vec<&str> = text.split(';').map(str::trim).collect();
+                let needed = axes.iter().filter(|axis| axis.is_absolute).count();
+                if text.is_empty() {
+                    points.push([f64::NAN; 3]);
+                    continue;
+                }
+                // All three, or those alone that are told.
+                if cells.len() != 3 && cells.len() != needed {
+                    return Err(MapError::content(format!(
+                        "main.xml: \"{text}\" is no point"
+                    )));
+                }
+                let mut numbers = [0.0; 3];
+                let mut rest = cells.iter();
+                for (d, axis) in axes.iter().enumerate() {
+                    if !axis.is_absolute && cells.len() == needed {
+                        continue;
+                    }
+                    let cell = rest.next().copied().unwrap_or_default();
+                    numbers[d] = match cell.parse::<f64>() {
+                        Ok(value) => value,
+                        Err(_) if cell.is_empty() && d == 2 => f64::NAN,
+                        Err(_) => {
+                            return Err(MapError::content(format!(
+                                "main.xml: \"{text}\" is no point"
+                            )));
+                        }
+                    };
+                }
+                points.push(told(k, Box::new(move |d| numbers[d])));
+            }
+            points
+        }
+    };
+    if points.len() != n {
+        return Err(MapError::content(format!(
+            "{} points, where the file tells of {n}",
+            points.len()
+        )));
+    }
+    let is_valid = valid(archive, root, n)?;
+    for (k, point) in points.iter_mut().enumerate() {
+        if !is_valid(k) {
+            point[2] = f64::NAN;
+        }
+    }
+    // Points without a place have no height either.
+    points.retain(|[x, y, z]| z.is_nan() || (x.is_finite() && y.is_finite()));
+    points.retain(|[x, y, _]| x.is_finite() && y.is_finite());
+    if points.iter().any(|[.., z]| z.is_infinite()) {
+        return Err(MapError::content("a height is infinite"));
+    }
+    gridded(&points)
+}
+
+/// An axis of points that tell where they are.
+struct Axis {
+    name: &'static str,
+    /// What its numbers are in, m; of an axis of equal distances these.
+    increment: f64,
+    is_absolute: bool,
+}
+
+/// The texts of the points in the description.
+fn data<'a>(root: Node<'a, 'a>) -> Result<Vec<&'a str>, MapError> {
     let list = (root.descendants())
         .find(|node| node.tag_name().name() == "DataList")
         .ok_or_else(|| MapError::content("main.xml has neither a PointDataLink nor a DataList"))?;
-    (list
+    let points = list
         .children()
-        .filter(|node| node.tag_name().name() == "Datum"))
-    .map(|datum| {
-        let text = datum.text().unwrap_or_default();
+        .filter(|node| node.tag_name().name() == "Datum");
+    Ok(points
+        .map(|datum| datum.text().unwrap_or_default().trim())
+        .collect())
+}
+
+/// Heights in the description: `x;y;z` or `z` each, empty where a point has none.
+fn listed<'a>(root: Node<'a, 'a>, unit: f64) -> Result<Vec<f64>, MapError> {
+    let heights = data(root)?.into_iter().map(|text| {
         let cell = text.rsplit(';').next().unwrap_or_default().trim();
         match cell.parse::<f64>() {
             Ok(value) if !value.is_infinite() => Ok(unit * value),
@@ -213,6 +384,6 @@ fn listed(root: Node<'_, '_>, unit: f64) -> Result<Vec<f64>, MapError> {
                 "main.xml: \"{cell}\" is no height"
             ))),
         }
-    })
-    .collect()
+    });
+    heights.collect()
 }
