@@ -19,7 +19,6 @@ SHIPPED = ["ertel-cli", "ertel-py", "ertel-web"]
 HEADS = ("LICEN", "COPYING", "NOTICE", "UNLICENSE", "COPYRIGHT")
 # What is shipped beside the crates, or within one under a licence that the crate does not name: name, licence, its text.
 OTHERS = [
-    ("quicksort of the GNU C Library (gk_mksort.h of GKlib, in metis-sys; sources: crates.io)", "LGPL-2.1-or-later", "packaging/licences/LGPL-2.1.txt"),
     ("Liberation fonts, as Ertel Sans (crates/ertel-plot/assets/fonts)", "OFL-1.1", "crates/ertel-plot/assets/fonts/OFL.txt"),
     ("uPlot (crates/ertel/src/output/html/assets/uplot)", "MIT", "crates/ertel/src/output/html/assets/uplot/LICENSE"),
 ]

@@ -267,14 +267,14 @@ fn report(fit: &Fit, data: &Data, verbose: bool) -> String {
     let mut text = paragraph(
         "",
         &format!(
-            "Law {} fitted to {} states of {}, {} to {}, {} to {} K, by least squares of {} deviations",
+            "Law {} fitted to {} states of {}, {} to {}, {} to {} °C, by least squares of {} deviations",
             fit.name.name(),
             data.states.len(),
             data.file,
             pressure(p_low),
             pressure(p_high),
-            digits(t_low, 6),
-            digits(t_high, 6),
+            digits(t_low - 273.15, 5),
+            digits(t_high - 273.15, 5),
             match fit.residual {
                 Residual::Relative => "relative",
                 Residual::Absolute => "absolute",
@@ -311,7 +311,7 @@ fn report(fit: &Fit, data: &Data, verbose: bool) -> String {
     if let Some(t_r) = fit.reference_temperature {
         rows.push(vec![
             "reference_temperature".to_owned(),
-            format!("{} K", digits(t_r, 6)),
+            format!("{} °C", digits(t_r - 273.15, 5)),
             "held".to_owned(),
         ]);
     }
@@ -319,11 +319,11 @@ fn report(fit: &Fit, data: &Data, verbose: bool) -> String {
     let (worst, deviation) = fit.worst();
     let state = data.states[worst];
     text += &format!(
-        "Deviation of the law from the data: rms {} %, largest {} % at {} and {} K\n",
+        "Deviation of the law from the data: rms {} %, largest {} % at {} and {} °C\n",
         digits(100.0 * fit.rms(), 3),
         digits(100.0 * deviation, 3),
         pressure(state.pressure),
-        digits(state.temperature, 6)
+        digits(state.temperature - 273.15, 5)
     );
     if verbose {
         text += &format!("\n{}", states(fit, data));
@@ -348,7 +348,7 @@ fn states(fit: &Fit, data: &Data) -> String {
         let law = fit.law.ln_value(state.pressure, state.temperature).exp();
         rows.push(vec![
             pressure(state.pressure),
-            format!("{} K", digits(state.temperature, 6)),
+            format!("{} °C", digits(state.temperature - 273.15, 5)),
             number(state.value, unit),
             number(law, unit),
             format!("{:+.2} %", 100.0 * deviation),

@@ -103,7 +103,8 @@ fn state_temperature(fluid: &Fluid, asked: Option<&str>) -> Result<f64, Failure>
             Ok(temperature)
         } else {
             Err(Failure::Argument(format!(
-                "--temperature {text} is {temperature} K; it must be between 100 K and 1000 K"
+                "--temperature {text} is {} °C; it must be between -173.15 °C and 726.85 °C",
+                digits(temperature - 273.15, 6)
             )))
         };
     }
@@ -148,9 +149,9 @@ fn show(fluid: &Fluid, temperature: f64) -> String {
     text += &notes(&fluid.notes);
     text += &if depends_on_temperature(fluid) {
         format!(
-            "\nAt {} K ({} °C)\n",
-            digits(temperature, 6),
-            digits(temperature - 273.15, 5)
+            "\nAt {} °C ({} K)\n",
+            digits(temperature - 273.15, 5),
+            digits(temperature, 6)
         )
     } else {
         "\nAt any temperature\n".to_owned()
@@ -227,9 +228,13 @@ fn range(fluid: &Fluid) -> String {
     let pressures = validity
         .pressure
         .map(|(low, high)| format!("{} to {}", pressure(low), pressure(high)));
-    let temperatures = validity
-        .temperature
-        .map(|(low, high)| format!("{} to {} K", digits(low, 6), digits(high, 6)));
+    let temperatures = validity.temperature.map(|(low, high)| {
+        format!(
+            "{} to {} °C",
+            digits(low - 273.15, 5),
+            digits(high - 273.15, 5)
+        )
+    });
     let ends: Vec<String> = [pressures, temperatures].into_iter().flatten().collect();
     paragraph("  ", &format!("{} ({})", ends.join(", "), validity.source))
 }

@@ -22,7 +22,7 @@ ertel init                       asks on a terminal, lists the templates elsewhe
 ertel init rig > my.toml         writes a template as it is
 ertel init rig --ask -o my.toml  asks for its values first")]
 pub struct InitArgs {
-    /// The template: bearing, bearing-ball, roller-bearing, gear, helical-gear, fzg, cam, rig, ball, line or roller
+    /// The template: bearing, bearing-ball, roller-bearing, gear, gear-contact, helical-gear, helical-gear-contact, fzg, cam, rig, ball, line or roller
     #[arg(value_name = "TEMPLATE")]
     pub template: Option<String>,
     /// Write the case into this file, which must not exist [default: stdout]

@@ -23,7 +23,7 @@ fn shipped(name: &str) -> PathBuf {
 /// Radii, loads and speeds worked out by hand in the tests of the machines.
 #[test]
 fn every_machine_is_estimated_and_checked() {
-    let machines: [(&str, &[&str]); 9] = [
+    let machines: [(&str, &[&str]); 11] = [
         ("ball-on-disc", &["9.525 mm", "30 N"]),
         (
             "ball-bearing",
@@ -47,6 +47,15 @@ fn every_machine_is_estimated_and_checked() {
                 "14.0761 deg",
                 "1.48043 m/s",
             ],
+        ),
+        // At the pitch point R = r_1 r_2 sin α/(r_1 + r_2), u = ω_1 r_1 sin α.
+        (
+            "spur-gear-pair",
+            &["C, pitch point", "9.121 mm", "2.14898 m/s", "1.63519"],
+        ),
+        (
+            "helical-gear-pair",
+            &["C, pitch point", "10.04 mm", "2.29365 m/s", "1.56093"],
         ),
         // Radii and pressures of the program that the path of these gears is tested against.
         (

@@ -1,10 +1,10 @@
-//! What differs between a computer and a browser (`wasm32-unknown-unknown`): threads, the clock, and the library that orders a graph.
+//! What differs between a computer and a browser (`wasm32-unknown-unknown`): threads, the clock, and the order in which bodies are eliminated.
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
     use faer::Par;
 
-    pub(crate) use crate::linear::ordering::metis as order_graph;
+    pub(crate) use crate::linear::ordering::nested_dissection as dissect;
     pub use std::time::Instant;
 
     /// All cores, for one large dense operation.
@@ -20,7 +20,8 @@ mod browser {
 
     use faer::Par;
 
-    pub(crate) use crate::linear::ordering::minimum_degree as order_graph;
+    // The library of the other order reads a clock.
+    pub(crate) use crate::linear::ordering::minimum_degree as dissect;
 
     static CLOCK: OnceLock<fn() -> f64> = OnceLock::new();
 
@@ -59,4 +60,4 @@ pub use browser::set_clock;
 use native as own;
 
 pub use own::Instant;
-pub(crate) use own::{all_cores, order_graph};
+pub(crate) use own::{all_cores, dissect};

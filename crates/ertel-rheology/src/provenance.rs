@@ -116,14 +116,21 @@ impl TemperatureRange {
     }
 }
 
-/// `from 313.15 to 353.15 K`, or `at 348.00 K only` where the ends read alike.
+/// A temperature (K) in °C, to hundredths: `74.85 °C`, `40 °C`.
+pub fn celsius(temperature: f64) -> String {
+    let text = format!("{:.2}", temperature - 273.15);
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    format!("{} °C", if text == "-0" { "0" } else { text })
+}
+
+/// `from 40 °C to 80 °C`, or `at 74.85 °C only` where the ends read alike.
 impl fmt::Display for TemperatureRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [lowest, highest] = [self.lowest, self.highest].map(|t| format!("{t:.2}"));
+        let [lowest, highest] = [self.lowest, self.highest].map(celsius);
         if lowest == highest {
-            write!(f, "at {lowest} K only")
+            write!(f, "at {lowest} only")
         } else {
-            write!(f, "from {lowest} to {highest} K")
+            write!(f, "from {lowest} to {highest}")
         }
     }
 }
@@ -150,7 +157,7 @@ pub enum RangeWarning {
     },
     /// The temperature lies outside the range.
     #[error(
-        "{fluid}: the temperature is {temperature:.2} K, its data hold {range} ({})", .range.basis
+        "{fluid}: the temperature is {}, its data hold {range} ({})", celsius(*.temperature), .range.basis
     )]
     Temperature {
         /// Name of the fluid.

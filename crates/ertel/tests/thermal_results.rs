@@ -17,7 +17,7 @@ use ertel::solve::figures::measure;
 use ertel::solve::points::fields_in;
 use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
 use ertel_fem::element::Lagrange;
-use ertel_rheology::provenance::TemperatureRange;
+use ertel_rheology::provenance::{TemperatureRange, celsius};
 
 fn case(kind: ContactKind, load: f64, slide_to_roll_ratio: f64) -> Case {
     let mut case = heated(common::case(kind, load));
@@ -322,17 +322,18 @@ fn temperatures_beyond_the_data_are_told() {
         )
     };
     assert!(told(300.0, top + 0.1).is_empty());
-    let end = format!("{:.2}", top - 2.0);
+    let end = celsius(top - 2.0);
     // Data of one temperature, that of the inlet, have no two ends.
     for (lowest, highest, words) in [
-        (300.0, top - 2.0, format!("hold from 300.00 to {end} K (")),
-        (313.15, 313.15, "hold at 313.15 K only (".to_owned()),
+        (300.0, top - 2.0, format!("hold from 26.85 °C to {end} (")),
+        (313.15, 313.15, "hold at 40 °C only (".to_owned()),
     ] {
         let [warning] = &told(lowest, highest)[..] else {
             panic!("one warning")
         };
         assert!(
-            warning.contains(&format!("reaches {top:.1} K at x/a")) && warning.contains(&words),
+            warning.contains(&format!("reaches {:.1} °C at x/a", top - 273.15))
+                && warning.contains(&words),
             "{warning}"
         );
     }

@@ -57,7 +57,7 @@ pub fn run(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
         rows.push(vec![
             ranked.fit.name.name().to_owned(),
             percent(ranked.rms_left_out),
-            format!("{} at {} K", percent(rms), digits(temperature, 5)),
+            format!("{} at {} °C", percent(rms), digits(temperature - 273.15, 4)),
             percent(ranked.fit.rms()),
         ]);
     }

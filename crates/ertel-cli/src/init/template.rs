@@ -160,6 +160,24 @@ pub const TEMPLATES: &[Template] = &[
     },
     Template {
         name: "gear",
+        about: "a pair of spur gears along its path of contact: films, losses, flash temperatures",
+        case: include_str!("../../../../cases/machine/spur-gear-pair.toml"),
+        questions: &[
+            ("machine.module", "module"),
+            ("machine.pinion_teeth", "teeth of the pinion"),
+            ("machine.wheel_teeth", "teeth of the wheel"),
+            ("machine.pressure_angle", "pressure angle"),
+            ("machine.face_width", "face width"),
+            ("machine.pinion_torque", "torque of the pinion"),
+            ("machine.pinion_speed", "speed of the pinion"),
+            ("machine.bulk_temperature", "bulk temperature of the teeth"),
+        ],
+        oil: Oil::Laws,
+        heat: true,
+        curve: ["machine.pinion_speed", "750 rpm", "3000 rpm"],
+    },
+    Template {
+        name: "gear-contact",
         about: "two teeth of spur gears (line contact)",
         case: include_str!("../../../../cases/machine/spur-gear.toml"),
         questions: &[
@@ -181,6 +199,24 @@ pub const TEMPLATES: &[Template] = &[
     },
     Template {
         name: "helical-gear",
+        about: "a pair of helical gears along its path of contact",
+        case: include_str!("../../../../cases/machine/helical-gear-pair.toml"),
+        questions: &[
+            ("machine.normal_module", "normal module"),
+            ("machine.pinion_teeth", "teeth of the pinion"),
+            ("machine.wheel_teeth", "teeth of the wheel"),
+            ("machine.helix_angle", "helix angle"),
+            ("machine.face_width", "face width"),
+            ("machine.pinion_torque", "torque of the pinion"),
+            ("machine.pinion_speed", "speed of the pinion"),
+            ("machine.bulk_temperature", "bulk temperature of the teeth"),
+        ],
+        oil: Oil::Laws,
+        heat: true,
+        curve: ["machine.pinion_speed", "750 rpm", "3000 rpm"],
+    },
+    Template {
+        name: "helical-gear-contact",
         about: "two teeth of helical gears (line contact)",
         case: include_str!("../../../../cases/machine/helical-gear.toml"),
         questions: &[

@@ -14,6 +14,7 @@ use ertel_fem::linear::equilibrate::{Equilibration, unit_of};
 use ertel_fem::linear::frontal_lu::{FrontalLu, FrontalPattern};
 use ertel_fem::linear::fronts::Blocks;
 use ertel_fem::linear::lu::LuError;
+use ertel_fem::linear::ordering::FillReduction;
 use rustc_hash::FxHashMap;
 
 use super::discretisation::Discretisation;
@@ -77,6 +78,7 @@ impl NearStiffness {
             graph: &graph,
             n_inner: groups.unknowns.len(),
             carriers: Some(groups.places),
+            reduction: FillReduction::MinimumDegree,
             unknowns: groups.unknowns,
         };
         let pattern = FrontalPattern::new(&blocks, &self.entries).map_err(|e| LuError {

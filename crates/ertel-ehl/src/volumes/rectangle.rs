@@ -3,7 +3,7 @@
 use ertel_fem::assembly::NodeGraph;
 use ertel_fem::linear::frontal_lu::FrontalPattern;
 use ertel_fem::linear::fronts::Blocks;
-use ertel_fem::linear::ordering::OrderingError;
+use ertel_fem::linear::ordering::{FillReduction, OrderingError};
 
 use super::stencil::{Layout, PLACES, REACH, Row, SIDE};
 
@@ -40,6 +40,7 @@ pub fn pattern(layout: Layout) -> Result<FrontalPattern, OrderingError> {
         graph: &graph,
         n_inner: blocks[0] * blocks[1],
         carriers: None,
+        reduction: FillReduction::MinimumDegree,
         unknowns: all.map(members).collect(),
     };
     let entries: Vec<(u32, u32)> = (0..layout.unknowns())

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
 use crate::assembly::NodeGraph;
-use crate::linear::ordering::{OrderingError, fill_reducing};
+use crate::linear::ordering::{FillReduction, OrderingError, fill_reducing};
 
 /// One front: unknowns by their position in the elimination order.
 #[derive(Clone, Debug)]
@@ -75,6 +75,8 @@ pub struct Blocks<'a> {
     /// with `u32::MAX`; every vertex has a group of its own. With them only the vertices are
     /// ordered by the graph, in a small part of the time, and the other groups follow.
     pub carriers: Option<Vec<[u32; 4]>>,
+    /// How the order is found.
+    pub reduction: FillReduction,
 }
 
 const NONE: usize = usize::MAX;
@@ -88,7 +90,7 @@ impl Fronts {
         let n = blocks.n_inner;
         let order = match &blocks.carriers {
             Some(carriers) => order_by_vertices(blocks, carriers)?,
-            None => fill_reducing(&inner_graph(blocks))?,
+            None => fill_reducing(&inner_graph(blocks), blocks.reduction)?,
         };
         let mut rank = vec![0usize; blocks.graph.n_nodes()];
         for (k, b) in order.iter().enumerate() {
@@ -194,7 +196,10 @@ fn order_by_vertices(blocks: &Blocks, carriers: &[[u32; 4]]) -> Result<Vec<usize
         graph.offsets.push(graph.neighbours.len());
     }
     let mut rank: FxHashMap<u32, usize> = FxHashMap::default();
-    for (r, k) in fill_reducing(&graph)?.into_iter().enumerate() {
+    for (r, k) in fill_reducing(&graph, blocks.reduction)?
+        .into_iter()
+        .enumerate()
+    {
         let vertex = carriers[vertices[k]].iter().min();
         rank.insert(*vertex.expect("four places"), r);
     }

@@ -1,51 +1,67 @@
-//! Fill-reducing order of the nodes of a graph: nested dissection by METIS, or approximate minimum degree where METIS, which is
-//! written in C, cannot be built.
+//! Fill-reducing order of the nodes of a graph.
 
-#[cfg(any(test, target_arch = "wasm32"))]
 mod amd;
 #[cfg(not(target_arch = "wasm32"))]
-mod metis;
+mod dissection;
 #[cfg(test)]
 mod tests;
 
-#[cfg(any(test, target_arch = "wasm32"))]
 pub(crate) use amd::minimum_degree;
 #[cfg(not(target_arch = "wasm32"))]
-pub(crate) use metis::metis;
+pub(crate) use dissection::nested_dissection;
 
 use crate::assembly::NodeGraph;
 
-/// The graph was refused.
+/// How an order is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FillReduction {
+    /// Approximate minimum degree: for surfaces, whose factors it fills no more than dissection does, in a small part of the time.
+    MinimumDegree,
+    /// Nested dissection: for bodies. In a browser minimum degree, which fills their factors more.
+    NestedDissection,
+}
+
+/// The graph was not ordered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("could not order a graph of {n_nodes} nodes (code {code})")]
+#[error("could not order a graph of {n_nodes} nodes: is there enough memory?")]
 pub struct OrderingError {
     /// Size of the graph.
     pub n_nodes: usize,
-    /// Return code of the library.
-    pub code: i32,
 }
 
-/// Neighbours of each node without itself: where those of each begin, and all of them.
-fn others(graph: &NodeGraph) -> (Vec<u32>, Vec<u32>) {
-    let mut offsets: Vec<u32> = vec![0];
-    let mut neighbours: Vec<u32> = Vec::with_capacity(graph.neighbours.len());
-    for node in 0..graph.n_nodes() {
-        neighbours.extend(
-            graph
-                .of(node)
-                .iter()
-                .copied()
-                .filter(|m| *m as usize != node),
-        );
-        offsets.push(neighbours.len() as u32);
+/// Neighbours of each node without itself.
+pub(crate) struct Neighbours {
+    /// Where those of each node begin, and the end.
+    pub offsets: Vec<u32>,
+    /// All of them.
+    pub list: Vec<u32>,
+}
+
+impl Neighbours {
+    fn of(graph: &NodeGraph) -> Neighbours {
+        let mut offsets = vec![0];
+        let mut list = Vec::with_capacity(graph.neighbours.len());
+        for node in 0..graph.n_nodes() {
+            let others = graph.of(node).iter().copied();
+            list.extend(others.filter(|m| *m as usize != node));
+            offsets.push(list.len() as u32);
+        }
+        Neighbours { offsets, list }
     }
-    (offsets, neighbours)
 }
 
-/// Fill-reducing order of the nodes: the k-th node to eliminate is `order[k]`.
+/// Fill-reducing order of the nodes: the k-th node to eliminate is `order[k]`. It is the same in every run.
 ///
 /// # Errors
 /// When the library fails (out of memory).
-pub fn fill_reducing(graph: &NodeGraph) -> Result<Vec<usize>, OrderingError> {
-    crate::platform::order_graph(graph)
+pub fn fill_reducing(graph: &NodeGraph, how: FillReduction) -> Result<Vec<usize>, OrderingError> {
+    let neighbours = Neighbours::of(graph);
+    let order = match how {
+        FillReduction::MinimumDegree => minimum_degree(&neighbours),
+        FillReduction::NestedDissection => crate::platform::dissect(&neighbours),
+    };
+    let order = order.ok_or(OrderingError {
+        n_nodes: graph.n_nodes(),
+    })?;
+    Ok(order.into_iter().map(|node| node as usize).collect())
 }

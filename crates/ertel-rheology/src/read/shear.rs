@@ -1,6 +1,7 @@
 //! Shear-thinning laws from a table.
 
 use super::{density::reference_temperature, locate};
+use crate::provenance::celsius;
 use crate::shear::{Carreau, CarreauYasuda, Rabinowitsch, ReeEyring, ShearLaw, StressLimit};
 use crate::{ShearThinning, ViscosityLaw};
 use ertel_input::{Bounds, InputError, Table};
@@ -145,7 +146,8 @@ fn plateau_ratio(
         return Err(table.error(
             "mu_2",
             format!(
-                "the viscosity law gives the first plateau as {mu_1} Pa.s at {temperature} K: there is no ratio to it"
+                "the viscosity law gives the first plateau as {mu_1} Pa.s at {}: there is no ratio to it",
+                celsius(temperature)
             ),
         ));
     }
@@ -156,7 +158,8 @@ fn plateau_ratio(
             .error(
                 "mu_2",
                 format!(
-                    "the second plateau, mu_2 = {mu_2} Pa.s, lies above the first, {mu_1} Pa.s at {temperature} K"
+                    "the second plateau, mu_2 = {mu_2} Pa.s, lies above the first, {mu_1} Pa.s at {}",
+                    celsius(temperature)
                 ),
             )
             .with_help("shear makes the lubricant thinner: mu_2 is the viscosity at very high shear"));

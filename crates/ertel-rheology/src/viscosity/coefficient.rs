@@ -6,12 +6,14 @@ use num_dual::first_derivative;
 use thiserror::Error;
 
 use super::ViscosityLaw;
+use crate::provenance::celsius;
 
 /// The reciprocal asymptotic coefficient does not exist: the viscosity does not grow enough with pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
-    "the viscosity does not grow enough with pressure at {temperature} K for a reciprocal asymptotic \
-     pressure-viscosity coefficient"
+    "the viscosity does not grow enough with pressure at {} for a reciprocal asymptotic \
+     pressure-viscosity coefficient",
+    celsius(*.temperature)
 )]
 pub struct NoAsymptote {
     /// Temperature (K).

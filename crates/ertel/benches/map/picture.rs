@@ -16,7 +16,7 @@ const STEPS: [(usize, &str); 4] = [
 ];
 const FAILED: &str = "#D55E00";
 
-/// Line contacts left, circular ones right; or ellipses and rollers.
+/// Line contacts left, circular ones right; or ellipses and rollers. Kinds without records have no panel.
 pub fn svg(records: &[Record]) -> String {
     let of_machines =
         (records.iter()).any(|r| matches!(r.kind, ContactKind::Elliptical | ContactKind::Roller));
@@ -30,10 +30,12 @@ pub fn svg(records: &[Record]) -> String {
             (ContactKind::Circular, "Circular contacts"),
         ],
     };
-    let charts = panels.map(|(kind, heading)| {
-        let of_kind: Vec<&Record> = records.iter().filter(|r| r.kind == kind).collect();
-        panel(heading, &of_kind)
-    });
+    let charts: Vec<Chart> = (panels.into_iter())
+        .filter_map(|(kind, heading)| {
+            let of_kind: Vec<&Record> = records.iter().filter(|r| r.kind == kind).collect();
+            (!of_kind.is_empty()).then(|| panel(heading, &of_kind))
+        })
+        .collect();
     side_by_side("Convergence map", &charts, 2).svg()
 }
 

@@ -260,7 +260,8 @@ fn check(
             Err(table.error(
                 key,
                 format!(
-                    "the {what} at {temperature} K and ambient pressure is {value:e} {unit}; it must be {}",
+                    "the {what} at {:.2} °C and ambient pressure is {value:e} {unit}; it must be {}",
+                    temperature - 273.15,
                     bounds.describe(unit)
                 ),
             ))
@@ -304,8 +305,10 @@ fn check(
         let distance = (temperature - holds_at).abs();
         if distance > SAME_TEMPERATURE {
             let text = format!(
-                "the constants of the lubricant hold at {holds_at:.2} K, its temperature is {temperature:.2} K, and {reason}: \
-                 {OILS_WITH_TEMPERATURE}"
+                "the constants of the lubricant hold at {:.2} °C, its temperature is {:.2} °C, and {reason}: \
+                 {OILS_WITH_TEMPERATURE}",
+                holds_at - 273.15,
+                temperature - 273.15
             );
             warnings.push(Warning::beyond(
                 WarningKind::TemperatureIgnored,

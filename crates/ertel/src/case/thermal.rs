@@ -264,7 +264,8 @@ pub(super) fn check(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, Inpu
                 .error(
                     key,
                     format!(
-                        "the viscosity of the lubricant at {t} K and ambient pressure is {viscosity:e} Pa.s; it must be {}",
+                        "the viscosity of the lubricant at {:.2} °C and ambient pressure is {viscosity:e} Pa.s; it must be {}",
+                        t - 273.15,
                         VISCOSITY.describe("Pa.s")
                     ),
                 )

@@ -237,7 +237,7 @@ fn a_body_that_freezes_the_lubricant_is_refused() {
     for key in ["body_1_temperature", "body_2_temperature"] {
         let text = message(thermal(&format!("{key} = \"150 K\"")));
         assert!(
-            text.contains("the viscosity of the lubricant at 150 K"),
+            text.contains("the viscosity of the lubricant at -123.15 °C"),
             "{text}"
         );
         assert!(

@@ -384,8 +384,10 @@ pub fn fit(data: &Data, law: LawName, params: &Params) -> Result<Fit, FitError> 
     let [low, high] = data.temperature_range();
     if !law.is_thermal() && high - low > law::ISOTHERM {
         warnings.push(format!(
-            "the law `{}` does not depend on temperature, but the data go from {low:.1} K to {high:.1} K: fit one isotherm, or `cheng`",
-            law.name()
+            "the law `{}` does not depend on temperature, but the data go from {:.1} °C to {:.1} °C: fit one isotherm, or `cheng`",
+            law.name(),
+            low - 273.15,
+            high - 273.15
         ));
     }
     Ok(Fit {

@@ -85,11 +85,11 @@ fn try_rank(
     let (mut sum, mut n) = (0.0, 0);
     let mut worst = (isotherms[0], 0.0);
     for temperature in isotherms {
+        let celsius = temperature - 273.15;
         let is_out = |t: f64| (t - temperature).abs() <= ISOTHERM;
         let mut rest = data.clone();
         rest.states.retain(|state| !is_out(state.temperature));
-        let without =
-            |error: FitError| format!("without the isotherm of {temperature:.1} K: {error}");
+        let without = |error: FitError| format!("without the isotherm of {celsius:.1} °C: {error}");
         let part = fit(&rest, law, params).map_err(without)?;
         let left_out = data.states.iter().filter(|state| is_out(state.temperature));
         let squares: Vec<f64> = left_out
@@ -98,7 +98,7 @@ fn try_rank(
         let own: f64 = squares.iter().sum();
         if !own.is_finite() {
             return Err(format!(
-                "without the isotherm of {temperature:.1} K it has no finite value there"
+                "without the isotherm of {celsius:.1} °C it has no finite value there"
             ));
         }
         let rms = (own / squares.len() as f64).sqrt();

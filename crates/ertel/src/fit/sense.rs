@@ -28,9 +28,9 @@ pub fn nonsense(fit: &Fit, data: &Data) -> Vec<String> {
             Property::Density => "its compressibility is negative",
         };
         found.push(format!(
-            "the fitted {name} falls with pressure at {} MPa and {} K: {what}",
+            "the fitted {name} falls with pressure at {} MPa and {} °C: {what}",
             digits(1e-6 * state.pressure, 4),
-            digits(state.temperature, 5)
+            digits(state.temperature - 273.15, 4)
         ));
     }
     let step = STEP * (t_high - t_low);
@@ -40,9 +40,9 @@ pub fn nonsense(fit: &Fit, data: &Data) -> Vec<String> {
     };
     if let Some(state) = data.states.iter().find(rises) {
         found.push(format!(
-            "the fitted {name} rises with temperature at {} MPa and {} K",
+            "the fitted {name} rises with temperature at {} MPa and {} °C",
             digits(1e-6 * state.pressure, 4),
-            digits(state.temperature, 5)
+            digits(state.temperature - 273.15, 4)
         ));
     }
     if fit.rms() > LARGEST_RMS {

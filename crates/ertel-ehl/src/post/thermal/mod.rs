@@ -122,7 +122,8 @@ pub fn warnings(
             continue;
         };
         let text = format!(
-            "the temperature of the film {verb} {temperature:.1} K at {}; the data of the lubricant hold {range} ({})",
+            "the temperature of the film {verb} {:.1} °C at {}; the data of the lubricant hold {range} ({})",
+            temperature - 273.15,
             place(extreme),
             range.basis
         );

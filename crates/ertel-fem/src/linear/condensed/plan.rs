@@ -2,7 +2,7 @@
 
 use crate::assembly::{CONSTRAINED, DofMap, NodeGraph};
 use crate::linear::fronts::{Blocks, Front, Fronts};
-use crate::linear::ordering::OrderingError;
+use crate::linear::ordering::{FillReduction, OrderingError};
 use crate::space::Space;
 
 /// No place, group or column.
@@ -59,6 +59,7 @@ pub(super) fn elimination(
         unknowns,
         n_inner: n,
         carriers: Some(space.carriers()),
+        reduction: FillReduction::NestedDissection,
     })
 }
 

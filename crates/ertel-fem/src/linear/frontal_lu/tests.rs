@@ -1,6 +1,7 @@
 use super::*;
 use crate::assembly::NodeGraph;
 use crate::linear::fronts::Blocks;
+use crate::linear::ordering::FillReduction;
 use approx::assert_relative_eq;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
@@ -55,6 +56,7 @@ fn equals_dense_linear_algebra() {
         unknowns,
         n_inner: nx * ny,
         carriers: None,
+        reduction: FillReduction::MinimumDegree,
     };
     let pattern = Arc::new(FrontalPattern::new(&blocks, &entries).unwrap());
     assert!(pattern.fronts.fronts.len() > 10);
@@ -89,6 +91,7 @@ fn singular_block_is_refused() {
         unknowns: vec![vec![0, 1]],
         n_inner: 1,
         carriers: None,
+        reduction: FillReduction::MinimumDegree,
     };
     let entries = [(0, 0), (0, 1), (1, 0), (1, 1)];
     let pattern = Arc::new(FrontalPattern::new(&blocks, &entries).unwrap());

@@ -4,23 +4,19 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
-use super::{OrderingError, others};
-use crate::assembly::NodeGraph;
+use super::Neighbours;
 
-/// Approximate-minimum-degree order of the nodes.
-///
-/// # Errors
-/// When there is not enough memory.
-pub(crate) fn minimum_degree(graph: &NodeGraph) -> Result<Vec<usize>, OrderingError> {
-    let n = graph.n_nodes();
-    let (offsets, neighbours) = others(graph);
-    if neighbours.is_empty() {
-        return Ok((0..n).collect());
+/// Approximate-minimum-degree order; `None` when there is not enough memory.
+pub(crate) fn minimum_degree(graph: &Neighbours) -> Option<Vec<u32>> {
+    let n = graph.offsets.len() - 1;
+    if graph.list.is_empty() {
+        return Some((0..n as u32).collect());
     }
     let mut order = vec![0u32; n];
     let mut inverse = vec![0u32; n];
-    let pattern = SymbolicSparseColMatRef::new_unsorted_checked(n, n, &offsets, None, &neighbours);
-    let scratch = amd::order_maybe_unsorted_scratch::<u32>(n, neighbours.len());
+    let pattern =
+        SymbolicSparseColMatRef::new_unsorted_checked(n, n, &graph.offsets, None, &graph.list);
+    let scratch = amd::order_maybe_unsorted_scratch::<u32>(n, graph.list.len());
     let done = amd::order_maybe_unsorted(
         &mut order,
         &mut inverse,
@@ -28,11 +24,5 @@ pub(crate) fn minimum_degree(graph: &NodeGraph) -> Result<Vec<usize>, OrderingEr
         amd::Control::default(),
         MemStack::new(&mut MemBuffer::new(scratch)),
     );
-    match done {
-        Ok(_) => Ok(order.into_iter().map(|v| v as usize).collect()),
-        Err(_) => Err(OrderingError {
-            n_nodes: n,
-            code: -1,
-        }),
-    }
+    done.ok().map(|_| order)
 }
