@@ -188,6 +188,7 @@ fn heat_of_the_film() {
         let nodes = problem.fluid.nodes().unwrap().points();
         let column = |warmer: Option<usize>, by: f64| {
             let mut place = FilmPlace {
+                pressure_rate: 0.0,
                 at: AT,
                 pressure: PRESSURE,
                 pressure_gradient: GRADIENT,
@@ -266,6 +267,7 @@ fn film_at(problem: &Problem, held: bool, warmer: impl Fn(f64) -> f64) -> FilmCo
     let nodes = problem.fluid.nodes().unwrap().points();
     let column = |held_conductance: Option<f64>, warmer: &dyn Fn(f64) -> f64| {
         let mut place = FilmPlace {
+            pressure_rate: 0.0,
             at: AT,
             pressure: PRESSURE,
             pressure_gradient: GRADIENT,
@@ -386,6 +388,7 @@ fn the_film_conducts_by_its_own_temperature() {
         ..heat.clone()
     };
     let mut place = FilmPlace {
+        pressure_rate: 0.0,
         at: AT,
         pressure: PRESSURE,
         pressure_gradient: GRADIENT,
@@ -449,6 +452,7 @@ fn heat_of_a_film_that_is_all_but_solid() {
     for pressure in [0.2, 0.5, 0.8, 0.9, 1.0, 1.1] {
         for gradient in [0.0, -0.1, -1.0, -30.0] {
             let place = FilmPlace {
+                pressure_rate: 0.0,
                 at: [0.0; 2],
                 pressure,
                 pressure_gradient: [gradient, 0.0],
@@ -465,6 +469,7 @@ fn heat_of_a_film_that_is_all_but_solid() {
                 &mut CrossFilm::default(),
             );
             let held = FilmPlace {
+                pressure_rate: 0.0,
                 held_conductance: Some(found.conductance),
                 ..place
             };

@@ -329,6 +329,7 @@ fn directions_of_the_flow_are_alike() {
     let heights = Column::new(6, 2, 1.0, [0.3, 0.3]).heights;
     let column_of = |pressure_gradient, filling| {
         let mut place = FilmPlace {
+            pressure_rate: 0.0,
             at: [0.0; 2],
             pressure: 0.3,
             pressure_gradient,

@@ -33,6 +33,7 @@ fn film_properties_follow_pressure_and_temperature() {
     let heights = &problem.plan.heat.as_ref().unwrap().column.heights;
     for pressure in [0.5, -0.3] {
         let mut place = FilmPlace {
+            pressure_rate: 0.0,
             at: [0.0; 2],
             pressure,
             pressure_gradient: [0.0; 2],
