@@ -4,7 +4,7 @@ use std::path::Path;
 
 use approx::assert_relative_eq;
 use ertel::case::Case;
-use ertel::run::transient::{self, TransientSolution};
+use ertel::run::transient::{self, InstantSolution, TransientSolution};
 use ertel::solution::Figure;
 use ertel::solve::NoObserver;
 use ertel_input::Document;
@@ -30,8 +30,12 @@ slide_to_roll_ratio = 0.5
 
 [thermal]
 
+[solver]
+newtonian = true
+
 [mesh]
-target_error = "3 %"
+target_error = "10 %"
+max_unknowns = 3000
 
 [output]
 sensitivities = false
@@ -59,13 +63,9 @@ const FIGURES: [Figure; 7] = [
     Figure::TemperatureBody2Mean,
 ];
 
-fn figures(found: &TransientSolution, last: bool) -> [f64; FIGURES.len()] {
-    let instant = match last {
-        true => found.instants.last(),
-        false => found.instants.first(),
-    };
+fn figures(instant: &InstantSolution) -> [f64; FIGURES.len()] {
     FIGURES.map(|figure| {
-        let value = instant.unwrap().measured.estimate(figure).value;
+        let value = instant.measured.estimate(figure).value;
         match figure {
             // Rises over the inlet.
             Figure::TemperatureBody1Mean | Figure::TemperatureBody2Mean => value - 313.0,
@@ -75,27 +75,22 @@ fn figures(found: &TransientSolution, last: bool) -> [f64; FIGURES.len()] {
 }
 
 /// Under the conditions of the start nothing changes: the film equation and the energy of the film are those of the steady contact, and what the bodies remember is the
-/// steady rise, but for the heat that spreads beyond the grid.
+/// steady rise, but for heat that spreads beyond the grid. A contact that has slowed down comes to what one is that begins so.
 #[test]
-fn what_is_steady_stays() {
-    let found = solved("[transient]\nduration = \"1 ms\"\n");
-    let [start, end] = [false, true].map(|last| figures(&found, last));
-    for (figure, (start, end)) in FIGURES.iter().zip(start.iter().zip(&end)) {
-        assert_relative_eq!(start, end, max_relative = 3e-3);
-        println!("{}: {start} {end}", figure.name());
-    }
-}
-
-/// A contact that slows down, whose load falls, comes to what a contact is that begins so.
-#[test]
-fn changes_come_to_the_steady_contact() {
-    let slower = "[transient]\nduration = \"2 ms\"\nentrainment_speed = { course = \"ramp\", end = \"0.3 ms\", to = \"1 m/s\" }\nload = { course = \"ramp\", end = \"0.3 ms\", to = \"15 N\" }\n";
+fn steady_contacts_stay_and_changes_come_to_them() {
+    let slower = "[transient]\nduration = \"0.9 ms\"\ntolerance = 0.03\nentrainment_speed = { course = \"ramp\", start = \"0.1 ms\", end = \"0.2 ms\", to = \"1.1 m/s\" }\n";
     let found = solved(slower);
-    let end = figures(&found, true);
-    let case = CASE.replace("1.47 m/s", "1 m/s").replace("23 N", "15 N");
-    let case = format!("{case}[transient]\nduration = \"10 us\"\n");
-    let case = parsed(&case);
-    let steady = figures(&transient::solve(&case, &mut NoObserver), false);
+    let start = figures(&found.instants[0]);
+    let before = found.instants.iter().rfind(|i| i.time <= 0.1001e-3);
+    let before = figures(before.unwrap());
+    for (figure, (start, before)) in FIGURES.iter().zip(start.iter().zip(&before)) {
+        println!("{}: {start} {before}", figure.name());
+        assert_relative_eq!(start, before, max_relative = 1e-2);
+    }
+    let end = figures(found.instants.last().unwrap());
+    let slow = CASE.replace("1.47 m/s", "1.1 m/s");
+    let steady = parsed(&format!("{slow}[transient]\nduration = \"1 ns\"\n"));
+    let steady = figures(&transient::solve(&steady, &mut NoObserver).instants[0]);
     for (figure, (end, steady)) in FIGURES.iter().zip(end.iter().zip(&steady)) {
         println!("{}: {end} {steady}", figure.name());
         assert_relative_eq!(end, steady, max_relative = 1e-2);

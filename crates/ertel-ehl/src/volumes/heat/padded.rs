@@ -40,11 +40,11 @@ fn smooth(least: usize) -> usize {
     2 * (least.div_ceil(2)..).find(is_smooth).unwrap_or(least)
 }
 
-/// By how many nodes values go on beyond the edges of the grid, falling to zero, along both directions; 0: they end there.
-pub type Fading = [usize; 2];
+/// By how many nodes values go on before the first and after the last node of the grid, falling to zero, along both directions; 0: they end there.
+pub type Fading = [[usize; 2]; 2];
 
 /// Values end at the edges.
-pub const NO_FADING: Fading = [0, 0];
+pub const NO_FADING: Fading = [[0; 2]; 2];
 
 impl Padded {
     /// For a grid.
@@ -112,7 +112,7 @@ impl Padded {
     /// The transform of values at the nodes of the grid, a line of waves across for each wave along the rows.
     pub fn spectrum(&self, values: &[f64], fading: Fading) -> Vec<Complex64> {
         let ([nx, ny], [px, py], waves) = (self.n, self.padded, self.waves());
-        let ramps = fading.map(ramp);
+        let ramps = fading.map(|ends| ends.map(ramp));
         let mut rows = vec![Complex64::default(); ny * waves];
         (rows.par_chunks_exact_mut(waves))
             .zip(values.par_chunks_exact(nx))
@@ -127,9 +127,12 @@ impl Padded {
                 |(row, scratch), (spectrum, values)| {
                     row[..nx].copy_from_slice(values);
                     row[nx..].fill(0.0);
-                    for (m, share) in ramps[0].iter().enumerate() {
-                        row[nx + m] = share * values[nx - 1];
+                    let [before, after] = &ramps[0];
+                    for (m, share) in before.iter().enumerate() {
                         row[px - 1 - m] = share * values[0];
+                    }
+                    for (m, share) in after.iter().enumerate() {
+                        row[nx + m] = share * values[nx - 1];
                     }
                     (self.forward)
                         .process_with_scratch(row, spectrum, scratch)
@@ -150,9 +153,12 @@ impl Padded {
                         line[ny - 1 + j] = line[ny - 1 - j];
                     }
                 }
-                for (m, share) in ramps[1].iter().enumerate() {
-                    line[covered + m] = line[covered - 1] * share;
+                let [before, after] = &ramps[1];
+                for (m, share) in before.iter().enumerate() {
                     line[py - 1 - m] = line[0] * share;
+                }
+                for (m, share) in after.iter().enumerate() {
+                    line[covered + m] = line[covered - 1] * share;
                 }
                 self.along[0].process(line);
             });
