@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use approx::assert_relative_eq;
 use ertel::case::Case;
 use ertel::run::transient::{self, InstantSolution, TransientSolution};
 use ertel::solution::Figure;
@@ -74,6 +73,23 @@ fn figures(instant: &InstantSolution) -> [f64; FIGURES.len()] {
     })
 }
 
+/// Figures agree to 1 %; what flows into a body to 2 % of what flows into both: into the glass flows what is left of much more, some of which it gives back behind the contact, and that of
+/// a coarse grid differs between the sum in space and that over time.
+fn assert_alike(found: &[f64; FIGURES.len()], expected: &[f64; FIGURES.len()]) {
+    let into_both = expected[3] + expected[4];
+    for (figure, (found, expected)) in FIGURES.iter().zip(found.iter().zip(expected)) {
+        let size = match figure {
+            Figure::HeatToBody1 | Figure::HeatToBody2 => 2.0 * into_both,
+            _ => expected.abs(),
+        };
+        let name = figure.name();
+        assert!(
+            (found - expected).abs() < 1e-2 * size,
+            "{name}: {found} {expected}"
+        );
+    }
+}
+
 /// Under the conditions of the start nothing changes: the film equation and the energy of the film are those of the steady contact, and what the bodies remember is the
 /// steady rise, but for heat that spreads beyond the grid. A contact that has slowed down comes to what one is that begins so.
 #[test]
@@ -83,16 +99,10 @@ fn steady_contacts_stay_and_changes_come_to_them() {
     let start = figures(&found.instants[0]);
     let before = found.instants.iter().rfind(|i| i.time <= 0.1001e-3);
     let before = figures(before.unwrap());
-    for (figure, (start, before)) in FIGURES.iter().zip(start.iter().zip(&before)) {
-        println!("{}: {start} {before}", figure.name());
-        assert_relative_eq!(start, before, max_relative = 1e-2);
-    }
+    assert_alike(&before, &start);
     let end = figures(found.instants.last().unwrap());
     let slow = CASE.replace("1.47 m/s", "1.1 m/s");
     let steady = parsed(&format!("{slow}[transient]\nduration = \"1 ns\"\n"));
     let steady = figures(&transient::solve(&steady, &mut NoObserver).instants[0]);
-    for (figure, (end, steady)) in FIGURES.iter().zip(end.iter().zip(&steady)) {
-        println!("{}: {end} {steady}", figure.name());
-        assert_relative_eq!(end, steady, max_relative = 1e-2);
-    }
+    assert_alike(&end, &steady);
 }

@@ -234,7 +234,7 @@ impl<'a> Over<'a> {
             duration,
             counted,
             velocity,
-            waves: (0..transforms.len())
+            waves: (0..transforms.n_waves())
                 .into_par_iter()
                 .with_min_len(LEAST)
                 .map(of_wave)
@@ -300,7 +300,7 @@ impl<'a> Over<'a> {
             ..
         } = self.below;
         let at_once = modes.at_once / body.capacity;
-        let mut symbol = vec![Complex64::default(); transforms.len()];
+        let mut symbol = vec![Complex64::default(); transforms.n_waves()];
         let [px, py] = transforms.padded();
         for [rate, weight] in &modes.each {
             let own = self.map(*rate, |at| weight * at.cell * (at.whole - at.before));
@@ -339,7 +339,7 @@ impl<'a> Over<'a> {
         let Below {
             modes, transforms, ..
         } = self.below;
-        let mut sum = vec![Complex64::default(); transforms.len()];
+        let mut sum = vec![Complex64::default(); transforms.n_waves()];
         for (spectrum, [_, weight]) in carried.spectra.iter().zip(&modes.each) {
             for (sum, value) in sum.iter_mut().zip(spectrum) {
                 *sum += *weight * *value;

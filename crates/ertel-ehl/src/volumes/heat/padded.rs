@@ -87,7 +87,7 @@ impl Padded {
     }
 
     /// Numbers of a spectrum.
-    pub fn len(&self) -> usize {
+    pub fn n_waves(&self) -> usize {
         self.waves() * self.padded[1]
     }
 
@@ -201,7 +201,7 @@ impl Padded {
         let [px, py] = self.padded;
         let reach = self.covered().map(|n| n - 1);
         let width = 2 * reach[0] + 1;
-        let mut symbol = vec![Complex64::default(); self.len()];
+        let mut symbol = vec![Complex64::default(); self.n_waves()];
         let (mut row, mut out) = (
             self.forward.make_input_vec(),
             self.forward.make_output_vec(),
