@@ -136,7 +136,7 @@ fn bad_temperatures_exit_with_2() {
     for (temperature, words) in [
         ("40", "has no unit"),
         ("40 mm", "is a length, but a temperature is needed"),
-        ("40 K", "between 100 K and 1000 K"),
+        ("40 K", "between -173.15 °C and 726.85 °C"),
         ("-300 degC", "below absolute zero"),
     ] {
         let argument = format!("--temperature={temperature}");
