@@ -15,7 +15,9 @@ function parseCsv(text) {
 }
 
 const SUFFIXES = [["_kg_per_m3", "kg/m^3"], ["_m_per_s", "m/s"], ["_N_per_m", "N/m"], ["_W_per_m", "W/m"], ["_N_m", "N m"], ["_million_revolutions", "million revolutions"], ["_Pa_s", "Pa.s"], ["_rad_per_s", "rad/s"], ["_1_per_s", "1/s"], ["_per_s", "1/s"], ["_1_per_Pa", "1/Pa"], ["_1_per_K", "1/K"], ["_W_per_(m_K)", "W/(m K)"], ["_J_per_(kg_K)", "J/(kg K)"], ["_J", "N m"], ["_degC", "°C"], ["_Pa", "Pa"], ["_rad", "rad"], ["_m", "m"], ["_N", "N"], ["_W", "W"], ["_K", "K"], ["_s", "s"]];
-const PLAIN = ["film_central_m", "film_minimum_m", "pressure_central_Pa", "traction_coefficient", "friction_total", "lambda_minimum", "film_temperature_maximum_K", "friction_torque_N_m", "friction_power_W", "friction_power_W_per_m", "mesh_loss", "scuffing_safety", "micropitting_safety", "static_safety_factor", "modified_rating_life_million_revolutions", "converged"];
+// Figures of whole runs in time.
+const OVER_TIME = ["film_central_lowest_m", "film_minimum_lowest_m", "amplitude_ratio_last", "traction_coefficient_highest", "traction_coefficient_mean", "pressure_maximum_highest_Pa", "film_temperature_maximum_highest_K"];
+const PLAIN = [...OVER_TIME, "film_central_m", "film_minimum_m", "pressure_central_Pa", "traction_coefficient", "friction_total", "lambda_minimum", "film_temperature_maximum_K", "friction_torque_N_m", "friction_power_W", "friction_power_W_per_m", "mesh_loss", "scuffing_safety", "micropitting_safety", "static_safety_factor", "modified_rating_life_million_revolutions", "converged"];
 // What is shown first of the contacts of a machine.
 const OF_MACHINES = ["name", "load_N", "load_N_per_m", "hertz_pressure_Pa", "entrainment_speed_m_per_s", "slide_to_roll_ratio", "film_central_m", "film_minimum_m", "lambda_minimum", "traction_coefficient", "friction_total", "friction_power_W", "friction_power_W_per_m", "film_temperature_maximum_K"];
 
@@ -93,9 +95,9 @@ class TableView {
     const by = axes.filter((c) => c !== x && distinct(c) > 1 && distinct(c) <= 12 && 2 * distinct(c) <= this.rows.length);
     fill("table-by", [["one curve", ""], ...by.map((c) => [this.columns[c].words, c])], by[0] ?? "");
     const find = (names) => names.map((n) => this.columns.findIndex((c) => c.title === n && c.isNumber)).find((i) => i >= 0) ?? (numeric.find(([, i]) => i > this.nAxes) ?? numeric[0])[1];
-    fill("table-y1", [["Central and minimum film", "films"], ...named], this.columns.some((c) => c.title === "film_central_m" && c.isNumber) ? "films" : numeric[0][1]);
+    fill("table-y1", [["Central and minimum film", "films"], ...named], this.columns.some((c) => c.title === "film_central_m" && c.isNumber) ? "films" : find(["film_central_lowest_m"]));
     const slides = this.columns.find((c) => c.title === "traction_coefficient")?.numbers.some((v) => Math.abs(v) > 1e-9);
-    fill("table-y2", [["Central and minimum film", "films"], ...named], find([...(slides ? ["friction_total", "traction_coefficient"] : ["pressure_central_Pa", "pressure_maximum_Pa"]), ...OF_WHOLE_MACHINES]));
+    fill("table-y2", [["Central and minimum film", "films"], ...named], find([...(slides ? ["friction_total", "traction_coefficient"] : ["pressure_central_Pa", "pressure_maximum_Pa"]), ...OF_WHOLE_MACHINES, "amplitude_ratio_last", ...OVER_TIME.slice(3)]));
     const positive = this.columns[x].numbers.filter((v) => v > 0);
     const box = document.getElementById("table-log");
     box.checked = positive.length > 2 && positive.length === this.rows.length && Math.max(...positive) > 8 * Math.min(...positive);
