@@ -73,9 +73,9 @@ fn figures(instant: &InstantSolution) -> [f64; FIGURES.len()] {
     })
 }
 
-/// Figures agree to 1 %; what flows into a body to 2 % of what flows into both: into the glass flows what is left of much more, some of which it gives back behind the contact, and that of
+/// Figures agree to a share; what flows into a body to twice that of what flows into both: into the glass flows what is left of much more, some of which it gives back behind the contact, and that of
 /// a coarse grid differs between the sum in space and that over time.
-fn assert_alike(found: &[f64; FIGURES.len()], expected: &[f64; FIGURES.len()]) {
+fn assert_alike(found: &[f64; FIGURES.len()], expected: &[f64; FIGURES.len()], most: f64) {
     let into_both = expected[3] + expected[4];
     for (figure, (found, expected)) in FIGURES.iter().zip(found.iter().zip(expected)) {
         let size = match figure {
@@ -84,7 +84,7 @@ fn assert_alike(found: &[f64; FIGURES.len()], expected: &[f64; FIGURES.len()]) {
         };
         let name = figure.name();
         assert!(
-            (found - expected).abs() < 1e-2 * size,
+            (found - expected).abs() < most * size,
             "{name}: {found} {expected}"
         );
     }
@@ -99,10 +99,11 @@ fn steady_contacts_stay_and_changes_come_to_them() {
     let start = figures(&found.instants[0]);
     let before = found.instants.iter().rfind(|i| i.time <= 0.1001e-3);
     let before = figures(before.unwrap());
-    assert_alike(&before, &start);
+    assert_alike(&before, &start, 1e-3);
     let end = figures(found.instants.last().unwrap());
     let slow = CASE.replace("1.47 m/s", "1.1 m/s");
     let steady = parsed(&format!("{slow}[transient]\nduration = \"1 ns\"\n"));
     let steady = figures(&transient::solve(&steady, &mut NoObserver).instants[0]);
-    assert_alike(&end, &steady);
+    // Heat of the start has not all left the glass yet.
+    assert_alike(&end, &steady, 8e-3);
 }

@@ -11,9 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use super::conditions::Conditions;
 use super::scheme::{MEMORY, Weights, extrapolation};
-use crate::engine::Problem;
 use crate::forms::energy::Heat;
-use crate::volumes::Plan;
 use crate::volumes::grid::Grid;
 use crate::volumes::heat::memory::{Below, Carried, Memory, Over};
 use crate::volumes::heat::rounds::{InTime, Rounds};
@@ -22,7 +20,7 @@ use crate::volumes::heat::temperatures::{
     Bodies, Temperatures, moving_body, unheated, within_edges,
 };
 use crate::volumes::heat::{Params, Warm};
-use crate::volumes::level::{Level, Sampled, within};
+use crate::volumes::level::{Level, Sampled, beside};
 use crate::volumes::system::Storage;
 
 /// A grid's heat at the newest instants.
@@ -59,17 +57,17 @@ pub(super) struct HeatMemory {
 
 /// A step, as the bodies see it.
 #[derive(Clone, Copy)]
-pub(super) struct Passage {
+pub(super) struct StepMotion {
     /// Its length, s.
     seconds: f64,
     /// Mean velocities of both bodies along the motion, m/s.
     velocities: [f64; 2],
 }
 
-impl Passage {
+impl StepMotion {
     /// Of a step in T, in which the bodies move by a way, half-widths.
-    pub fn new(heat: &Heat, step: f64, way: [f64; 2]) -> Passage {
-        Passage {
+    pub fn new(heat: &Heat, step: f64, way: [f64; 2]) -> StepMotion {
+        StepMotion {
             seconds: step * heat.length / heat.entrainment_speed,
             velocities: way.map(|way| way / step * heat.entrainment_speed),
         }
@@ -87,7 +85,7 @@ pub(super) struct HeatTrial {
     pressure: Vec<f64>,
     own: [Memory; 2],
     beside: Option<[Memory; 2]>,
-    /// Temperatures of both surfaces that the next grid has given.
+    /// Temperatures of both surfaces that the next grid is given.
     given: [Vec<f64>; 2],
 }
 
@@ -99,17 +97,12 @@ pub(super) struct Begun<'a> {
     given: [Vec<f64>; 2],
 }
 
-/// The largest speed of a body.
-fn fastest(conditions: &Conditions, heat: &Heat) -> f64 {
-    conditions.fastest() * heat.entrainment_speed
-}
-
 impl GridHeat {
     /// Of a grid at the start.
     pub fn new(level: &Level, heat: &Heat, params: &Params, conditions: &Conditions) -> GridHeat {
         let grid = &level.system.grid;
         let f = level.system.fluid.nodes().map_or(2, |nodes| nodes.n());
-        let speed = fastest(conditions, heat);
+        let speed = conditions.fastest() * heat.entrainment_speed;
         let below = [0, 1].map(|b: usize| {
             let body = moving_body(heat, b, grid, params.depth);
             Below::new(grid, body, heat.length, speed)
@@ -162,11 +155,11 @@ impl GridHeat {
         &self,
         rounds: &Rounds,
         grid: &Grid,
-        (passage, times): (&Passage, &[f64]),
+        (motion, times): (&StepMotion, &[f64]),
         coarser: Option<(&Level, &HeatTrial)>,
     ) -> (Begun<'_>, (Bodies, Temperatures)) {
         let heat = rounds.heat;
-        let overs = [0, 1].map(|b: usize| passage.over(grid, &self.below[b], b));
+        let overs = [0, 1].map(|b: usize| motion.over(grid, &self.below[b], b));
         let carried = [0, 1].map(|b: usize| overs[b].carried(&self.own[b]));
         let sampled = coarser.map(|(level, trial)| (Sampled::new(&level.system.grid, grid), trial));
         let given = [0, 1].map(|b: usize| match &sampled {
@@ -183,17 +176,23 @@ impl GridHeat {
         let spreading: [Spreading; 2] = [0, 1].map(|b: usize| overs[b].spreading());
         let bodies = Bodies::at_instant(grid, heat, rounds.params.depth, spreading, outer);
         let f = self.films[0].len() / grid.n_nodes();
-        let mut film = self.ahead(times);
+        let (mut film, mut flux) = (self.ahead(times), self.flux.clone());
         if let Some((sampled, trial)) = &sampled {
-            let coarse = &trial.warm.temperatures.film;
+            // What is given along the edge is that of the grid before at the same instant.
+            let coarse = &trial.warm.temperatures;
+            let edge = || grid.nodes().filter(|[i, j]| !grid.is_unknown(*i, *j));
             for m in 0..f {
-                let layer: Vec<f64> = coarse.iter().skip(m).step_by(f).copied().collect();
-                for [i, j] in grid.nodes().filter(|[i, j]| !grid.is_unknown(*i, *j)) {
+                let layer: Vec<f64> = coarse.film.iter().skip(m).step_by(f).copied().collect();
+                for [i, j] in edge() {
                     film[grid.index(i, j) * f + m] = sampled.linear(&layer, i, j);
                 }
             }
+            for (flux, coarse) in flux.iter_mut().zip(&coarse.flux) {
+                for [i, j] in edge() {
+                    flux[grid.index(i, j)] = sampled.linear(coarse, i, j);
+                }
+            }
         }
-        let flux = self.flux.clone();
         let begun = Begun {
             overs,
             carried,
@@ -317,16 +316,4 @@ fn shrinks(warm: &Warm, before: f64) -> f64 {
         true => warm.effort.contraction.max(LEAST_CONTRACTION),
         false => before,
     }
-}
-
-/// Heat of a grid that flows in beside the next one.
-fn beside(grid: &Grid, patch: [[usize; 2]; 2], flux: &[f64]) -> Vec<f64> {
-    (grid.nodes().zip(flux))
-        .map(|([i, j], q)| q * (1.0 - within(patch, grid.half, i, j)))
-        .collect()
-}
-
-/// What heat is solved with on the grids of a problem; `None` where it does not count.
-pub(super) fn rounds(problem: &Problem<Plan>) -> Option<Rounds<'_>> {
-    Rounds::new(problem, problem.plan.heat)
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::body::{Approach, Separations};
 use super::checkpoint::{GridMemory, Memory, OtherGrids};
 use super::conditions::{Cavities, Conditions};
-use super::heat::{GridHeat, HeatTrial, Passage, rounds};
+use super::heat::{GridHeat, HeatTrial, StepMotion};
 use super::scheme::{MEMORY, Weights, extrapolation};
 use crate::contact::Shape;
 use crate::contact::gap::{GapTerm, Relief};
@@ -16,6 +16,7 @@ use crate::volumes::Plan;
 use crate::volumes::contents::Arrival;
 use crate::volumes::deflection::Deflection;
 use crate::volumes::engine::{TOLD, newton_params, pattern};
+use crate::volumes::heat::rounds::Rounds;
 use crate::volumes::level::{Level, convolution, first_system, refined};
 use crate::volumes::newton::{NewtonInfo, newton};
 use crate::volumes::patches::{first_cell, grid as patch};
@@ -303,11 +304,13 @@ impl Levels {
                 }
             };
             let mut warm = None;
-            if let (Some(heat), Some(mut rounds)) = (self.heat.get(l), rounds(problem)) {
+            if let (Some(heat), Some(mut rounds)) =
+                (self.heat.get(l), Rounds::new(problem, problem.plan.heat))
+            {
                 rounds.in_time = Some(heat.in_time(&weights));
-                let passage = Passage::new(rounds.heat, time - self.times[0], way);
+                let motion = StepMotion::new(rounds.heat, time - self.times[0], way);
                 let coarser = trial.levels.last().zip(trial.heat.last());
-                let (begun, start) = heat.begin(&rounds, &system.grid, (&passage, &times), coarser);
+                let (begun, start) = heat.begin(&rounds, &system.grid, (&motion, &times), coarser);
                 rounds.warm_up(&mut system, &state, &start.1);
                 let both = (&mut system, &mut state);
                 match rounds.run((l, 0.0, false), both, start, solve, observer) {

@@ -42,7 +42,7 @@ impl Level {
 }
 
 /// Share of the cell of a node that lies in a patch.
-pub fn within([x, y]: [[usize; 2]; 2], half: bool, i: usize, j: usize) -> f64 {
+fn within([x, y]: [[usize; 2]; 2], half: bool, i: usize, j: usize) -> f64 {
     let along = |[low, high]: [usize; 2], at: usize, ends: bool| match at {
         _ if at < low || at > high => 0.0,
         // The row of a line contact.
@@ -51,6 +51,13 @@ pub fn within([x, y]: [[usize; 2]; 2], half: bool, i: usize, j: usize) -> f64 {
         _ => 1.0,
     };
     along(x, i, true) * along(y, j, !half)
+}
+
+/// Values at the nodes of a grid where what they stand for lies beside a patch.
+pub fn beside(grid: &Grid, patch: [[usize; 2]; 2], values: &[f64]) -> Vec<f64> {
+    (grid.nodes().zip(values))
+        .map(|([i, j], value)| value * (1.0 - within(patch, grid.half, i, j)))
+        .collect()
 }
 
 /// The deflection of the bodies of a problem on a grid.

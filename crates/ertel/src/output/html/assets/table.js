@@ -178,7 +178,11 @@ class TableView {
     const log = document.getElementById("table-log").checked;
     const groups = by == null ? [null] : [...new Set(this.rows.map((r) => r.cells[by]))];
     // Points that differ in more than what is drawn, such as random samples, are not joined by lines.
-    const varied = this.columns.filter((c, i) => i >= 1 && i <= this.nAxes && i !== by && c !== x && new Set(this.rows.map((r) => r.cells[i])).size > 1);
+    const distinct = (of) => new Set(this.rows.map(of)).size;
+    const xs = this.columns.indexOf(x);
+    // Of a grid, an axis that changes with the one drawn is no further one.
+    const goesAlong = (i) => 2 * distinct((r) => r.cells[xs]) <= this.rows.length && [(r) => r.cells[i], (r) => `${r.cells[i]}|${r.cells[xs]}`].every((of) => distinct(of) === distinct((r) => r.cells[xs]));
+    const varied = this.columns.filter((c, i) => i >= 1 && i <= this.nAxes && i !== by && c !== x && distinct((r) => r.cells[i]) > 1 && !goesAlong(i));
     const label = (c) => `${capital(c.words)}${c.shown.name ? ` (${c.shown.name})` : ""}`;
     const order = [...this.rows].sort((p, q) => x.numbers[p.i] - x.numbers[q.i]).filter((r) => Number.isFinite(x.numbers[r.i]));
     const xLog = log && order.every((r) => x.numbers[r.i] > 0);
