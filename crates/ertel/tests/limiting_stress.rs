@@ -4,6 +4,7 @@ use crate::common;
 
 use ertel::case::Case;
 use ertel::contact::ContactKind;
+use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
 use ertel::solution::Solution;
 use ertel::solve::NoObserver;
@@ -45,7 +46,10 @@ fn integral(x: &[f64], f: impl Fn(usize) -> f64) -> f64 {
 #[test]
 fn rolling_keeps_its_pressure_gradient_below_the_limit() {
     let (ambient, share) = (5e6, 0.05);
-    let s = solved(&case(ContactKind::Line, 1e5, [ambient, share], 0.0));
+    // On a coarse mesh it is rounding that decides on which way, and whether at all, the iterations get there.
+    let mut case = case(ContactKind::Line, 1e5, [ambient, share], 0.0);
+    case.mesh = MeshParams::preset(MeshPreset::Normal, ContactKind::Line);
+    let s = solved(&case);
     let line = &s.centreline;
     let mut largest = 0.0_f64;
     for k in 1..line.x.len() {
@@ -56,8 +60,7 @@ fn rolling_keeps_its_pressure_gradient_below_the_limit() {
         largest = largest.max((0.5 * film * slope).abs() / limit);
     }
     println!("largest wall stress {largest:.3} of the limit");
-    // Between two nodes of an adapted mesh: 1.04 and below 1.02 on meshes that rounding alone makes different.
-    assert!(largest < 1.05, "{largest}");
+    assert!(largest < 1.02, "{largest}");
     assert!(s.traction.coefficient.value.abs() < 1e-3);
 }
 
