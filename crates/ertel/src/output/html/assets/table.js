@@ -25,6 +25,9 @@ const OF_MACHINES = ["name", "load_N", "load_N_per_m", "hertz_pressure_Pa", "ent
 const OF_WHOLE_MACHINES = ["friction_torque_N_m", "mesh_loss", "friction_power_W"];
 
 const WORDS = {
+  film_central_lowest: "lowest central film", film_central_highest: "highest central film", film_central_last: "central film at the end", film_minimum_lowest: "lowest minimum film", film_minimum_last: "minimum film at the end",
+  pressure_maximum_highest: "highest pressure", traction_coefficient_highest: "highest friction coefficient", traction_coefficient_mean: "mean friction coefficient", friction_power_mean: "mean friction power", film_temperature_maximum_highest: "highest film temperature",
+  amplitude_ratio_lowest: "lowest amplitude ratio", amplitude_ratio_highest: "highest amplitude ratio", amplitude_ratio_last: "amplitude ratio at the end", mass_error_highest: "largest mass error of a step",
   name: "contact", film_central: "central film", film_minimum: "minimum film", pressure_maximum: "largest pressure", pressure_central: "smooth pressure maximum", hertz_pressure: "Hertz pressure",
   friction_total: "friction coefficient", lambda_minimum: "lambda ratio", film_temperature_maximum: "largest film temperature",
   shear_stress_maximum: "largest shear stress",
