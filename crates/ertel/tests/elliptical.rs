@@ -48,7 +48,7 @@ fn assert_alike(a: &Solution, b: &Solution) {
 }
 
 /// A ball in a groove ends at 3.4 half-widths along the longer axis, and so does its contact area, to a half, where it rolls along the groove or nearly so; one
-/// that goes ten times as far has the same films. Where it rolls far across the groove, oil comes from that side: no edge is near.
+/// that goes four times as far has the same films. Where it rolls far across the groove, oil comes from that side: no edge is near.
 #[test]
 fn an_area_that_ends_with_the_ball_has_the_same_films() {
     let rolling_at = |angle: f64| {
@@ -56,17 +56,17 @@ fn an_area_that_ends_with_the_ball_has_the_same_films() {
         case.contact.load = 1052.0;
         let [ball, groove] = [[4.763e-3; 2], [18.22e-3, -4.953e-3]];
         case.contact.body_curvatures = Some([groove, ball].map(|body| body.map(f64::recip)));
-        case.mesh = MeshParams::adaptive(5e-3, ContactKind::Elliptical);
+        case.mesh = MeshParams::adaptive(1e-2, ContactKind::Elliptical);
         case.solver.method = Some(Method::FiniteVolumes);
         case
     };
-    for angle in [0.0, 10.0, 30.0] {
+    for angle in [0.0, 30.0] {
         let mut case = rolling_at(angle);
         let near = solved(&case);
         let reach = near.shape.ends[1] / near.shape.zone.axis_ratio;
         let [_, _, side] = near.extents;
         assert!(side <= reach && reach - side < 0.5, "{side} {reach}");
-        case.mesh.side = Some(10.0 * reach);
+        case.mesh.side = Some(4.0 * reach);
         let far = solved(&case);
         for (a, b) in films(&near).iter().zip(films(&far)) {
             let bar = a.error.unwrap().min(b.error.unwrap());
@@ -127,14 +127,15 @@ fn the_same_contact_from_other_sides() {
     assert_ne!(central(&across), central(&along));
 }
 
-/// An ellipse fifty times as wide as long has the film of a line with its Hertz pressure: side leakage and the curvature
+/// An ellipse fifty times as wide as long, by finite volumes, has the film of a line with its Hertz pressure, by finite elements: side leakage and the curvature
 /// of the inlet are felt by the square of 1/50; the tolerance is both bars and 0.5 % for the rest.
 #[test]
 fn a_wide_ellipse_tends_to_a_line() {
     // κ = 50 by the ratio of radii, by the equation of Johnson (4.26) evaluated with E ≈ 1, K ≈ ln(4·50): (2500 E − K)/(K − E)
     let ratio = 582.0;
-    let wide = ellipse([0.016, 0.016 * ratio], 0.0);
+    let mut wide = ellipse([0.016, 0.016 * ratio], 0.0);
     let mut line = wide.clone();
+    wide.solver.method = Some(Method::FiniteVolumes);
     line.contact = Contact::line(0.016, 1.0);
     line.contact.load = Hertz::load_for_pressure(&line.contact, wide.reduced_modulus(), 0.7e9);
     line.mesh = MeshParams::preset(MeshPreset::Fine, ContactKind::Line);

@@ -94,14 +94,14 @@ fn assert_alike(found: &[f64; FIGURES.len()], expected: &[f64; FIGURES.len()], m
 /// steady rise, but for heat that spreads beyond the grid. A contact that has slowed down comes to what one is that begins so.
 #[test]
 fn steady_contacts_stay_and_changes_come_to_them() {
-    let slower = "[transient]\nduration = \"0.9 ms\"\ntolerance = 0.03\nentrainment_speed = { course = \"ramp\", start = \"0.1 ms\", end = \"0.2 ms\", to = \"1.1 m/s\" }\n";
+    let slower = "[transient]\nduration = \"0.45 ms\"\ntolerance = 0.05\noutput_times = [\"0.05 ms\", \"0.45 ms\"]\nentrainment_speed = { course = \"ramp\", start = \"0.05 ms\", end = \"0.1 ms\", to = \"1.3 m/s\" }\n";
     let found = solved(slower);
     let start = figures(&found.instants[0]);
-    let before = found.instants.iter().rfind(|i| i.time <= 0.1001e-3);
+    let before = found.instants.iter().rfind(|i| i.time <= 0.05001e-3);
     let before = figures(before.unwrap());
     assert_alike(&before, &start, 1e-3);
     let end = figures(found.instants.last().unwrap());
-    let slow = CASE.replace("1.47 m/s", "1.1 m/s");
+    let slow = CASE.replace("1.47 m/s", "1.3 m/s");
     let steady = parsed(&format!("{slow}[transient]\nduration = \"1 ns\"\n"));
     let steady = figures(&transient::solve(&steady, &mut NoObserver).instants[0]);
     // Heat of the start has not all left the glass yet.

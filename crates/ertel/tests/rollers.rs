@@ -280,7 +280,7 @@ fn a_tilted_logarithmic_roller_is_solved() {
 /// Heat under a tilted roller: what is made is carried off, and the film is warmer than what flows in.
 #[test]
 fn heat_of_a_tilted_roller() {
-    let [_, mut case] = crowned(2e-4);
+    let [_, mut case] = crowned_by(2.0 * RADIUS, 2.5, 2e-4);
     case = heated(case);
     case.motion.slide_to_roll_ratio = 0.2;
     case.mesh = MeshParams::preset(MeshPreset::Coarse, ContactKind::Roller);

@@ -100,7 +100,7 @@ fn pressure_ends_at_the_meniscus() {
 fn a_ball_between_dry_and_flooded() {
     let mut last = 0.0;
     for (share, passes) in [(0.15, 0.97..1.001), (0.6, 0.9..1.0), (20.0, 0.0..1.0)] {
-        let (case, thickness) = layer(ContactKind::Circular, share, 0.01);
+        let (case, thickness) = layer(ContactKind::Circular, share, 0.05);
         let solution = solved(&case);
         let centre = sample(&solution, 0.0);
         let density = solution.centreline.density[centre] / case.lubricant.ambient_density();
