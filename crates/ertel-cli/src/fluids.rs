@@ -252,7 +252,10 @@ fn states(fluid: &Fluid, temperature: f64) -> String {
     let mut rows: Vec<Vec<String>> = vec![heading.into_iter().map(str::to_owned).collect()];
     let mut extrapolated = false;
     for p in PRESSURES {
-        let outside = !fluid.check_range_with_heat(p, temperature).is_empty();
+        let outside = fluid
+            .highest_pressure_of_viscosity(temperature)
+            .is_some_and(|end| p > end)
+            || !fluid.check_range_with_heat(p, temperature).is_empty();
         extrapolated |= outside;
         let mark = if outside { " *" } else { "" };
         let mut row = vec![
@@ -288,20 +291,28 @@ fn viscosity(value: f64) -> String {
     }
 }
 
-/// Writes the curve of viscosity over pressure as a picture.
-fn write_plot(path: &Path, fluid: &Fluid, temperature: f64) -> Result<(), Failure> {
-    let valid = fluid
+/// Pressure (Pa) up to which the curve is drawn, where the viscosity is known up to `end`.
+fn drawn_to(fluid: &Fluid, end: Option<f64>) -> f64 {
+    let is_declared = fluid
         .validity
         .as_ref()
-        .and_then(|validity| validity.pressure);
-    // Nothing tells how far to draw: 1 GPa, where most contacts are.
-    let highest = valid.map_or(1e9, |(_, high)| {
-        if high < SHORT_RANGE {
-            0.1e9
-        } else {
-            high.min(3e9)
-        }
+        .is_some_and(|v| v.pressure.is_some());
+    match end {
+        Some(end) if end < SHORT_RANGE => 0.1e9,
+        Some(end) if is_declared => end.min(3e9),
+        // Nothing else tells how far to draw: 1 GPa, where most contacts are.
+        other => other.map_or(1e9, |end| end.min(1e9)),
+    }
+}
+
+/// Writes the curve of viscosity over pressure as a picture.
+fn write_plot(path: &Path, fluid: &Fluid, temperature: f64) -> Result<(), Failure> {
+    let end = fluid.highest_pressure_of_viscosity(temperature);
+    let valid = end.map(|end| {
+        let declared = fluid.validity.as_ref().and_then(|v| v.pressure);
+        [declared.map_or(0.0, |(low, _)| low).min(end), end]
     });
+    let highest = drawn_to(fluid, end);
     let pressures: Vec<f64> = (0..N_POINTS)
         .map(|i| highest * i as f64 / (N_POINTS - 1) as f64)
         .collect();
@@ -313,6 +324,6 @@ fn write_plot(path: &Path, fluid: &Fluid, temperature: f64) -> Result<(), Failur
             .collect(),
         pressure: pressures,
     };
-    let chart = viscosity_chart(&fluid.title, &[curve], valid.map(Into::into));
+    let chart = viscosity_chart(&fluid.title, &[curve], valid);
     picture::write(path, &chart.drawing())
 }

@@ -7,6 +7,13 @@ use crate::provenance::{Datum, RangeWarning, TemperatureRange, ValidityRange};
 use crate::viscosity::NoAsymptote;
 use crate::{ConductivityLaw, DensityLaw, HeatCapacityLaw, Scalar, ShearThinning, ViscosityLaw};
 
+/// Viscosity from which on a liquid counts as a glass (Pa·s).
+///
+/// Source: Angell, Science 267 (1995) 1924-1935.
+pub const GLASS_VISCOSITY: f64 = 1e12;
+/// Highest pressure at which a glass is looked for (Pa).
+const HIGHEST_PRESSURE: f64 = 10e9;
+
 /// A lubricant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fluid {
@@ -132,6 +139,57 @@ impl Fluid {
             .collect()
     }
 
+    /// Highest pressure (Pa above ambient) at which the viscosity at `temperature` (K) is known: the end of the declared
+    /// range, of the table, of the law, or where the law passes [`GLASS_VISCOSITY`]; `None` if none of these is below
+    /// 10 GPa.
+    pub fn highest_pressure_of_viscosity(&self, temperature: f64) -> Option<f64> {
+        let declared = self.validity.as_ref().and_then(|v| v.pressure);
+        let table = self.viscosity.tabulated_range();
+        let limits = [
+            declared.map(|range| range.1),
+            table.map(|[pressure, _]| pressure.1),
+            self.end_of_law(temperature).map(|(limit, _)| limit),
+            self.glass_pressure(temperature),
+        ];
+        limits
+            .into_iter()
+            .flatten()
+            .min_by(f64::total_cmp)
+            .map(|limit| limit.max(0.0))
+    }
+
+    /// Pressure (Pa above ambient) at which the viscosity at `temperature` (K) is that of a glass, by bisection.
+    fn glass_pressure(&self, temperature: f64) -> Option<f64> {
+        let is_glass = |pressure| self.viscosity(pressure, temperature) > GLASS_VISCOSITY;
+        let [mut liquid, mut glass] = [0.0, HIGHEST_PRESSURE];
+        if !is_glass(glass) {
+            return None;
+        }
+        while glass - liquid > 1e-6 * HIGHEST_PRESSURE {
+            let middle = 0.5 * (liquid + glass);
+            match is_glass(middle) {
+                true => glass = middle,
+                false => liquid = middle,
+            }
+        }
+        Some(glass)
+    }
+
+    /// Pressure (Pa above ambient) at which the law itself ends at `temperature` (K), and what ends it.
+    fn end_of_law(&self, temperature: f64) -> Option<(f64, &'static str)> {
+        match &self.viscosity {
+            ViscosityLaw::ModifiedWlf(law) => Some((
+                law.limiting_pressure(temperature),
+                "end of the WLF law: glass transition or F = 0",
+            )),
+            ViscosityLaw::ImprovedYasutomi(law) => Some((
+                law.limiting_pressure(temperature),
+                "end of the Yasutomi law: glass transition",
+            )),
+            _ => None,
+        }
+    }
+
     fn mechanical_tables(&self) -> Vec<Tabulated> {
         let density = self.density.as_ref().and_then(DensityLaw::tabulated_range);
         named([
@@ -172,19 +230,8 @@ impl Fluid {
         for ([pressure, _], basis) in tables {
             pressure_limits.push((pressure.1, *basis, false));
         }
-        if let ViscosityLaw::ModifiedWlf(law) = &self.viscosity {
-            pressure_limits.push((
-                law.limiting_pressure(temperature),
-                "end of the WLF law: glass transition or F = 0",
-                false,
-            ));
-        }
-        if let ViscosityLaw::ImprovedYasutomi(law) = &self.viscosity {
-            pressure_limits.push((
-                law.limiting_pressure(temperature),
-                "end of the Yasutomi law: glass transition",
-                false,
-            ));
+        if let Some((limit, basis)) = self.end_of_law(temperature) {
+            pressure_limits.push((limit, basis, false));
         }
 
         let mut warnings = Vec::new();

@@ -37,7 +37,7 @@ pub mod viscosity;
 pub use conductivity::ConductivityLaw;
 pub use density::DensityLaw;
 pub use error::LawError;
-pub use fluid::{Fluid, FluidError};
+pub use fluid::{Fluid, FluidError, GLASS_VISCOSITY};
 pub use heat_capacity::HeatCapacityLaw;
 pub use interpolation::Isotherms;
 #[cfg(feature = "read")]

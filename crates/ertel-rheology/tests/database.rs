@@ -3,6 +3,8 @@
 use approx::assert_relative_eq;
 use ertel_rheology::database::{self, DatabaseError, REFERENCES};
 use ertel_rheology::provenance::{Datum, RangeWarning, Status};
+use ertel_rheology::viscosity::Barus;
+use ertel_rheology::{GLASS_VISCOSITY, ViscosityLaw};
 
 fn check_provenance(entry: &str, provenance: &[Datum]) {
     assert!(!provenance.is_empty(), "{entry} has no data");
@@ -291,6 +293,26 @@ fn states_outside_the_data_are_reported() {
     let ether = database::fluid("polyphenyl-ether-5p4e").unwrap();
     assert_eq!(ether.check_range(0.34e9, 313.15), []);
     assert_eq!(ether.check_range(0.35e9, 313.15).len(), 1);
+}
+
+/// Where the viscosity of a law is that of a glass, no liquid is drawn any more.
+#[test]
+fn viscosities_end_where_the_liquid_is_a_glass() {
+    let ether = database::fluid("polyphenyl-ether-5p4e").unwrap();
+    let end = ether.highest_pressure_of_viscosity(313.15).unwrap();
+    assert_relative_eq!(end, 0.343e9, max_relative = 2e-3);
+    assert!(ether.viscosity(end, 313.15) < 1.01 * GLASS_VISCOSITY);
+    // Below the ambient glass temperature of -28.2 degC nothing is left.
+    assert_eq!(ether.highest_pressure_of_viscosity(240.0), Some(0.0));
+    // A law without an end of its own: Barus with 20 1/GPa and 0.1 Pa.s has 1e12 Pa.s at ln(1e13)/20 GPa.
+    let mut barus = database::fluid("squalane-pip").unwrap();
+    barus.validity = None;
+    barus.viscosity = ViscosityLaw::Barus(Barus::new(0.1, 20e-9).unwrap());
+    assert_relative_eq!(
+        barus.highest_pressure_of_viscosity(313.15).unwrap(),
+        1e13_f64.ln() / 20e-9,
+        max_relative = 1e-4
+    );
 }
 
 #[test]

@@ -292,7 +292,7 @@ fn solve_here(
     match end {
         Ok(info) => found.info = info,
         Err(error) => {
-            found.info = error.info().unwrap_or_default();
+            found.info = error.info().unwrap_or_else(|| told(&found.instants));
             found.failure = Some(error);
         }
     }
@@ -318,6 +318,17 @@ fn solve_here(
         .extend(plausible::in_time(case, friction, film));
     found.wall_seconds += clock.elapsed().as_secs_f64();
     found
+}
+
+/// What the instants tell of the steps of a run that was interrupted; those that were refused are not among them.
+fn told(instants: &[InstantSolution]) -> Info {
+    let steps = instants.iter().filter(|instant| instant.step > 0.0);
+    let iterations = steps.clone().map(|instant| instant.newton_iterations);
+    Info {
+        steps: steps.clone().count(),
+        refused: 0,
+        newton_iterations: iterations.sum(),
+    }
 }
 
 /// How finite volumes go about a case in time: films of each instant need no finer grids than those of a steady contact, and nothing is read off the spike of a line.

@@ -11,6 +11,7 @@ use crate::contact::ContactKind;
 use crate::run::over_time::{TimeFigure, over_time};
 use crate::run::transient::{InstantSolution, TransientSolution};
 use crate::solution::{Figure, Kind};
+use crate::transient::TransientError;
 use crate::words::{digits, length};
 
 /// Extremes over time, the instants of the output, warnings, effort.
@@ -152,12 +153,16 @@ pub(in crate::output) fn write_results(
         .iter()
         .map(|instant| instant.mass_error.abs())
         .fold(0.0, f64::max);
+    let refused = match found.failure {
+        // Nothing tells how many.
+        Some(TransientError::Interrupted) => String::new(),
+        _ => format!(", {} refused", found.info.refused),
+    };
     out.row(
         "steps in time",
         format!(
-            "{}, {} refused, from {} to {}",
+            "{}{refused}, from {} to {}",
             found.info.steps,
-            found.info.refused,
             at(first.time, time),
             at(last.time, time)
         ),

@@ -1,5 +1,8 @@
 // The points of a curve or a study: a table that sorts, and two plots linked with it.
 
+// Rows of the table that are printed: more than that are for a screen, or for the table of values beside the page.
+const PRINTED_ROWS = 25;
+
 // A table of comma-separated values; quotes as in RFC 4180.
 function parseCsv(text) {
   const rows = [];
@@ -172,6 +175,8 @@ class TableView {
     const thead = document.createElement("thead");
     thead.append(head);
     table.replaceChildren(thead, body);
+    for (const tr of [...body.children].slice(PRINTED_ROWS)) tr.classList.add("unprinted");
+    document.getElementById("rows-printed").textContent = this.sorted.length > PRINTED_ROWS ? `Printed are ${PRINTED_ROWS} of ${this.sorted.length} rows; the table of values beside this page has all.` : "";
   }
 
   showPlots() {
