@@ -70,7 +70,9 @@ const SLOW: &[&str] = &[
     "figure-6-10",
     "figure-6-5",
     "heat-convergence",
+    "mourier-cavity",
     "table-3-3",
+    "venner-waves",
 ];
 
 /// Whose effort is shown, not pinned: it is at the edge of what converges.
