@@ -80,13 +80,16 @@ impl Checkpoints {
         (self.kept.as_ref()).is_some_and(|kept| kept.last.elapsed() >= kept.interval)
     }
 
-    /// Writes it.
-    pub fn write(&mut self, checkpoint: &Checkpoint) {
-        let Some(kept) = &mut self.kept else { return };
-        kept.failure = replace(&kept.path, &checkpoint.to_bytes())
+    /// Writes it; returns why it could not be, where it could before.
+    pub fn write(&mut self, checkpoint: &Checkpoint) -> Option<String> {
+        let kept = self.kept.as_mut()?;
+        let failure = replace(&kept.path, &checkpoint.to_bytes())
             .err()
             .map(|error| format!("{}: {error}", kept.path.display()));
+        let is_known = kept.failure.is_some();
+        kept.failure.clone_from(&failure);
         kept.last = Instant::now();
+        failure.filter(|_| !is_known)
     }
 
     /// Ends with the run: without the file where it came to its end.

@@ -9,6 +9,7 @@ use ertel::run::transient::{InstantObserver, Reached};
 use ertel::solution::IterationRecord;
 use ertel::solve::Observer;
 use ertel::study::{CurveObserver, PointSolution};
+use ertel::warning::Warning;
 use ertel::words::{digits, length};
 use ertel_input::escaped;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -88,6 +89,16 @@ impl<'a> Progress<'a> {
     fn emit(&self, event: &str, fields: Value) {
         if let Display::Events(events) = &self.display {
             events.emit(event, fields);
+        }
+    }
+
+    /// Tells at once what to know of the run.
+    fn warn(&self, warning: &Warning) {
+        let told = || crate::solve::warn([warning]);
+        match &self.display {
+            Display::Quiet | Display::Lines => told(),
+            Display::Terminal(bar) => bar.suspend(told),
+            Display::Events(events) => events.warn([warning]),
         }
     }
 
@@ -188,7 +199,10 @@ impl InstantObserver for Progress<'_> {
     }
 
     fn checkpoint(&mut self, checkpoint: Checkpoint) {
-        self.checkpoints.write(&checkpoint);
+        if let Some(failure) = self.checkpoints.write(&checkpoint) {
+            let text = format!("the checkpoint cannot be written: {failure}; the run goes on");
+            self.warn(&Warning::from(text));
+        }
     }
 }
 

@@ -205,6 +205,34 @@ fn a_killed_run_goes_on() {
     assert_eq!(table("out"), table("whole"));
 }
 
+/// Where a checkpoint cannot be written, a warning says so once while the run goes on to its end.
+#[cfg(unix)]
+#[test]
+fn a_checkpoint_that_cannot_be_written_is_told_at_once() {
+    let folder = workspace(
+        &CASE
+            .replace("1 ms\"", "0.02 ms\"")
+            .replace("\"0.5 ms\"]", "\"0.02 ms\"]"),
+    );
+    // What is renamed to a folder fails, whoever asks.
+    std::fs::create_dir_all(folder.path().join("out.checkpoint/full")).unwrap();
+    let arguments = ["solve", "case.toml", "-o", "out", "--checkpoint", "0 s"];
+    let output = ertel(&folder, &arguments);
+    let told = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{told}");
+    assert_eq!(
+        told.matches("warning: the checkpoint cannot be written")
+            .count(),
+        1,
+        "{told}"
+    );
+    let (before, _) = told.split_once("warning: the checkpoint").unwrap();
+    assert!(
+        before.matches("step ").count() < told.matches("step ").count(),
+        "{told}"
+    );
+}
+
 /// A pair of teeth along its path: load, radius and speeds at the pitch point are those of the machine, and the film under a load that has just doubled is thinner than the steady one there
 /// (numbers of the guide).
 #[test]

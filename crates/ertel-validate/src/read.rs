@@ -7,7 +7,8 @@
 //! [[run]]
 //! name = "normal"                 # within the study
 //! case = "case.toml"              # beside this file
-//! task = "solve"                  # or "deflect": deflection under the Hertz pressure; "curve": the case's [curve]
+//! task = "solve"                  # or "deflect": deflection under the Hertz pressure; "curve": the case's [curve];
+//!                                 # "transient": the contact over time
 //! quick = true                    # takes seconds
 //! newton_iterations = 31          # of a cold start, all levels together
 //! moes = [200.0, 10.0]            # sets load and alpha (Barus, Roelands) for these groups
@@ -19,6 +20,7 @@
 //!
 //! [[check]]
 //! quantity = "central-film"
+//! x = "20 um"                     # of the place on the centreline that the quantity is of, if it is of one
 //! runs = ["normal"]               # all that have the quantity, if left out
 //! value = 0.0822                  # or formula = "moes-line" (compressed = true), or
 //!                                 # power_law = [c, a, b] of h = c R √(2U) M^a L^b, or none of these
@@ -130,11 +132,16 @@ fn read_run(mut table: Table<'_>, folder: &Path) -> Result<(Run, Vec<PathBuf>), 
                 ("solve", Task::Solve),
                 ("deflect", Task::Deflect),
                 ("curve", Task::Curve),
+                ("transient", Task::Transient),
             ],
         )?
         .unwrap_or(Task::Solve);
     if task == Task::Curve && case.curve.is_none() {
         return Err(table.error("task", "the case has no [curve]"));
+    }
+    if (task == Task::Transient) != case.transient.is_some() {
+        let text = "a case with [transient] has the task `transient`, and no other has";
+        return Err(table.error("task", text));
     }
     if let Some(groups) = table.optional_numbers("moes", Bounds::closed(0.0, 1e5))? {
         let [m, l] = groups[..] else {
@@ -230,6 +237,10 @@ fn read_check(mut table: Table<'_>, study: &Study) -> Result<Check, InputError> 
         .map(|q| (q.key(), q))
         .collect::<Vec<_>>();
     let quantity = table.required_choice("quantity", &quantities)?;
+    let place = match quantity.is_of_place() {
+        true => Some(table.required_quantity("x", Dimension::LENGTH, Bounds::ANY)?),
+        false => None,
+    };
     let subject = read_subject(&mut table, study)?;
     let formulas = FilmFormula::ALL.map(|f| (formula_key(f), f));
     let power_law = match table.optional_numbers("power_law", Bounds::ANY)? {
@@ -277,6 +288,7 @@ fn read_check(mut table: Table<'_>, study: &Study) -> Result<Check, InputError> 
     table.finish()?;
     Ok(Check {
         quantity,
+        place,
         subject,
         reference,
         accept,

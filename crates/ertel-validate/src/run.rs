@@ -1,11 +1,13 @@
 //! Running a study.
 
 use super::check::{Reference, Row, Verdict};
+use super::quantity::Beside;
 use super::{Accept, Deflection, Quantity, Study, deflect};
 use ertel::case::Case;
 use ertel::run::solve;
+use ertel::run::transient::{self, TransientSolution};
 use ertel::solution::Solution;
-use ertel::solve::SolveError;
+use ertel::solve::{NoObserver, SolveError};
 use ertel::study::{CurveObserver, CurveSolution, solve_curve};
 
 /// What is computed from a case.
@@ -17,6 +19,8 @@ pub enum Task {
     Deflect,
     /// The points of the case's curve, each from the last.
     Curve,
+    /// The contact over time, by the case's `[transient]`.
+    Transient,
 }
 
 /// One computation of a study.
@@ -52,6 +56,8 @@ pub enum Outcome {
     Deflected(Deflection),
     /// The points of a curve; those that failed show in the rows.
     Curve(CurveSolution),
+    /// Instants up to the end.
+    Transient(Box<TransientSolution>),
     /// An error, as told.
     Failed(String),
     /// Not selected.
@@ -101,6 +107,7 @@ impl Study {
                 Task::Solve => solve(&run.case, observer).map(|s| Outcome::Solved(Box::new(s))),
                 Task::Deflect => deflect(&run.case).map(Outcome::Deflected),
                 Task::Curve => follow(run, observer),
+                Task::Transient => march(run, observer),
             };
             outcomes.push(match outcome {
                 Ok(outcome) => outcome,
@@ -142,6 +149,18 @@ impl Study {
     }
 }
 
+/// Follows the contact of a run through time.
+fn march(run: &Run, observer: &mut dyn CurveObserver) -> Result<Outcome, SolveError> {
+    if observer.cancelled() {
+        return Err(SolveError::Interrupted);
+    }
+    let found = transient::solve(&run.case, &mut NoObserver);
+    Ok(match &found.failure {
+        None => Outcome::Transient(Box::new(found)),
+        Some(error) => Outcome::Failed(error.to_string()),
+    })
+}
+
 /// Solves the curve of a run.
 fn follow(run: &Run, observer: &mut dyn CurveObserver) -> Result<Outcome, SolveError> {
     let Some(curve) = &run.case.curve else {
@@ -158,7 +177,7 @@ impl Run {
     /// The iterations of a cold start, beside the stated ones.
     fn iterations(&self, outcome: &Outcome) -> Option<Row> {
         let quantity = Quantity::NewtonIterations;
-        let ours = quantity.value(self, outcome, None)?;
+        let ours = quantity.value(self, outcome, Beside::default())?;
         let (reference, accept, source) = match self.newton_iterations {
             Some(stated) => (
                 Reference::Value(stated as f64),

@@ -4,6 +4,7 @@ use std::fmt;
 
 use toml_edit::{DocumentMut, value};
 
+use super::quantity::Beside;
 use super::{Quantity, Study, StudyResult};
 
 /// A stated effort that changes.
@@ -47,7 +48,7 @@ pub fn update(
         .ok_or("its runs are not those of the study")?;
     let mut changes = Vec::new();
     for ((run, outcome), table) in study.runs.iter().zip(&result.outcomes).zip(runs.iter_mut()) {
-        let taken = Quantity::NewtonIterations.value(run, outcome, None);
+        let taken = Quantity::NewtonIterations.value(run, outcome, Beside::default());
         let (Some(stated), Some(taken)) = (run.newton_iterations, taken) else {
             continue;
         };

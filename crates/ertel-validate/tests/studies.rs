@@ -71,6 +71,7 @@ const SLOW: &[&str] = &[
     "figure-6-5",
     "heat-convergence",
     "table-3-3",
+    "venner-waves",
 ];
 
 /// Whose effort is shown, not pinned: it is at the edge of what converges.

@@ -3,9 +3,11 @@
 use std::path::Path;
 
 use ertel::case::Case;
-use ertel::run::transient::{self, InstantSolution, TransientSolution};
+use ertel::output::transient::{profiles_table, transient_table};
+use ertel::run::checkpoint::Checkpoint;
+use ertel::run::transient::{self, InstantObserver, InstantSolution, Reached, TransientSolution};
 use ertel::solution::Figure;
-use ertel::solve::NoObserver;
+use ertel::solve::{NoObserver, Observer};
 use ertel_input::Document;
 
 /// A ball on glass, both of whose surfaces slide, by a coarse mesh.
@@ -106,4 +108,51 @@ fn steady_contacts_stay_and_changes_come_to_them() {
     let steady = figures(&transient::solve(&steady, &mut NoObserver).instants[0]);
     // Heat of the start has not all left the glass yet.
     assert_alike(&end, &steady, 8e-3);
+}
+
+/// Stops a run once some of its instants are told, and keeps what it leaves.
+struct Stopping {
+    most: usize,
+    told: usize,
+    left: Option<Vec<u8>>,
+}
+
+impl Observer for Stopping {
+    fn cancelled(&self) -> bool {
+        self.told >= self.most
+    }
+}
+
+impl InstantObserver for Stopping {
+    fn instant(&mut self, _: &Reached) {
+        self.told += 1;
+    }
+
+    fn checkpoint(&mut self, checkpoint: Checkpoint) {
+        self.left = Some(checkpoint.to_bytes());
+    }
+}
+
+/// A run with heat that stopped while its speed falls goes on from the bytes of its checkpoint to the tables of the run without a stop, to the digit: what film and bodies remember of the heat is a
+/// part of them. It stops where three instants count, and where fewer are known.
+#[test]
+fn a_run_with_heat_that_stopped_goes_on_to_the_digit() {
+    let case = parsed(&format!(
+        "{CASE}[transient]\nduration = \"60 us\"\ntolerance = 0.1\noutput_times = [\"60 us\"]\n\
+         entrainment_speed = {{ course = \"ramp\", start = \"0 us\", end = \"100 us\", to = \"1.1 m/s\" }}\n"
+    ));
+    let tables = |found: &TransientSolution| [transient_table(found, false), profiles_table(found)];
+    let whole = transient::solve(&case, &mut NoObserver);
+    let n = whole.instants.len();
+    assert!((6..15).contains(&n), "{n}");
+    for most in [2, n - 1] {
+        let (told, left) = (0, None);
+        let mut first = Stopping { most, told, left };
+        assert!(transient::solve(&case, &mut first).failure.is_some());
+        let from = Checkpoint::from_bytes(&first.left.unwrap(), &case).unwrap();
+        let rest = transient::solve_from(&case, Some(from), &mut NoObserver);
+        assert!(rest.failure.is_none(), "{:?}", rest.failure);
+        assert_eq!(tables(&rest), tables(&whole));
+        assert_eq!(rest.info, whole.info);
+    }
 }

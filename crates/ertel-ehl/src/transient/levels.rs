@@ -46,6 +46,9 @@ pub struct Levels {
     cavities: Cavities,
     /// Heat of each grid; none where it does not count.
     heat: Vec<GridHeat>,
+    /// What feeds the film at the nodes of each grid at the end of the next step; none where nothing does.
+    #[cfg(test)]
+    pub(super) source: Vec<Vec<f64>>,
 }
 
 /// Where errors of a step are looked at: the dry contact, and what of it reliefs cover.
@@ -145,6 +148,8 @@ impl Levels {
             approach: conditions.approach.clone(),
             unit,
             cavities,
+            #[cfg(test)]
+            source: Vec::new(),
         })
     }
 
@@ -293,6 +298,8 @@ impl Levels {
                 rate: weights.rate(),
                 past: weights.past(self.stored[l].iter()),
             });
+            #[cfg(test)]
+            self.feed(l, &mut system);
             let separations = &self.separations[l];
             system.balance = separations.balance(&self.approach, &weights, time, self.unit);
             let about = (l, problem.scales.film);
@@ -347,6 +354,15 @@ impl Levels {
         }
         trial.error = self.error(&weights, &times, &trial, zones);
         Ok(Some(trial))
+    }
+
+    /// Adds the source of manufactured fields.
+    #[cfg(test)]
+    fn feed(&self, l: usize, system: &mut System) {
+        if let (Some(source), Some(storage)) = (self.source.get(l), &mut system.storage) {
+            let past = storage.past.iter_mut().zip(source);
+            past.for_each(|(past, source)| *past -= source);
+        }
     }
 
     /// Mean error of ρ̄H on the finest grid over the zones, relative, the largest of which counts.

@@ -15,6 +15,7 @@ use crate::solution::Figure;
 use crate::volumes::Plan;
 
 mod body;
+mod manufactured;
 mod resumed;
 mod shapes;
 mod supply;

@@ -16,7 +16,7 @@ use ertel_plot::drawing::{
 use ertel_plot::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis};
 use ertel_plot::png::encode;
 
-/// Central and minimum film over time; on the right, dashed, the entrainment speed, or the force of the film where a body moves by its inertia.
+/// Central and minimum film over time; on the right, dashed, entrainment speed and load where they change, over their largest where both do, or the force of the film where a body moves by its inertia.
 pub fn film_over_time(title: &str, found: &TransientSolution, force_unit: &str) -> Chart {
     let instants = &found.instants;
     let film = |instant: &InstantSolution, figure| instant.measured.estimate(figure).value;
@@ -56,7 +56,15 @@ pub fn film_over_time(title: &str, found: &TransientSolution, force_unit: &str) 
         ),
     );
     chart.series = films.to_vec();
-    let first = instants.first().map_or(0.0, speed);
+    let load = |instant: &InstantSolution| instant.load;
+    let label = format!("Load ({force_unit})");
+    let courses: [Course<'_>; 2] = [
+        ("entrainment speed", "Entrainment speed (m/s)", &speed),
+        ("load", &label, &load),
+    ];
+    let changing: Vec<Course<'_>> = (courses.into_iter())
+        .filter(|(_, _, value)| instants.windows(2).any(|w| value(&w[0]) != value(&w[1])))
+        .collect();
     if found.moves() {
         let force = |instant: &InstantSolution| instant.film_force;
         let forces = instants.iter().map(force).chain([0.0]);
@@ -69,19 +77,28 @@ pub fn film_over_time(title: &str, found: &TransientSolution, force_unit: &str) 
             Side::Right,
             &force,
         ));
-    } else if instants.iter().any(|instant| speed(instant) != first) {
-        let speeds = instants.iter().map(speed).chain([0.0]);
-        chart.y_right = Some(Axis::linear_around("Entrainment speed (m/s)", speeds));
-        chart.series.push(series(
-            "entrainment speed",
-            PALETTE[2],
-            Look::Dashed,
-            Side::Right,
-            &speed,
-        ));
+    } else if !changing.is_empty() {
+        let mut shown = vec![0.0];
+        for ((name, _, value), colour) in changing.iter().zip(&PALETTE[2..]) {
+            let largest = (instants.iter()).fold(0.0, |m: f64, i| m.max(value(i).abs()));
+            let unit = if changing.len() > 1 { largest } else { 1.0 };
+            let own = series(name, colour, Look::Dashed, Side::Right, &|i| {
+                value(i) / unit
+            });
+            shown.extend(own.points.iter().map(|point| point[1]));
+            chart.series.push(own);
+        }
+        let label = match changing[..] {
+            [(_, label, _)] => label,
+            _ => "Speed and load over their largest",
+        };
+        chart.y_right = Some(Axis::linear_around(label, shown));
     }
     chart
 }
+
+/// Name and axis of a quantity over time, and its value at an instant.
+type Course<'a> = (&'a str, &'a str, &'a dyn Fn(&InstantSolution) -> f64);
 
 /// Frame of the map, px, its pixels along time, and those of the colour bar.
 const WIDTH: f64 = 420.0;
