@@ -301,7 +301,7 @@ fn thick_films_and_steep_viscosities() {
     let motion = "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.0";
     for (load, alpha) in [("2.5", "25.5"), ("10", "42.5")] {
         let ball = BALL.replace("30 N", &format!("{load} N"));
-        let mut case = case_of(&ball, motion, "[mesh]\ntarget_error = 0.01", alpha);
+        let mut case = case_of(&ball, motion, "[mesh]\ntarget_error = 0.02", alpha);
         let films = METHODS.map(|method| {
             case.solver.method = Some(method);
             let solution = solved(&case);

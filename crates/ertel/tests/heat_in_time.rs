@@ -96,10 +96,10 @@ fn assert_alike(found: &[f64; FIGURES.len()], expected: &[f64; FIGURES.len()], m
 /// steady rise, but for heat that spreads beyond the grid. A contact that has slowed down comes to what one is that begins so.
 #[test]
 fn steady_contacts_stay_and_changes_come_to_them() {
-    let slower = "[transient]\nduration = \"0.45 ms\"\ntolerance = 0.05\noutput_times = [\"0.05 ms\", \"0.45 ms\"]\nentrainment_speed = { course = \"ramp\", start = \"0.05 ms\", end = \"0.1 ms\", to = \"1.3 m/s\" }\n";
-    let found = solved(slower);
+    let change = "[transient]\nduration = \"0.45 ms\"\ntolerance = 0.05\noutput_times = [\"0.05 ms\", \"0.45 ms\"]\nentrainment_speed = { course = \"step\", at = \"0.05 ms\", to = \"1.3 m/s\" }\n";
+    let found = solved(change);
     let start = figures(&found.instants[0]);
-    let before = found.instants.iter().rfind(|i| i.time <= 0.05001e-3);
+    let before = found.instants.iter().rfind(|i| i.time < 0.0499e-3);
     let before = figures(before.unwrap());
     assert_alike(&before, &start, 1e-3);
     let end = figures(found.instants.last().unwrap());
@@ -134,25 +134,24 @@ impl InstantObserver for Stopping {
 }
 
 /// A run with heat that stopped while its speed falls goes on from the bytes of its checkpoint to the tables of the run without a stop, to the digit: what film and bodies remember of the heat is a
-/// part of them. It stops where three instants count, and where fewer are known.
+/// part of them. It stops where three instants count.
 #[test]
 fn a_run_with_heat_that_stopped_goes_on_to_the_digit() {
     let case = parsed(&format!(
-        "{CASE}[transient]\nduration = \"60 us\"\ntolerance = 0.1\noutput_times = [\"60 us\"]\n\
+        "{CASE}[transient]\nduration = \"20 us\"\ntolerance = 0.05\noutput_times = [\"20 us\"]\n\
          entrainment_speed = {{ course = \"ramp\", start = \"0 us\", end = \"100 us\", to = \"1.1 m/s\" }}\n"
     ));
     let tables = |found: &TransientSolution| [transient_table(found, false), profiles_table(found)];
     let whole = transient::solve(&case, &mut NoObserver);
     let n = whole.instants.len();
-    assert!((6..15).contains(&n), "{n}");
-    for most in [2, n - 1] {
-        let (told, left) = (0, None);
-        let mut first = Stopping { most, told, left };
-        assert!(transient::solve(&case, &mut first).failure.is_some());
-        let from = Checkpoint::from_bytes(&first.left.unwrap(), &case).unwrap();
-        let rest = transient::solve_from(&case, Some(from), &mut NoObserver);
-        assert!(rest.failure.is_none(), "{:?}", rest.failure);
-        assert_eq!(tables(&rest), tables(&whole));
-        assert_eq!(rest.info, whole.info);
-    }
+    let most = n / 2;
+    assert!(most > 2, "{n}");
+    let (told, left) = (0, None);
+    let mut first = Stopping { most, told, left };
+    assert!(transient::solve(&case, &mut first).failure.is_some());
+    let from = Checkpoint::from_bytes(&first.left.unwrap(), &case).unwrap();
+    let rest = transient::solve_from(&case, Some(from), &mut NoObserver);
+    assert!(rest.failure.is_none(), "{:?}", rest.failure);
+    assert_eq!(tables(&rest), tables(&whole));
+    assert_eq!(rest.info, whole.info);
 }
