@@ -211,7 +211,7 @@ fn a_killed_run_goes_on() {
 fn a_checkpoint_that_cannot_be_written_is_told_at_once() {
     let folder = workspace(
         &CASE
-            .replace("1 ms\"", "0.02 ms\"")
+            .replace("duration = \"1 ms\"", "duration = \"0.02 ms\"")
             .replace("\"0.5 ms\"]", "\"0.02 ms\"]"),
     );
     // What is renamed to a folder fails, whoever asks.
