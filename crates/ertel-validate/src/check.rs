@@ -1,7 +1,6 @@
 //! Comparisons.
 
 use super::Quantity;
-use super::quantity::Beside;
 use super::run::{Outcome, Run};
 use ertel::fit::{FilmForm, FilmState};
 use ertel::reference::FilmFormula;
@@ -54,8 +53,6 @@ pub enum Subject {
 pub struct Check {
     /// What figure.
     pub quantity: Quantity,
-    /// Where on the centreline, m, if it is that of a place.
-    pub place: Option<f64>,
     /// Of which runs.
     pub subject: Subject,
     /// Against what.
@@ -173,19 +170,13 @@ impl Check {
     /// Rows of this comparison; none for runs that were skipped or failed.
     pub(super) fn rows(&self, runs: &[Run], outcomes: &[Outcome]) -> Vec<Row> {
         let value = |i: usize, other: Option<usize>| {
-            let beside = Beside {
-                other: other.map(|j| &outcomes[j]),
-                place: self.place,
-            };
-            self.quantity.value(&runs[i], &outcomes[i], beside)
+            self.quantity
+                .value(&runs[i], &outcomes[i], other.map(|j| &outcomes[j]))
         };
         let row = |run: &str, label: &str, reference, ours| {
             Row::with_value(run, label, reference, ours, self.accept, &self.source)
         };
-        let label = &match self.place {
-            Some(x) => format!("{} at x = {:.1} µm", self.quantity.label(), 1e6 * x),
-            None => self.quantity.label().to_owned(),
-        };
+        let label = self.quantity.label();
         match &self.subject {
             Subject::Value(list) => list
                 .iter()
@@ -221,7 +212,7 @@ impl Check {
                 };
                 ours.map(|ours| {
                     let label = match self.quantity {
-                        Quantity::DeflectionDifference => label.clone(),
+                        Quantity::DeflectionDifference => label.to_owned(),
                         _ => format!("{label}, change"),
                     };
                     Row {

@@ -1,7 +1,6 @@
 //! Pictures of studies.
 
 use super::profiles::{self, Profile};
-use super::quantity::Beside;
 use super::run::Outcome;
 use super::{Quantity, Study};
 use ertel::contact::{Family, hertz};
@@ -268,7 +267,7 @@ impl Picture {
         // One curve per (scaling, mesh), in the order of their first runs
         let mut curves: Vec<Curve> = Vec::new();
         for (run, outcome) in study.runs.iter().zip(outcomes) {
-            let Some(value) = quantity.value(run, outcome, Beside::default()) else {
+            let Some(value) = quantity.value(run, outcome, None) else {
                 continue;
             };
             let solver = &run.case.solver;

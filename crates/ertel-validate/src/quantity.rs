@@ -24,23 +24,11 @@ struct Sources {
     solution: Option<fn(&Solution) -> Option<f64>>,
     curve: Option<fn(&CurveSolution) -> Option<f64>>,
     deflection: Option<OfDeflection>,
-    transient: Option<OfTime>,
+    transient: Option<fn(&TransientSolution) -> Option<f64>>,
 }
 
 /// Of a run that only deflects the bodies, and the run that differences are taken from.
 type OfDeflection = fn(&Run, &Deflection, Option<&Outcome>) -> Option<f64>;
-
-/// Of a contact over time, and a place on the centreline, m.
-type OfTime = fn(&TransientSolution, Option<f64>) -> Option<f64>;
-
-/// What a quantity may ask for beside a run.
-#[derive(Clone, Copy, Default)]
-pub struct Beside<'a> {
-    /// The run that differences are taken from.
-    pub other: Option<&'a Outcome>,
-    /// A place on the centreline, m.
-    pub place: Option<f64>,
-}
 
 impl Sources {
     const NONE: Sources = Sources {
@@ -68,7 +56,7 @@ impl Sources {
         }
     }
 
-    const fn transient(value: OfTime) -> Sources {
+    const fn transient(value: fn(&TransientSolution) -> Option<f64>) -> Sources {
         Sources {
             transient: Some(value),
             ..Sources::NONE
@@ -258,15 +246,9 @@ quantities! {
         let first = *pressures.first()?;
         largest(pressures.iter().map(|p| (p / first - 1.0).abs()).collect())
     });
-    /// In time: film at a place of the centreline at the start, nm.
-    StartingFilm, "starting-film", "film at the start, nm", Number,
-        Sources::transient(|found, place| films_over_time(found, place?)?.first().copied());
-    /// In time: largest film at a place of the centreline, nm.
-    LargestFilm, "largest-film", "largest film over time, nm", Number,
-        Sources::transient(|found, place| largest(films_over_time(found, place?)?));
     /// In time: A_d/A_i of waves at the end, what the film in the centre keeps of their amplitude.
     AmplitudeRatio, "amplitude-ratio", "A_d/A_i", Number,
-        Sources::transient(|found, _| *found.amplitude_ratios.last()?);
+        Sources::transient(|found| *found.amplitude_ratios.last()?);
 }
 
 impl Quantity {
@@ -280,23 +262,19 @@ impl Quantity {
         self.format() == Format::Count
     }
 
-    /// Whether it is that of a place on the centreline.
-    pub fn is_of_place(self) -> bool {
-        matches!(self, Quantity::StartingFilm | Quantity::LargestFilm)
-    }
-
-    /// Value in the outcome of a run, `None` where it has no such figure; of a contact over time, figures are those at the end.
-    pub fn value(self, run: &Run, outcome: &Outcome, beside: Beside<'_>) -> Option<f64> {
+    /// Value in the outcome of a run, `None` where it has no such figure; `other` is the run that
+    /// differences are taken from. Figures of a contact over time are those at the end.
+    pub fn value(self, run: &Run, outcome: &Outcome, other: Option<&Outcome>) -> Option<f64> {
         let sources = self.sources();
         match (outcome, self) {
             (Outcome::Solved(s), Quantity::Figure(figure)) => Some(s.figure(figure)?.value),
             (Outcome::Solved(s), _) => sources.solution?(s),
-            (Outcome::Deflected(d), _) => sources.deflection?(run, d, beside.other),
+            (Outcome::Deflected(d), _) => sources.deflection?(run, d, other),
             (Outcome::Curve(curve), _) => sources.curve?(curve),
             (Outcome::Transient(found), Quantity::Figure(figure)) => {
                 Some(found.instants.last()?.measured.estimate(figure).value)
             }
-            (Outcome::Transient(found), _) => sources.transient?(found, beside.place),
+            (Outcome::Transient(found), _) => sources.transient?(found),
             (Outcome::Failed(_) | Outcome::Skipped, _) => None,
         }
     }
@@ -326,18 +304,6 @@ fn outlet_cooling(s: &Solution) -> Option<f64> {
         .filter(|(_, x)| OUTLET.contains(&(*x / s.scales.length)))
         .map(|(i, _)| below(i))
         .reduce(f64::max)
-}
-
-/// Films (nm) at a place of the centreline over all instants, by straight lines between the places of the map; `None` beyond them.
-fn films_over_time(found: &TransientSolution, place: f64) -> Option<Vec<f64>> {
-    let x = &found.map.x;
-    let i = x.windows(2).position(|w| (w[0]..=w[1]).contains(&place))?;
-    let share = (place - x[i]) / (x[i + 1] - x[i]);
-    let film = |films: &Vec<f32>| {
-        let [a, b] = [films[i], films[i + 1]].map(f64::from);
-        1e9 * (a + share * (b - a))
-    };
-    Some(found.map.films.iter().map(film).collect())
 }
 
 fn largest(list: Vec<f64>) -> Option<f64> {

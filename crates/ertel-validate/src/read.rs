@@ -20,7 +20,6 @@
 //!
 //! [[check]]
 //! quantity = "central-film"
-//! x = "20 um"                     # of the place on the centreline that the quantity is of, if it is of one
 //! runs = ["normal"]               # all that have the quantity, if left out
 //! value = 0.0822                  # or formula = "moes-line" (compressed = true), or
 //!                                 # power_law = [c, a, b] of h = c R √(2U) M^a L^b, or none of these
@@ -237,10 +236,6 @@ fn read_check(mut table: Table<'_>, study: &Study) -> Result<Check, InputError> 
         .map(|q| (q.key(), q))
         .collect::<Vec<_>>();
     let quantity = table.required_choice("quantity", &quantities)?;
-    let place = match quantity.is_of_place() {
-        true => Some(table.required_quantity("x", Dimension::LENGTH, Bounds::ANY)?),
-        false => None,
-    };
     let subject = read_subject(&mut table, study)?;
     let formulas = FilmFormula::ALL.map(|f| (formula_key(f), f));
     let power_law = match table.optional_numbers("power_law", Bounds::ANY)? {
@@ -288,7 +283,6 @@ fn read_check(mut table: Table<'_>, study: &Study) -> Result<Check, InputError> 
     table.finish()?;
     Ok(Check {
         quantity,
-        place,
         subject,
         reference,
         accept,

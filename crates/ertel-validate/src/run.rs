@@ -1,14 +1,14 @@
 //! Running a study.
 
 use super::check::{Reference, Row, Verdict};
-use super::quantity::Beside;
 use super::{Accept, Deflection, Quantity, Study, deflect};
 use ertel::case::Case;
 use ertel::run::solve;
-use ertel::run::transient::{self, TransientSolution};
+use ertel::run::transient::{self, InstantObserver, TransientSolution};
 use ertel::solution::Solution;
-use ertel::solve::{NoObserver, SolveError};
+use ertel::solve::{Observer, SolveError};
 use ertel::study::{CurveObserver, CurveSolution, solve_curve};
+use ertel::transient::TransientError;
 
 /// What is computed from a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -151,15 +151,24 @@ impl Study {
 
 /// Follows the contact of a run through time.
 fn march(run: &Run, observer: &mut dyn CurveObserver) -> Result<Outcome, SolveError> {
-    if observer.cancelled() {
-        return Err(SolveError::Interrupted);
+    let found = transient::solve(&run.case, &mut Until(observer));
+    match &found.failure {
+        None => Ok(Outcome::Transient(Box::new(found))),
+        Some(TransientError::Interrupted) => Err(SolveError::Interrupted),
+        Some(error) => Ok(Outcome::Failed(error.to_string())),
     }
-    let found = transient::solve(&run.case, &mut NoObserver);
-    Ok(match &found.failure {
-        None => Outcome::Transient(Box::new(found)),
-        Some(error) => Outcome::Failed(error.to_string()),
-    })
 }
+
+/// Ends a contact over time where the study ends.
+struct Until<'a>(&'a mut dyn CurveObserver);
+
+impl Observer for Until<'_> {
+    fn cancelled(&self) -> bool {
+        self.0.cancelled()
+    }
+}
+
+impl InstantObserver for Until<'_> {}
 
 /// Solves the curve of a run.
 fn follow(run: &Run, observer: &mut dyn CurveObserver) -> Result<Outcome, SolveError> {
@@ -177,7 +186,7 @@ impl Run {
     /// The iterations of a cold start, beside the stated ones.
     fn iterations(&self, outcome: &Outcome) -> Option<Row> {
         let quantity = Quantity::NewtonIterations;
-        let ours = quantity.value(self, outcome, Beside::default())?;
+        let ours = quantity.value(self, outcome, None)?;
         let (reference, accept, source) = match self.newton_iterations {
             Some(stated) => (
                 Reference::Value(stated as f64),

@@ -4,7 +4,6 @@ use std::fmt;
 
 use toml_edit::{DocumentMut, value};
 
-use super::quantity::Beside;
 use super::{Quantity, Study, StudyResult};
 
 /// A stated effort that changes.
@@ -48,7 +47,7 @@ pub fn update(
         .ok_or("its runs are not those of the study")?;
     let mut changes = Vec::new();
     for ((run, outcome), table) in study.runs.iter().zip(&result.outcomes).zip(runs.iter_mut()) {
-        let taken = Quantity::NewtonIterations.value(run, outcome, Beside::default());
+        let taken = Quantity::NewtonIterations.value(run, outcome, None);
         let (Some(stated), Some(taken)) = (run.newton_iterations, taken) else {
             continue;
         };

@@ -442,13 +442,7 @@ pub fn apart(problem: &Problem<Plan>, gap: f64) -> Vec<Level> {
             }
             Some(before) => refined(problem, before, grid, deflection),
         };
-        levels.push(Level {
-            films: system.films(&state),
-            system,
-            state,
-            patch: None,
-            warm: None,
-        });
+        levels.push(Level::new(system, state));
         if h <= finest && levels.len() >= least {
             break;
         }

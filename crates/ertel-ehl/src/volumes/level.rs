@@ -26,6 +26,17 @@ pub struct Level {
 }
 
 impl Level {
+    /// Of a state, without heat and without a next grid.
+    pub fn new(system: System, state: State) -> Level {
+        Level {
+            films: system.films(&state),
+            system,
+            state,
+            patch: None,
+            warm: None,
+        }
+    }
+
     /// ρ̄ without pressure.
     pub fn ambient_density(&self) -> f64 {
         self.system.fluid.at(0.0).density[0]

@@ -295,13 +295,7 @@ impl<Plan: Sync> Side<'_, Plan> {
         if let Some(by) = by {
             state.moved(by, 1.0, &at.wetted);
         }
-        self.levels.push(Level {
-            films: system.films(&state),
-            system,
-            state,
-            patch: None,
-            warm: None,
-        });
+        self.levels.push(Level::new(system, state));
     }
 }
 

@@ -156,13 +156,7 @@ impl<'a> Manufactured<'a> {
                 None => first_system(&self.problem, grid, deflection),
                 Some(before) => refined(&self.problem, before, grid, deflection).0,
             };
-            levels.push(Level {
-                films: system.films(&state),
-                system,
-                state,
-                patch: None,
-                warm: None,
-            });
+            levels.push(Level::new(system, state));
         }
         levels
     }
@@ -235,7 +229,7 @@ fn bumps(grid: &Grid) -> impl Iterator<Item = f64> {
     })
 }
 
-/// Errors of pressure, ρ̄H and H_0 fall with the square of the step: by a power between 1.8 and 2.5.
+/// Errors of pressure, ρ̄H and H_0 fall with the square of the step, by a power between 1.8 and 2.5: at these steps those of the pressure still fall faster, by 2.27.
 fn assert_second_order(given: &Given, n_grids: usize, steps: [u32; 3]) {
     let conditions = conditions();
     let errors = steps.map(|n| Manufactured::new(given, n_grids, &conditions).errors(n));
@@ -250,7 +244,7 @@ fn assert_second_order(given: &Given, n_grids: usize, steps: [u32; 3]) {
     }
 }
 
-/// A circular contact on two.
+/// A circular contact on two grids.
 #[test]
 fn steps_of_a_circle_are_of_the_second_order() {
     let circle = Given {

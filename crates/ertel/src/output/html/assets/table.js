@@ -176,7 +176,7 @@ class TableView {
     thead.append(head);
     table.replaceChildren(thead, body);
     for (const tr of [...body.children].slice(PRINTED_ROWS)) tr.classList.add("unprinted");
-    document.getElementById("rows-printed").textContent = this.sorted.length > PRINTED_ROWS ? `Printed are ${PRINTED_ROWS} of ${this.sorted.length} rows; the table of values beside this page has all.` : "";
+    document.getElementById("rows-printed").textContent = this.sorted.length > PRINTED_ROWS ? `The first ${PRINTED_ROWS} of ${this.sorted.length} rows are printed; the CSV file beside this page has all of them.` : "";
   }
 
   showPlots() {
