@@ -146,8 +146,11 @@ mod tests {
     /// Wrong answers are told and asked for again; a slip of a unit is asked about.
     #[test]
     fn answers_are_checked_at_once() {
-        let answers = "9\n20 mm\n40\n40,5 N\n40 N\n3000 rpm\n2 m/s\n1.5 m/s\n\n\n80 degC\n80 degC\n\n\n0.02 1/GPa\n\n";
-        let (text, said) = answered(None, answers);
+        let number = TEMPLATES.iter().position(|t| t.name == "ball").unwrap() + 1;
+        let answers = format!(
+            "{number}\n20 mm\n40\n40,5 N\n40 N\n3000 rpm\n2 m/s\n1.5 m/s\n\n\n80 degC\n80 degC\n\n\n0.02 1/GPa\n\n"
+        );
+        let (text, said) = answered(None, &answers);
         let case = Case::from_text("case.toml", &text.unwrap(), Path::new("")).unwrap();
         assert_eq!(case.contact.load, 40.0);
         assert_eq!(case.contact.radius, 0.01);
