@@ -1,6 +1,7 @@
 //! Comparisons.
 
 use super::Quantity;
+use super::instants::{Place, film_at};
 use super::run::{Outcome, Run};
 use ertel::fit::{FilmForm, FilmState};
 use ertel::reference::FilmFormula;
@@ -48,6 +49,17 @@ pub enum Subject {
     Order([usize; 3]),
 }
 
+impl Subject {
+    /// The runs that it looks at.
+    pub(super) fn runs(&self) -> Vec<usize> {
+        match self {
+            Subject::Value(runs) => runs.clone(),
+            Subject::Change(i, j) => vec![*i, *j],
+            Subject::Order(runs) => runs.to_vec(),
+        }
+    }
+}
+
 /// A comparison to make.
 #[derive(Clone, Debug)]
 pub struct Check {
@@ -55,6 +67,8 @@ pub struct Check {
     pub quantity: Quantity,
     /// Of which runs.
     pub subject: Subject,
+    /// Where and when, of [`Quantity::FilmAt`].
+    pub place: Option<Place>,
     /// Against what.
     pub reference: Reference,
     /// With which tolerance.
@@ -169,14 +183,21 @@ impl Row {
 impl Check {
     /// Rows of this comparison; none for runs that were skipped or failed.
     pub(super) fn rows(&self, runs: &[Run], outcomes: &[Outcome]) -> Vec<Row> {
-        let value = |i: usize, other: Option<usize>| {
-            self.quantity
-                .value(&runs[i], &outcomes[i], other.map(|j| &outcomes[j]))
+        let value = |i: usize, other: Option<usize>| match (self.place, &outcomes[i]) {
+            (Some(place), Outcome::Transient(found)) => film_at(&found.profiles, place),
+            (Some(_), _) => None,
+            (None, outcome) => {
+                let other = other.map(|j| &outcomes[j]);
+                self.quantity.value(&runs[i], outcome, other)
+            }
         };
         let row = |run: &str, label: &str, reference, ours| {
             Row::with_value(run, label, reference, ours, self.accept, &self.source)
         };
-        let label = self.quantity.label();
+        let label = match self.place {
+            Some(place) => &place.words(),
+            None => self.quantity.label(),
+        };
         match &self.subject {
             Subject::Value(list) => list
                 .iter()

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 
 mod check;
 mod deflection;
+mod instants;
 mod page;
 mod picture;
 mod profiles;
@@ -19,6 +20,7 @@ mod update;
 
 pub use check::{Accept, Check, Reference, Row, Verdict};
 pub use deflection::{Deflection, deflect};
+pub use instants::{Place, Published};
 pub use page::{markdown, splice};
 pub use picture::{Picture, PictureKind};
 pub use profiles::Profile;

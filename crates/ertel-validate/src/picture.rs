@@ -1,5 +1,6 @@
 //! Pictures of studies.
 
+use super::instants::{self, Published};
 use super::profiles::{self, Profile};
 use super::run::Outcome;
 use super::{Quantity, Study};
@@ -40,6 +41,8 @@ pub enum PictureKind {
     FilmShape(usize),
     /// Traction coefficients of the curves of these runs, likewise.
     TractionCurves(Vec<usize>),
+    /// Films of a run over time beside published ones, panels in rows of so many.
+    Instants(usize, Vec<Published>, usize),
     /// A quantity over the penalty, one colour per scaling, one look per mesh.
     Penalty(Quantity),
 }
@@ -73,6 +76,7 @@ impl PictureKind {
             | PictureKind::Overlay(..)
             | PictureKind::CrossFilm(..)
             | PictureKind::Temperatures(..)
+            | PictureKind::Instants(..)
             | PictureKind::Map(..) => false,
         }
     }
@@ -103,6 +107,12 @@ impl Picture {
             PictureKind::Temperatures(runs, columns) => {
                 profiles::temperatures(false, &self.caption, &solved(runs), *columns)
             }
+            PictureKind::Instants(run, published, columns) => match &outcomes[*run] {
+                Outcome::Transient(found) => {
+                    instants::panels(&self.caption, found, published, *columns)
+                }
+                _ => None,
+            },
             PictureKind::Map(run, field) => {
                 let pictures = pictures::pictures(&self.caption, solved(&[*run])[0].1?, None);
                 let map = pictures.into_iter().find(|p| p.name == *field)?;
@@ -124,6 +134,7 @@ impl Picture {
             | PictureKind::Overlay(..)
             | PictureKind::CrossFilm(..)
             | PictureKind::Temperatures(..)
+            | PictureKind::Instants(..)
             | PictureKind::Map(..) => None,
             PictureKind::Centreline(run) => match &outcomes[*run] {
                 Outcome::Solved(s) => Some(pictures::centreline(&self.caption, s)),

@@ -249,6 +249,8 @@ quantities! {
     /// In time: A_d/A_i of waves at the end, what the film in the centre keeps of their amplitude.
     AmplitudeRatio, "amplitude-ratio", "A_d/A_i", Number,
         Sources::transient(|found| *found.amplitude_ratios.last()?);
+    /// In time: film thickness on the centreline at a place and an instant, m.
+    FilmAt, "film-at", "film at a place", Number, Sources::NONE;
 }
 
 impl Quantity {

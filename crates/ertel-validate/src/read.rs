@@ -33,12 +33,23 @@
 //!                                 # penalty; of several `runs`: profiles, cross-film, temperatures (panels in
 //!                                 # `columns`), pressures, films, mid-temperatures (over each other, again within
 //!                                 # `zoom`);
-//!                                 # of curves: film-curves, film-shape (of one `run`), traction-curves
+//!                                 # of curves: film-curves, film-shape (of one `run`), traction-curves;
+//!                                 # of a contact over time: instants (of one `run`, panels in `columns`)
 //! range = [200, 400]              # of the left axis, as shown; around the values, if left out; not of panels,
 //!                                 # of what is set over each other and of maps
 //! run = "normal"
 //! caption = "What it shows."
 //! ```
+//! A check of the quantity `film-at` has the `x` and the `time` that it looks at, which is one of the case's output times.
+//! A picture of the kind `instants` shows films of such times beside published ones:
+//!
+//! ```toml
+//! [[picture.instant]]
+//! time = "1.2 ms"
+//! x_um = [-10.0, 0.0]
+//! film_nm = [210.0, 350.0]
+//! ```
+//!
 //! A check of a change has `run` and `relative_to`; one of the order of convergence has
 //! `order = [...]`, three runs with cells halved from one to the next.
 
@@ -49,6 +60,7 @@ use ertel_quantity::Dimension;
 use ertel_rheology::ViscosityLaw;
 
 use super::check::Subject;
+use super::instants::read_place;
 use super::read_picture::read_picture;
 use super::{Accept, Check, Quantity, Reference, Run, Study, Task};
 use ertel::case::{Case, check_mesh_of_bodies, read_mesh, read_named, read_solver, read_thermal};
@@ -237,6 +249,14 @@ fn read_check(mut table: Table<'_>, study: &Study) -> Result<Check, InputError> 
         .collect::<Vec<_>>();
     let quantity = table.required_choice("quantity", &quantities)?;
     let subject = read_subject(&mut table, study)?;
+    let place = match quantity {
+        Quantity::FilmAt => {
+            let runs = subject.runs();
+            let runs = runs.iter().map(|i| &study.runs[*i]);
+            Some(read_place(&mut table, runs)?)
+        }
+        _ => None,
+    };
     let formulas = FilmFormula::ALL.map(|f| (formula_key(f), f));
     let power_law = match table.optional_numbers("power_law", Bounds::ANY)? {
         None => None,
@@ -284,6 +304,7 @@ fn read_check(mut table: Table<'_>, study: &Study) -> Result<Check, InputError> 
     Ok(Check {
         quantity,
         subject,
+        place,
         reference,
         accept,
         source,

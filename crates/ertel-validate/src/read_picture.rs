@@ -2,6 +2,7 @@
 
 use ertel_input::{Bounds, InputError, Table};
 
+use super::instants::read_published;
 use super::profiles::Profile;
 use super::read::{formula_key, indices};
 use super::{Picture, PictureKind, Quantity, Study};
@@ -27,6 +28,7 @@ pub(super) fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Pictur
         "film-curves",
         "film-shape",
         "traction-curves",
+        "instants",
     ]
     .map(|k| (k, k));
     let kind_name = table.required_choice("kind", &kinds)?;
@@ -68,6 +70,11 @@ pub(super) fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Pictur
                 _ => Profile::Temperature,
             };
             PictureKind::Overlay(profile, runs, zoom)
+        }
+        "instants" => {
+            let run = picture_run(&mut table, study)?;
+            let columns = columns(&mut table)?;
+            PictureKind::Instants(run, read_published(&mut table, study, run)?, columns)
         }
         "film-curves" => PictureKind::FilmCurves(picture_runs(&mut table, study)?),
         "film-shape" => PictureKind::FilmShape(picture_run(&mut table, study)?),
@@ -141,9 +148,14 @@ fn picture_run(table: &mut Table<'_>, study: &Study) -> Result<usize, InputError
 /// `runs` of a picture of panels, and its `columns`.
 fn panels(table: &mut Table<'_>, study: &Study) -> Result<(Vec<usize>, usize), InputError> {
     let runs = picture_runs(table, study)?;
+    Ok((runs, columns(table)?))
+}
+
+/// `columns` of a picture of panels.
+fn columns(table: &mut Table<'_>) -> Result<usize, InputError> {
     let columns = table.optional_integer("columns", 1..=4)?;
     let columns = columns.and_then(|n| usize::try_from(n).ok());
-    Ok((runs, columns.unwrap_or(2)))
+    Ok(columns.unwrap_or(2))
 }
 
 /// `runs` of a picture, all if left out.

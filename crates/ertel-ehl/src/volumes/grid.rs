@@ -71,6 +71,15 @@ impl Grid {
         self.n[1] == 1
     }
 
+    /// Size of a cell, m, where a half-width is `length`; one of a line has no end across.
+    pub fn cell_size(&self, length: f64) -> [f64; 2] {
+        let [along, across] = self.spacing.map(|h| h * length);
+        match self.is_line() {
+            true => [along, f64::INFINITY],
+            false => [along, across],
+        }
+    }
+
     /// Rows whose pressures are unknown between the edges.
     #[inline(always)]
     pub fn inner_rows(&self) -> std::ops::Range<usize> {

@@ -12,14 +12,10 @@ pub struct About {
 /// What of the heat of a contact decides.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HeatAbout {
-    /// All is the same along y.
-    pub is_line: bool,
     /// A roller of finite length.
     pub is_roller: bool,
     /// A body spins about the normal of the contact.
     pub spins: bool,
-    /// Oil is short.
-    pub is_starved: bool,
     /// Conductivity or heat capacity of a body change with its temperature.
     pub bodies_vary: bool,
     /// Temperatures within the bodies are asked for.
@@ -34,16 +30,11 @@ pub fn why_not(about: &About) -> Option<&'static str> {
             !about.has_half_spaces,
             "need half-spaces, no finite-element bodies",
         ),
-        (heat.is_line, "do not solve for the heat of line contacts"),
         (
             heat.is_roller,
             "do not solve for the heat of rollers of finite length",
         ),
         (heat.spins, "do not solve for the heat of bodies that spin"),
-        (
-            heat.is_starved,
-            "do not solve for the heat of starved contacts",
-        ),
         (
             heat.bodies_vary,
             "do not solve for the heat of bodies whose conductivity or heat capacity changes with temperature",
@@ -72,20 +63,15 @@ mod tests {
         };
         assert_eq!(why_not(&about(None)), None);
         assert_eq!(why_not(&about(Some(HeatAbout::default()))), None);
-        let line = HeatAbout {
-            is_line: true,
+        let roller = HeatAbout {
+            is_roller: true,
             ..HeatAbout::default()
         };
-        assert!(why_not(&about(Some(line))).is_some_and(|reason| reason.contains("line")));
+        assert!(why_not(&about(Some(roller))).is_some_and(|reason| reason.contains("roller")));
         let spins = HeatAbout {
             spins: true,
             ..HeatAbout::default()
         };
         assert!(why_not(&about(Some(spins))).is_some_and(|reason| reason.contains("spin")));
-        let starved = HeatAbout {
-            is_starved: true,
-            ..HeatAbout::default()
-        };
-        assert!(why_not(&about(Some(starved))).is_some_and(|reason| reason.contains("starved")));
     }
 }

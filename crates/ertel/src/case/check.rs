@@ -398,10 +398,8 @@ fn heat_about(case: &Case) -> Option<volumes::HeatAbout> {
             || differs(&|t| body.heat_capacity.heat_capacity(0.0, t))
     };
     Some(volumes::HeatAbout {
-        is_line: case.contact.kind.is_line(),
         is_roller: case.contact.kind == ContactKind::Roller,
         spins: case.motion.spin != [0.0; 2],
-        is_starved: case.supply.is_limited(),
         bodies_vary: heat.is_some_and(|heat| varies(&heat.body_1) || varies(&heat.body_2)),
         asks_for_bodies: params.field,
     })

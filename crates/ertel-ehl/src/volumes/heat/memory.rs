@@ -111,7 +111,7 @@ pub struct Below {
 impl Below {
     /// Below a grid whose half-width is `length`, m; the body moves at a speed at most, m/s.
     pub fn new(grid: &Grid, body: MovingBody, length: f64, speed: f64) -> Below {
-        let cell = grid.spacing.map(|h| h * length);
+        let cell = grid.cell_size(length);
         Below {
             modes: Modes::new(&body, cell, speed),
             transforms: Padded::new(grid),

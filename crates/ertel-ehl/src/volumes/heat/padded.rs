@@ -10,7 +10,7 @@ use rustfft::Fft;
 
 use crate::volumes::grid::Grid;
 
-/// Transforms on a grid at least twice as long along both directions.
+/// Transforms on a grid at least twice as long along both directions, of a line along the motion.
 #[derive(Clone)]
 pub struct Padded {
     /// Nodes of the grid, and whether its last row is the centreline of a mirrored half.
@@ -51,7 +51,11 @@ impl Padded {
     pub fn new(grid: &Grid) -> Padded {
         let n = grid.n;
         let rows = if grid.half { 2 * n[1] - 1 } else { n[1] };
-        let padded = [2 * n[0], 2 * rows].map(smooth);
+        // A line is the same in all rows: one stands for them.
+        let padded = match grid.is_line() {
+            true => [smooth(2 * n[0]), 1],
+            false => [2 * n[0], 2 * rows].map(smooth),
+        };
         let mut planner = RealFftPlanner::<f64>::new();
         let forward = planner.plan_fft_forward(padded[0]);
         let backward = planner.plan_fft_inverse(padded[0]);

@@ -103,11 +103,14 @@ impl MovingBody {
     }
 
     /// Rise of the surface temperature, K/(W/m²), of the cells at offsets from one that takes in heat: −n ≤ i ≤ n along the first direction, −m ≤ j ≤ m along the
-    /// second, row by row. Cells are `size` m wide.
+    /// second, row by row. Cells are `size` m wide; those of a line contact have no end across.
     pub fn response(&self, size: [f64; 2], [n, m]: [usize; 2]) -> Vec<f64> {
         let chi = self.diffusivity();
         let counts = [2 * n + 1, 2 * m + 1];
-        let farthest = [n as f64 * size[0], m as f64 * size[1]];
+        let farthest = [0, 1].map(|d: usize| match size[d].is_finite() {
+            true => [n, m][d] as f64 * size[d],
+            false => f64::INFINITY,
+        });
         let rule = Quadrature::simplex(1, 2 * POINTS - 1);
         let mut response = vec![0.0; counts[0] * counts[1]];
         let mut shares = counts.map(|n| vec![0.0; n]);
@@ -119,24 +122,16 @@ impl MovingBody {
                 // dt/√t = 2 d√t
                 let weight = 2.0 * w * (high - low) * self.memory(time)
                     / (self.capacity * (PI * chi).sqrt());
-                for d in 0..2 {
-                    covered(
-                        &mut shares[d],
-                        size[d],
-                        self.velocity[d] * time,
-                        (4.0 * chi).sqrt() * root,
-                    );
-                }
-                let [along, across] = &shares;
-                let first = along.iter().position(|x| *x != 0.0).unwrap_or(0);
-                let last = along.iter().rposition(|x| *x != 0.0).map_or(0, |k| k + 1);
-                for (row, y) in response.chunks_exact_mut(counts[0]).zip(across) {
-                    if *y == 0.0 {
-                        continue;
-                    }
-                    let factor = weight * y;
-                    for (sum, x) in row[first..last].iter_mut().zip(&along[first..last]) {
-                        *sum += factor * x;
+                let [over_row, over_rows] = &mut shares;
+                let [x, y] = self.velocity.map(|u| u * time);
+                let width = (4.0 * chi).sqrt() * root;
+                let along = Covered::new(over_row, size[0], x, width);
+                let across = Covered::new(over_rows, size[1], y, width);
+                let rows = response.chunks_exact_mut(counts[0]).skip(across.first);
+                for (row, share) in rows.zip(across.shares) {
+                    let factor = weight * share;
+                    for (sum, share) in row[along.first..].iter_mut().zip(along.shares) {
+                        *sum += factor * share;
                     }
                 }
             }
@@ -145,22 +140,46 @@ impl MovingBody {
     }
 }
 
-/// Shares of the heat of a cell that has moved by `shift` and spread over `width`, at the middles of the cells around: ½ erf differences.
-fn covered(shares: &mut [f64], size: f64, shift: f64, width: f64) {
-    let middle = (shares.len() / 2) as f64;
-    let edge = |k: usize| {
-        let x = ((k as f64 - middle - 0.5) * size - shift) / width;
-        if x.abs() > 6.0 {
-            x.signum()
-        } else {
-            libm::erf(x)
+/// Shares of the heat of a cell that has moved and spread, at the middles of the cells around that it reaches.
+struct Covered<'a> {
+    /// The first of these cells.
+    first: usize,
+    shares: &'a [f64],
+}
+
+/// Widths of the plume, beyond which erf is one to the last digit.
+const REACH: f64 = 6.0;
+
+impl Covered<'_> {
+    /// Moved by `shift` and spread over `width`: ½ erf differences, in the room for all cells.
+    fn new(room: &mut [f64], size: f64, shift: f64, width: f64) -> Covered<'_> {
+        let n = room.len();
+        let middle = (n / 2) as f64;
+        // A cell without an end is everywhere.
+        let edge = |k: usize| match size.is_finite() {
+            true => ((k as f64 - middle - 0.5) * size - shift) / width,
+            false => f64::INFINITY.copysign(k as f64 - middle - 0.5),
+        };
+        let place = |x: f64| match size.is_finite() {
+            true => ((shift + x * width) / size + middle + 0.5).clamp(0.0, n as f64),
+            false => middle + 0.5,
+        };
+        let first = place(-REACH).floor() as usize;
+        let end = place(REACH).ceil() as usize;
+        let value = |x: f64| match x.abs() > REACH {
+            true => x.signum(),
+            false => libm::erf(x),
+        };
+        let mut before = value(edge(first));
+        for (k, share) in room[first..end].iter_mut().enumerate() {
+            let next = value(edge(first + k + 1));
+            *share = 0.5 * (next - before);
+            before = next;
         }
-    };
-    let mut before = edge(0);
-    for (k, share) in shares.iter_mut().enumerate() {
-        let next = edge(k + 1);
-        *share = 0.5 * (next - before);
-        before = next;
+        Covered {
+            first,
+            shares: &room[first..end],
+        }
     }
 }
 

@@ -22,7 +22,7 @@ impl Spreading {
     /// In a body below a grid whose half-width is `length`, m.
     pub fn new(grid: &Grid, body: &MovingBody, length: f64) -> Spreading {
         let transforms = Padded::new(grid);
-        let size = grid.spacing.map(|h| h * length);
+        let size = grid.cell_size(length);
         let response = body.response(size, transforms.covered().map(|n| n - 1));
         Spreading {
             symbol: transforms.of_response(&response),

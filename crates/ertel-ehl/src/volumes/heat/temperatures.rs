@@ -71,7 +71,7 @@ impl Bodies {
     /// Below a grid, with no heat beyond it, down to a depth in half-widths. Where a body of `others` below the same grid is the same, its spreading serves again.
     pub fn new(grid: &Grid, heat: &Heat, depth: f64, others: Option<&Bodies>) -> Bodies {
         let own = [0, 1].map(|b: usize| moving_body(heat, b, grid, depth));
-        let cell = grid.spacing.map(|h| h * heat.length);
+        let cell = grid.cell_size(heat.length);
         Bodies {
             spreading: [0, 1].map(|b: usize| match others {
                 Some(others) if others.own[b] == own[b] && others.cell == cell => {
@@ -97,7 +97,7 @@ impl Bodies {
         Bodies {
             own: [0, 1].map(|b: usize| moving_body(heat, b, grid, depth)),
             spreading: spreading.map(Arc::new),
-            cell: grid.spacing.map(|h| h * heat.length),
+            cell: grid.cell_size(heat.length),
             outer,
             depth,
         }
@@ -116,6 +116,9 @@ pub fn within_edges(grid: &Grid, flux: &[f64]) -> Vec<f64> {
     for row in flux.chunks_exact_mut(nx) {
         row[0] *= 0.5;
         row[nx - 1] *= 0.5;
+    }
+    if grid.is_line() {
+        return flux;
     }
     flux[..nx].iter_mut().for_each(|q| *q *= 0.5);
     if !grid.half {

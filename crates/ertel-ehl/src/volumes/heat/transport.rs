@@ -63,7 +63,10 @@ fn sides_of(grid: &Grid, k: usize) -> [Side; 4] {
         false => 2 * (ny - 1) - j,
     };
     let along = |di: i64| (i as i64 + di) as usize + nx * j;
-    let across = |dj: i64| i + nx * row((j as i64 + dj) as usize);
+    let across = |dj: i64| match grid.is_line() {
+        true => k,
+        false => i + nx * row((j as i64 + dj) as usize),
+    };
     let own = sides(grid, k);
     let reach = [
         ([along(1), along(2)], along(-1)),
