@@ -289,7 +289,7 @@ fn report(fit: &Fit, data: &Data, verbose: bool) -> String {
     ];
     for constant in &fit.constants {
         let interval = constant.interval.map_or_else(
-            || "held".to_owned(),
+            || "fixed".to_owned(),
             |[low, high]| {
                 format!(
                     "{} to {}",
@@ -312,7 +312,7 @@ fn report(fit: &Fit, data: &Data, verbose: bool) -> String {
         rows.push(vec![
             "reference_temperature".to_owned(),
             format!("{} °C", digits(t_r - 273.15, 5)),
-            "held".to_owned(),
+            "fixed".to_owned(),
         ]);
     }
     text += &format!("\n{}\n", columns(&rows));

@@ -90,7 +90,7 @@ fn values_are_set_on_the_command_line() {
         &["estimate", "quick.toml", "--set", "contact.load=40 kN/m"],
     );
     code(&output, 0);
-    assert!(stdout(&output).contains("40000 N/m"), "{}", stdout(&output));
+    assert!(stdout(&output).contains("40 kN/m"), "{}", stdout(&output));
 }
 
 #[test]
