@@ -70,7 +70,7 @@ pub fn film_over_time(title: &str, found: &TransientSolution, is_line: bool) -> 
         .collect();
     if found.moves() {
         let force = |instant: &InstantSolution| per_force * instant.film_force;
-        let forces = instants.iter().map(force).chain([0.0]);
+        let forces = with_room(instants.iter().map(force).chain([0.0]));
         let label = format!("Film force ({force_unit})");
         chart.y_right = Some(Axis::linear_around(&label, forces));
         chart.series.push(series(
@@ -95,9 +95,14 @@ pub fn film_over_time(title: &str, found: &TransientSolution, is_line: bool) -> 
             [(_, label, _)] => label,
             _ => "Speed and load over their largest",
         };
-        chart.y_right = Some(Axis::linear_around(label, shown));
+        chart.y_right = Some(Axis::linear_around(label, with_room(shown)));
     }
     chart
+}
+
+/// Values and room above them, so that a course that stays at its largest does not lie on the frame.
+fn with_room(values: impl IntoIterator<Item = f64>) -> impl Iterator<Item = f64> {
+    values.into_iter().map(|value| 1.05 * value)
 }
 
 /// Name and axis of a quantity over time, and its value at an instant.
