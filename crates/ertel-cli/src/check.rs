@@ -158,7 +158,7 @@ impl Checked {
 }
 
 /// A case in time over a steady contact: a line takes more steps beside its short solves.
-const IN_TIME: f64 = 20.0;
+const IN_TIME: f64 = 30.0;
 const LINE_IN_TIME: f64 = 50.0;
 
 /// CPU s of cold solves with default settings: medians of the convergence map for lines (docs/performance.md), shipped cases for the others, of
