@@ -260,7 +260,7 @@ fn tell_contact(
     rows.number("u_2 = ω_2 R_2", wheel, "m/s");
     if kind == Teeth::Helical {
         let along = operation.base_speed(pair) * pair.base_helix_angle.sin();
-        rows.number("along the line, does not count", along, "m/s");
+        rows.number("axial speed (no effect)", along, "m/s");
     }
     rows.text("source", names.source);
 }
