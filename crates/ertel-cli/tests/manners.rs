@@ -457,7 +457,7 @@ fn a_check_says_what_it_checked() {
     for words in [
         "Steel roller on steel plane",
         "radius R                          10 mm",
-        "load                              20000 N/m",
+        "load                              20 kN/m",
         "By formulas",
         "central film",
         "contacts to solve                 1\n",
