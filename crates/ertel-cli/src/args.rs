@@ -415,7 +415,7 @@ pub struct FitLawArgs {
     /// Keep a constant at a value, such as "mu_0=0.465 mPa.s" (may be repeated)
     #[arg(long, value_name = "KEY=VALUE")]
     pub hold: Vec<String>,
-    /// Fit a constant that is held by default, such as p_0 or mu_g (may be repeated)
+    /// Fit a constant that is fixed by default, such as p_0 or mu_g (may be repeated)
     #[arg(long, value_name = "KEY")]
     pub free: Vec<String>,
     /// Reference temperature of the law (default: the isotherm in the middle of the data)

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use ertel::case::Case;
+use ertel::contact::ContactKind;
 use ertel::estimate::{CaseEstimate, estimate};
 use ertel::output;
 use ertel::run;
@@ -129,10 +130,7 @@ impl Checked {
         Self {
             estimate: estimate(case),
             n_points,
-            cpu_seconds: match case.transient {
-                None => n_solves as f64 * typical_cpu_seconds(case),
-                Some(_) => n_solves as f64 * IN_TIME * typical_cpu_seconds(case),
-            },
+            cpu_seconds: n_solves as f64 * typical_cpu_seconds(case),
         }
     }
 
@@ -159,32 +157,40 @@ impl Checked {
     }
 }
 
-/// A hundred steps in time over a steady solve: a line takes 0.02 s for a step, a circle 0.4 s.
-const IN_TIME: f64 = 15.0;
+/// A case in time over a steady contact: a line takes more steps beside its short solves.
+const IN_TIME: f64 = 30.0;
+const LINE_IN_TIME: f64 = 50.0;
 
-/// Ratio of the radii from which on an ellipse takes much longer.
-const SLENDER: f64 = 10.0;
-
-/// CPU s of cold solves with default settings, to an order of magnitude: medians of the convergence map for line and circular
-/// contacts without heat (docs/performance.md), single shipped cases for the others.
+/// CPU s of cold solves with default settings: medians of the convergence map for lines (docs/performance.md), shipped cases for the others, of
+/// which most took between half and twice as long.
 fn typical_cpu_seconds(case: &Case) -> f64 {
-    let contact = &case.contact;
-    let is_slender =
-        contact.radius_y.max(contact.radius) > SLENDER * contact.radius_y.min(contact.radius);
-    let one = match contact.kind.is_line() {
-        true => 0.1,
-        false if contact.roller.is_some() || is_slender => 40.0,
-        false => 5.0,
+    let is_line = case.contact.kind.is_line();
+    let one = match case.contact.kind {
+        ContactKind::Line => 0.1,
+        ContactKind::Circular => 1.5,
+        ContactKind::Elliptical | ContactKind::Roller => 4.0,
     };
-    let heat = match (case.thermal().is_some(), contact.kind.is_line()) {
+    let heat = match (case.thermal().is_some(), is_line) {
         (false, _) => 1.0,
         (true, true) => 30.0,
-        (true, false) => 2.5,
+        (true, false) => 4.0,
+    };
+    // Points of curves and contacts of machines have none.
+    let is_single = case.curve.is_none() && case.contacts.is_none();
+    let sensitivities = if is_single && case.wants_sensitivities() {
+        2.0
+    } else {
+        1.0
     };
     // Both halves are solved where they differ, and a starved contact once more with all the oil that it takes.
     let halves = if case.motion.is_straight() { 1.0 } else { 2.0 };
-    let supplies = if case.supply.is_limited() { 2.0 } else { 1.0 };
-    one * heat * halves * supplies
+    let supplies = if case.supply.is_limited() { 3.5 } else { 1.0 };
+    let in_time = match (&case.transient, is_line) {
+        (None, _) => return one * heat * sensitivities * halves * supplies,
+        (Some(_), true) => LINE_IN_TIME,
+        (Some(_), false) => IN_TIME,
+    };
+    one * heat * halves * in_time
 }
 
 /// What a verbose solve tells before it begins, on stderr.

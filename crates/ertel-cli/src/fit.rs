@@ -261,18 +261,23 @@ fn entry_path(name: &str) -> Option<PathBuf> {
     database::own_path(Kind::Fluid, name, Path::new(""))
 }
 
+/// Pressures are above that of the surroundings.
+const AMBIENT: &str = "ambient pressure";
+
 fn report(fit: &Fit, data: &Data, verbose: bool) -> String {
     let [p_low, p_high] = data.pressure_range();
     let [t_low, t_high] = data.temperature_range();
     let mut text = paragraph(
         "",
         &format!(
-            "Law {} fitted to {} states of {}, {} to {}, {} to {} °C, by least squares of {} deviations",
+            "Law {} fitted to {} states of {}, {}, {} to {} °C, by least squares of {} deviations",
             fit.name.name(),
             data.states.len(),
             data.file,
-            pressure(p_low),
-            pressure(p_high),
+            match p_high > 0.0 {
+                true => format!("{} to {}", pressure(p_low), pressure(p_high)),
+                false => AMBIENT.to_owned(),
+            },
             digits(t_low - 273.15, 5),
             digits(t_high - 273.15, 5),
             match fit.residual {
@@ -289,7 +294,7 @@ fn report(fit: &Fit, data: &Data, verbose: bool) -> String {
     ];
     for constant in &fit.constants {
         let interval = constant.interval.map_or_else(
-            || "held".to_owned(),
+            || "fixed".to_owned(),
             |[low, high]| {
                 format!(
                     "{} to {}",
@@ -312,7 +317,7 @@ fn report(fit: &Fit, data: &Data, verbose: bool) -> String {
         rows.push(vec![
             "reference_temperature".to_owned(),
             format!("{} °C", digits(t_r - 273.15, 5)),
-            "held".to_owned(),
+            "fixed".to_owned(),
         ]);
     }
     text += &format!("\n{}\n", columns(&rows));
@@ -322,7 +327,10 @@ fn report(fit: &Fit, data: &Data, verbose: bool) -> String {
         "Deviation of the law from the data: rms {} %, largest {} % at {} and {} °C\n",
         digits(100.0 * fit.rms(), 3),
         digits(100.0 * deviation, 3),
-        pressure(state.pressure),
+        match state.pressure > 0.0 {
+            true => pressure(state.pressure),
+            false => AMBIENT.to_owned(),
+        },
         digits(state.temperature - 273.15, 5)
     );
     if verbose {

@@ -376,7 +376,7 @@ fn a_table_of_a_data_sheet_becomes_a_lubricant() {
         (&[with, hold].concat(), "--reference-temperature"),
         (
             &[&with[..], &["--hold", "alpha=-1 1/GPa"], &at].concat(),
-            "a constant that is held is not allowed",
+            "the value of a fixed constant is not allowed",
         ),
     ] {
         let output = fit(more);

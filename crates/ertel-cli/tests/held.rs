@@ -84,6 +84,13 @@ const HELD: &[Held] = &[
     ),
     Held::figure("rig", "The solve gives ", "results/rig", "film_central"),
     Held::figure("rig", "in the centre and ", "results/rig", "film_minimum"),
+    Held {
+        page: "rig",
+        before: "Its traction coefficient is ",
+        file: "results/rig/result.json",
+        place: Pointer("/figures/traction_coefficient"),
+        cells: &[(0, "value", 1.0)],
+    },
     Held::row("rig", "| 0.4 m/s | ", SPEEDS, 0, FILMS),
     Held::row("rig", "| 0.7407 m/s | ", SPEEDS, 4, FILMS),
     Held::row("rig", "| 1.6 m/s | ", SPEEDS, 9, FILMS),

@@ -29,10 +29,10 @@ fn every_machine_is_estimated_and_checked() {
             "ball-bearing",
             &["3.776 mm", "123.8 mm", "0.207065", "3.45793 m/s"],
         ),
-        ("roller-bearing", &["4 mm", "166667 N/m", "1.88496 m/s"]),
+        ("roller-bearing", &["4 mm", "166.667 kN/m", "1.88496 m/s"]),
         (
             "spur-gear",
-            &["15.68 mm", "25.36 mm", "9.69 mm", "133022 N/m", "1.635"],
+            &["15.68 mm", "25.36 mm", "9.69 mm", "133.022 kN/m", "1.635"],
         ),
         (
             "helical-gear",
@@ -40,7 +40,7 @@ fn every_machine_is_estimated_and_checked() {
                 "16.6 mm",
                 "27.2 mm",
                 "10.63 mm",
-                "82660.9 N/m",
+                "82.6609 kN/m",
                 "1.56093",
                 "1.02981",
                 "20.6469 deg",
@@ -76,7 +76,7 @@ fn every_machine_is_estimated_and_checked() {
         ),
         (
             "cam-and-flat-tappet",
-            &["20 mm", "41666.7 N/m", "2.0944 m/s"],
+            &["20 mm", "41.6667 kN/m", "2.0944 m/s"],
         ),
     ];
     let folder = std::fs::read_dir(shipped("x").parent().unwrap()).unwrap();

@@ -90,7 +90,7 @@ fn values_are_set_on_the_command_line() {
         &["estimate", "quick.toml", "--set", "contact.load=40 kN/m"],
     );
     code(&output, 0);
-    assert!(stdout(&output).contains("40000 N/m"), "{}", stdout(&output));
+    assert!(stdout(&output).contains("40 kN/m"), "{}", stdout(&output));
 }
 
 #[test]
@@ -457,7 +457,7 @@ fn a_check_says_what_it_checked() {
     for words in [
         "Steel roller on steel plane",
         "radius R                          10 mm",
-        "load                              20000 N/m",
+        "load                              20 kN/m",
         "By formulas",
         "central film",
         "contacts to solve                 1\n",

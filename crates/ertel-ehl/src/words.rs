@@ -32,6 +32,21 @@ pub fn pressure(value: f64) -> String {
     format!("{} {unit}", digits(factor * value, 4))
 }
 
+/// Factor from SI and name of a readable unit of a force, or of a force per length of a line.
+pub fn force_unit(value: f64, is_line: bool) -> (f64, &'static str) {
+    match is_line {
+        false => (1.0, "N"),
+        true if value.abs() < 1e3 => (1.0, "N/m"),
+        true => (1e-3, "kN/m"),
+    }
+}
+
+/// A force, or a force per length of a line, with a readable unit and `n` digits.
+pub fn force(value: f64, is_line: bool, n: usize) -> String {
+    let (factor, unit) = force_unit(value, is_line);
+    format!("{} {unit}", digits(factor * value, n))
+}
+
 /// Number with `n` significant digits, zeros at the end of the fraction left out.
 pub fn digits(value: f64, n: usize) -> String {
     if value == 0.0 || !value.is_finite() {
@@ -107,6 +122,9 @@ mod tests {
         assert_eq!(pressure(1.00212e9), "1.002 GPa");
         assert_eq!(pressure(6.8e8), "680 MPa");
         assert_eq!(digits(2e5, 6), "200000");
+        assert_eq!(force(1.08332e6, true, 6), "1083.32 kN/m");
+        assert_eq!(force(250.0, true, 4), "250 N/m");
+        assert_eq!(force(2500.0, false, 4), "2500 N");
         assert_eq!(digits(0.0, 4), "0");
         assert_eq!(digits(1.23456e-11, 3), "1.23e-11");
     }

@@ -372,14 +372,12 @@ impl Chart {
         }
     }
 
-    /// With two y axes, labels take the colour of their solid curve.
+    /// With two y axes, labels take the colour of their solid curves, if all of these have the same.
     fn axis_colour(&self, side: Side) -> &str {
-        let first = self
-            .series
-            .iter()
-            .find(|s| s.side == side && s.look != Look::Dashed);
-        match (&self.y_right, first) {
-            (Some(_), Some(series)) => &series.colour,
+        let solid = |s: &&Series| s.side == side && s.look != Look::Dashed;
+        let mut colours = self.series.iter().filter(solid).map(|s| &s.colour);
+        match (&self.y_right, colours.next()) {
+            (Some(_), Some(first)) if colours.all(|colour| colour == first) => first,
             _ => INK,
         }
     }

@@ -212,6 +212,16 @@ def test_uncertain_inputs_bring_a_second_bar(line: dict[str, Any]) -> None:
     assert "inputs ±" in str(film)
 
 
+def test_figures_have_the_digits_that_their_bars_leave_certain() -> None:
+    from ertel._quantity import _with_bar
+
+    shown = {(249.4512, 0.1523): "249.45 ± 0.15", (237.5912, 0.038): "237.59 ± 0.04", (237.592004, 0.00026): "237.5920 ± 0.0003", (820.14, 340.0): "820 ± 340"}
+    shown |= {(1234.5, 57.0): "1230 ± 60", (0.033708, 0.0000387): "0.03371 ± 0.00004", (0.0, 0.0): "0 ± 0"}
+    for (value, error), text in shown.items():
+        assert _with_bar(value, error) == text
+    assert _with_bar(12.3456789, None) == "12.346"
+
+
 def test_curves(line: dict[str, Any]) -> None:
     pytest.importorskip("pandas")
     line["curve"] = {"quantity": "motion.entrainment_speed", "values": ["1 m/s", "2 m/s", "4 m/s"]}

@@ -249,7 +249,7 @@ proptest! {
             let k = law.conductivity(p * 1e9, t);
             prop_assert!(k > 0.01 && k < 1e3, "{law:?}: {k}");
         }
-        // The density of Dowson and Higginson falls to nothing at 1700 K, and is singular in tension.
+        // The density of Dowson and Higginson falls to zero at 1700 K, and is singular in tension.
         if (0.0..20.0).contains(&p) {
             for law in heat_capacity_laws() {
                 let c = law.heat_capacity(p * 1e9, t);

@@ -251,7 +251,7 @@ impl Observer for Count {
     }
 }
 
-/// A tilt that presses one end of a logarithmic profile in until its pressure falls to nothing within half a half-width: the step from the
+/// A tilt that presses one end of a logarithmic profile in until its pressure falls to zero within half a half-width: the step from the
 /// diffusive start is too long, and is given up for a continuation in diffusion. 69 Newton iterations in all; where it was tried to the end,
 /// and then once more with a softer penalty, more than 94 were not enough.
 #[test]

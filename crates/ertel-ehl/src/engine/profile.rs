@@ -48,7 +48,7 @@ impl Profile {
         self.x.last().copied().unwrap_or(f64::NAN)
     }
 
-    /// Where the gap is full from on that a layer of oil does not fill upstream: the pressure in front of the place where it fills up
+    /// Where the gap is fully flooded from that a layer of oil does not fill upstream: the pressure in front of the place where it fills up
     /// falls off as it would to zero from the meniscus, where it has filled up by 1/e. `None` where it is full everywhere.
     pub fn meniscus(&self, layer: f64) -> Option<Meniscus> {
         let full = 1.0 - (-1.0_f64).exp();

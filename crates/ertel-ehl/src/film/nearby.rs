@@ -21,7 +21,7 @@ const STEP: f64 = 1e-5;
 /// A fluid, and how its closures change with the numbers that they depend on.
 pub struct Nearby<'a> {
     fluid: &'a FilmFluid,
-    knobs: Vec<Parameter>,
+    parameters: Vec<Parameter>,
 }
 
 /// One of the numbers that differ between the fluids.
@@ -70,13 +70,13 @@ impl<'a> Nearby<'a> {
     /// Prepares for fluids in which some of the [`numbers`] are a little different.
     pub fn new(fluid: &'a FilmFluid, moves: &[bool]) -> Self {
         let own = numbers(fluid);
-        let knobs = (fluid.thinning()).map_or_else(Vec::new, |thinning| {
+        let parameters = (fluid.thinning()).map_or_else(Vec::new, |thinning| {
             (0..own.len())
                 .filter(|i| moves[*i])
                 .map(|index| Parameter::new(fluid, thinning, index))
                 .collect()
         });
-        Nearby { fluid, knobs }
+        Nearby { fluid, parameters }
     }
 
     /// Changes of the fluid's closure at a point.
@@ -92,14 +92,14 @@ impl<'a> Nearby<'a> {
         if let Some(scales) = self
             .fluid
             .stress_scales(pressure)
-            .filter(|_| !self.knobs.is_empty())
+            .filter(|_| !self.parameters.is_empty())
         {
             rule.lay(&scales, tau, pressure_stress);
         }
         let across = !self.fluid.slide().is_along_x();
-        let changes = (self.knobs.iter())
-            .map(|knob| {
-                let [below, above] = knob.sides.each_ref().map(|side| {
+        let changes = (self.parameters.iter())
+            .map(|parameter| {
+                let [below, above] = parameter.sides.each_ref().map(|side| {
                     let law = (side.thinning).at(pressure, side.units[0], side.units[1]);
                     let demands = [tau, pressure_stress, sliding_stress];
                     let (law, rule) = (&law, &*rule);
@@ -108,7 +108,10 @@ impl<'a> Nearby<'a> {
                         false => vectorised(CloseBeside::<false> { law, demands, rule }),
                     }
                 });
-                (knob.index, Change::between(&below, &above, knob.distance))
+                (
+                    parameter.index,
+                    Change::between(&below, &above, parameter.distance),
+                )
             })
             .collect();
         Changes(changes)

@@ -118,7 +118,7 @@ pub enum ErrorClass {
 
 /// Whether a figure is read off at a place that it has alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Extent {
+pub(super) enum Scope {
     /// It is somewhere on the contact area.
     Place,
     /// It belongs to the whole contact, or to a place known beforehand.

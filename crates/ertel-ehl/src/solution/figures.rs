@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Estimate, Located};
 
-use super::figure_kinds::Extent;
+use super::figure_kinds::Scope;
 pub use super::figure_kinds::{ErrorClass, Kind, Section};
 
 /// Declares the figures, each in one row: all that the report, the page, the tables, the documents and Python tell of it.
@@ -66,7 +66,7 @@ macro_rules! figures {
             /// Whether it is somewhere on the contact area; else it belongs to the whole contact, or its place is known beforehand.
             pub fn has_place(self) -> bool {
                 match self {
-                    $(Figure::$variant => Extent::$place == Extent::Place,)*
+                    $(Figure::$variant => Scope::$place == Scope::Place,)*
                 }
             }
 
@@ -101,7 +101,7 @@ figures! {
     PressureSpike, "pressure_spike", "", "pressure spike (centreline)", PeakPressure, Pressure, Spike, Place;
     /// Where the film breaks on the centreline.
     OutletPosition, "outlet_position", "", "outlet boundary (centreline)", Position, Pressure, Outlet, Whole;
-    /// Where the gap is full from on, on the centreline.
+    /// Where the gap is fully flooded from, on the centreline.
     MeniscusPosition, "meniscus_position", "", "fully flooded from (centreline)", Position, Supply, Meniscus, Whole;
     /// Traction coefficient from the stress at mid-film.
     TractionCoefficient, "traction_coefficient", "µ", "traction coefficient", Coefficient, Traction, Integral, Whole;

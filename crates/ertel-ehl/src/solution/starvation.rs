@@ -20,7 +20,7 @@ pub struct Starvation {
     /// The same of the minimum films.
     #[serde(rename = "starved_ratio_minimum")]
     pub ratio_minimum: Option<Estimate>,
-    /// Where the gap is full from on, on the centreline, x < 0, m; `None` where a layer of oil fills it as far as the contact area goes.
+    /// Where the gap is fully flooded from, on the centreline, x < 0, m; `None` where a layer of oil fills it as far as the contact area goes.
     pub meniscus_position: Option<Estimate>,
 }
 

@@ -184,7 +184,7 @@ class Fit:
     constants : dict
         Constants by their keys, SI.
     intervals : dict
-        Their 95 % intervals, SI; None of those that were held.
+        Their 95 % intervals, SI; None of those that were fixed.
     rms : float
         Root mean square of law/measured - 1.
     warnings : list of str
@@ -242,7 +242,7 @@ def fit_viscosity(
         kinematic viscosities.
     reference_temperature : str, optional
         Reference temperature of the law, as ``"40 degC"``; the isotherm in the middle of the data by default. For ``walther`` with
-        a coefficient ``alpha`` that is held, the temperature at which it holds.
+        a fixed coefficient ``alpha``, the temperature at which it holds.
     pressure_law : str, optional
         ``roelands`` or ``barus``: how the viscosity of ``walther`` grows with pressure.
     """

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -61,9 +62,7 @@ class Quantity:
                 if size >= scale * 0.9995:
                     factor, unit = 1.0 / scale, prefix + unit
                     break
-        text = f"{self.value * factor:.5g}"
-        if self.error is not None:
-            text += f" ± {self.error * factor:.2g}"
+        text = _with_bar(self.value * factor, None if self.error is None else self.error * factor)
         text += f" {unit}".rstrip()
         if not self.resolved:
             text = f"not resolved ({text})"
@@ -72,6 +71,25 @@ class Quantity:
         return text
 
     __repr__ = __str__
+
+
+# Most digits of a value, and, as the program prints, the first three digits of a bar up to which two of them are shown.
+_MOST_DIGITS = 7
+_TWO_DIGITS_UP_TO = 354
+
+
+def _with_bar(value: float, error: float | None) -> str:
+    """A number with the digits that its error bar leaves certain."""
+    if error is None:
+        return f"{value:.5g}"
+    size = max(abs(value), error)
+    if not 0.0 < error < math.inf or not 1e-4 <= size < 1e9:
+        return f"{value:.5g} ± {error:.2g}"
+    first = math.floor(math.log10(error))
+    decimals = (1 if round(error * 10.0 ** (2 - first)) <= _TWO_DIGITS_UP_TO else 0) - first
+    decimals = min(decimals, _MOST_DIGITS - 1 - math.floor(math.log10(size)))
+    shown = [f"{round(number, decimals):.{max(decimals, 0)}f}" for number in (value, max(error, 10.0**-decimals))]
+    return " ± ".join(shown)
 
 
 _PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))

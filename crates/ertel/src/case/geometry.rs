@@ -11,7 +11,7 @@ use crate::case::{MachineEcho, WholeMachine};
 use crate::contact::motion::ROUNDING;
 use crate::contact::{Contact, Hertz, Motion};
 use crate::warning::Warning;
-use crate::words::{digits, length};
+use crate::words::{force, length};
 
 /// Contact and motion, and the tables that say them.
 pub(super) struct Geometry<'t> {
@@ -196,7 +196,6 @@ fn computed(contact: &Contact) -> String {
         ),
         false => format!("radius R = {}", length(contact.radius)),
     };
-    let unit = contact.kind.load_unit();
-    let load = digits(contact.load, 4);
-    format!("computed from [machine]: reduced {radii}, load {load} {unit}")
+    let load = force(contact.load, contact.kind.is_line(), 4);
+    format!("computed from [machine]: reduced {radii}, load {load}")
 }

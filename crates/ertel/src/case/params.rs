@@ -70,8 +70,8 @@ pub fn read_mesh(
                     format!("`target_error` and `{key}` are both given"),
                 )
                 .with_help(
-                    "`target_error` refines the mesh until the films are that accurate; sizes and growth lay \
-                     it down: give one or the other",
+                    "`target_error` refines the mesh until the films are that accurate; sizes and growth \
+                     set it: give one or the other",
                 ));
         }
         (None, Some(_)) if !error_estimate => {

@@ -58,7 +58,7 @@ pub fn entry(fit: &Fit, data: &Data, heading: &Heading) -> String {
     line(&format!("    {},", quoted(&scatter)));
     line(&format!("    {},", quoted(&intervals(fit))));
     if !has_narrow_intervals(fit) {
-        let text = "The intervals are too wide, or none, for an uncertainty that contacts could reckon with.";
+        let text = "The intervals are too wide, or none, for an uncertainty of films and friction.";
         line(&format!("    {},", quoted(text)));
     }
     if is_ambient(fit, data) {

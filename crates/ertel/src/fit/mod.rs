@@ -143,11 +143,11 @@ pub enum FitError {
     NoPressures,
     /// A coefficient is held, but not told at which temperature.
     #[error(
-        "`alpha` of the law `walther` is held: give the reference temperature at which it holds"
+        "`alpha` of the law `walther` is fixed: give the reference temperature at which it holds"
     )]
     NoReferenceTemperature,
     /// A constant is held at a value that the law does not allow.
-    #[error("a constant that is held is not allowed: {0}")]
+    #[error("the value of a fixed constant is not allowed: {0}")]
     Held(LawError),
     /// The confidence is no probability.
     #[error("the confidence {0} is not between 0 and 1")]

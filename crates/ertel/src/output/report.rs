@@ -11,7 +11,7 @@ use crate::case::CaseEcho;
 use crate::contact::{ContactKind, Groups, Hertz, Supply};
 use crate::plausible::left_out::words;
 use crate::solution::{Balance, Estimate, Figure, FormulaFilm, Section, Solution, Timings};
-use crate::words::{digits, length, pressure};
+use crate::words::{digits, force, length, pressure};
 
 /// Width of the column of values that have something beside them.
 const VALUE_WIDTH: usize = 26;
@@ -46,11 +46,11 @@ pub fn report(case: &CaseEcho, solution: &Solution, folder: Option<&Path>) -> St
 }
 
 pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
-    let (load_unit, shape) = match case.contact.kind {
-        ContactKind::Circular => ("N", "circular (ball on plane)"),
-        ContactKind::Elliptical => ("N", "elliptical"),
-        ContactKind::Line => ("N/m", "line (cylinder on plane)"),
-        ContactKind::Roller => ("N", "roller of finite length (on plane)"),
+    let shape = match case.contact.kind {
+        ContactKind::Circular => "circular (ball on plane)",
+        ContactKind::Elliptical => "elliptical",
+        ContactKind::Line => "line (cylinder on plane)",
+        ContactKind::Roller => "roller of finite length (on plane)",
     };
     if let Some(machine) = &case.machine {
         out.heading("From the machine");
@@ -74,10 +74,8 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
             out.row("radius R", length(case.contact.radius));
         }
     }
-    out.row(
-        "load",
-        format!("{} {load_unit}", digits(case.contact.load, 6)),
-    );
+    let is_line = case.contact.kind.is_line();
+    out.row("load", force(case.contact.load, is_line, 6));
     if let Some(roller) = &case.contact.roller {
         out.row("length l", length(roller.length));
         out.row("profile", roller.profile.name());
@@ -91,8 +89,8 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
         }
         let tilt = digits(1e3 * roller.misalignment, 6);
         out.row("misalignment θ", format!("{tilt} mrad"));
-        let per_length = digits(case.contact.line_load(), 6);
-        out.row("load per length F/l", format!("{per_length} N/m"));
+        let per_length = force(case.contact.line_load(), true, 6);
+        out.row("load per length F/l", per_length);
     }
     for (role, body) in BODIES.into_iter().zip([&case.body_1, &case.body_2]) {
         let e = &body.elasticity;

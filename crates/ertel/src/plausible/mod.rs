@@ -1,5 +1,5 @@
 //! Results that converged and still cannot be true: friction that no lubricant transmits, films that are not small beside the
-//! bodies, air colder than all that flows in; and what the model leaves out, with its size.
+//! bodies, air colder than the inlet oil and both bodies; and what the model leaves out, with its size.
 //!
 //! | check | threshold | source |
 //! |---|---|---|
@@ -250,7 +250,7 @@ fn open_balance(solution: &Solution) -> Option<Warning> {
     Some(Warning::beyond(WarningKind::HeatBalance, error.abs(), text))
 }
 
-/// Says so if the lowest temperature of the film is before the contact and below `coldest`, K, that of all that flows in; `rise`
+/// Says so if the lowest temperature of the film is before the contact and below `coldest`, K, that of the inlet oil and both bodies; `rise`
 /// is the largest rise, K, `half_width` in m.
 fn undershoot(lowest: &Located, coldest: f64, rise: f64, half_width: f64) -> Option<Warning> {
     let below = coldest - lowest.value;

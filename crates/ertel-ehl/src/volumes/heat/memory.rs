@@ -577,7 +577,7 @@ mod tests {
             memory = over.remembered(over.carried(&memory), &none);
             below.rise(&memory)
         };
-        // The heat falls to nothing within the first step.
+        // The heat falls to zero within the first step.
         step(0.01);
         let rise = step(0.5);
         let [i, j] = grid.centre();

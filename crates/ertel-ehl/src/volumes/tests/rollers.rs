@@ -37,7 +37,7 @@ fn love([x_0, x_1]: [f64; 2], [y_0, y_1]: [f64; 2]) -> f64 {
     corner(x_1, y_1) - corner(x_0, y_1) - corner(x_1, y_0) + corner(x_0, y_0)
 }
 
-/// A pressure of 1 between two rows, which falls to nothing up to the rows beyond, deflects as rectangles do whose ends lie anywhere between: at all
+/// A pressure of 1 between two rows, which falls to zero up to the rows beyond, deflects as rectangles do whose ends lie anywhere between: at all
 /// nodes, on halves and wholes.
 #[test]
 fn rectangles_between_uneven_rows() {

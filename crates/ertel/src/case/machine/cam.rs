@@ -5,7 +5,7 @@ use ertel_quantity::Dimension;
 
 use super::{ANGULAR_SPEED, Machine, Rows, line_load, required_length};
 use crate::contact::Contact;
-use crate::words::digits;
+use crate::words::{digits, force};
 
 /// Lifts and their derivatives, m, as large as the radii.
 const LIFT: Bounds = Bounds::closed(0.0, 1e3);
@@ -60,7 +60,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     rows.text("machine", "cam (body 2) on flat tappet (body 1)");
     rows.length("R = ρ = r_b + s + s''", contact.radius);
     rows.number("load", contact.load * width, "N");
-    rows.number("load per length F/b", contact.load, "N/m");
+    rows.text("load per length F/b", force(contact.load, true, 6));
     rows.number("u_cam = ω (r_b + s + s'')", cam, "m/s");
     rows.number("u_tappet = ω s''", tappet, "m/s");
     rows.number(

@@ -14,7 +14,7 @@ use super::{ANGULAR_SPEED, Machine, Mechanics, Rows, required_length};
 use crate::case::check::HERTZ_PRESSURE;
 use crate::case::contact::RADIUS;
 use crate::warning::{Warning, WarningKind};
-use crate::words::{digits, length, pressure};
+use crate::words::{digits, force, length, pressure};
 
 /// Angles of the cam, rad.
 const ANGLE: Bounds = Bounds::closed(-100.0, 100.0);
@@ -337,7 +337,7 @@ fn single(
     rows.number("force along the follower's motion", point.force, "N");
     rows.number("pressure angle", point.pressure_angle.to_degrees(), "deg");
     rows.length("width b", told.width);
-    rows.number("load per length w", contact.load, "N/m");
+    rows.text("load per length w", force(contact.load, true, 6));
     rows.text("Hertz pressure", pressure(point.hertz_pressure));
     rows.number("u of the cam", point.u_2, "m/s");
     rows.number("u of the follower", point.u_1, "m/s");

@@ -9,6 +9,7 @@ use super::bearing::{SOURCE, gamma, radius_formula, read_ring, rolling};
 use super::{Machine, Rows, line_load, required_length};
 use crate::case::roller::read_roller;
 use crate::contact::Contact;
+use crate::words::force;
 
 /// Reads the keys of `kind = "roller-bearing"`; `reduced_modulus` in Pa. Without a `profile` the contact is a line, under
 /// the load per length of a roller without crowning that does not tilt.
@@ -45,7 +46,7 @@ pub(super) fn read(
     rows.number("γ = D/d_m", gamma, "");
     rows.length(radius_formula(ring), contact.radius);
     rows.number("load of the roller", line_load * length, "N");
-    rows.number("load per length Q/l", line_load, "N/m");
+    rows.text("load per length Q/l", force(line_load, true, 6));
     let (motion, _) = rolling(table, pitch_diameter, gamma, &mut rows)?;
     rows.text("source", SOURCE);
     Ok(Machine {

@@ -65,6 +65,7 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
     let has_friction = found.iter().any(|m| m.friction().is_some());
     let solved = || curve.points.iter().filter_map(|p| p.outcome.solution());
     let slides = curve.points.iter().any(|p| p.case.motion.slides());
+    let is_across = solved().any(|s| s.traction.across.is_some());
     let is_hot = solved().any(|s| s.thermal.is_some());
     let has_cold = (curve.points.iter()).any(|p| p.isothermal_solution().is_some());
     let columns = [
@@ -76,13 +77,14 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
         (has_friction, "total friction coefficient"),
         (true, "smooth pressure maximum"),
         (slides, "traction coefficient"),
+        (is_across, "across"),
         (is_hot, "largest film temperature"),
         (has_cold, "central film without heat"),
         (has_cold && slides, "traction without heat"),
         (true, "Newton"),
         (true, "time"),
     ];
-    let shown = |cells: [String; 13]| {
+    let shown = |cells: [String; 14]| {
         let cells = cells.into_iter().zip(&columns);
         let cells = cells.filter_map(|(cell, (is_shown, _))| is_shown.then_some(cell));
         cells.collect::<Vec<String>>()
@@ -108,11 +110,12 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
                     asperities.map_or_else(none, |a| share(a.asperity_load_share)),
                     friction.map_or_else(none, |f| number(f.friction_total)),
                     peak(&s.summary.pressure_central),
-                    number(s.traction.size()),
+                    number(s.traction.coefficient),
+                    (s.traction.across.as_ref()).map_or_else(none, |a| number(a.coefficient)),
                     (s.thermal.as_ref())
                         .map_or_else(none, |t| temperature(t.film_maximum.estimate(), None)),
                     cold.map_or_else(none, |s| estimate(&s.summary.film_central)),
-                    cold.map_or_else(none, |s| number(s.traction.size())),
+                    cold.map_or_else(none, |s| number(s.traction.coefficient)),
                     iterations.to_string(),
                     time,
                 ]
@@ -120,6 +123,7 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
             Outcome::InTime(_) | Outcome::Failed(_) => [
                 value,
                 failed(),
+                none(),
                 none(),
                 none(),
                 none(),

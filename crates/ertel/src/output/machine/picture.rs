@@ -8,7 +8,7 @@ use super::super::pictures::{Picture, film_unit};
 use crate::case::{MachineAxis, RINGS};
 use crate::solution::{Figure, Solution};
 use crate::study::MachineSolution;
-use crate::words::pressure_unit;
+use crate::words::{force_unit, pressure_unit};
 
 /// Every picture of a machine.
 pub(in crate::output) fn pictures(title: &str, machine: &MachineSolution) -> Vec<Picture> {
@@ -76,9 +76,14 @@ fn around(title: &str, machine: &MachineSolution) -> Drawing {
         series: Vec::new(),
         labels: labels.clone(),
     };
-    let load = |side| values(machine, side, |i| Some(whole.contacts[i].load));
+    let largest_load = whole
+        .contacts
+        .iter()
+        .map(|contact| contact.load)
+        .fold(0.0, f64::max);
+    let (factor, unit) = force_unit(largest_load, whole.is_line);
+    let load = |side| values(machine, side, |i| Some(factor * whole.contacts[i].load));
     let loads = [load(0), load(1)];
-    let unit = if whole.is_line { "N/m" } else { "N" };
     let mut of_loads = polar(
         "Load of each element",
         format!("load ({unit})"),

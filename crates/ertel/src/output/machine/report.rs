@@ -11,7 +11,7 @@ use crate::machine::{MachineFigure, MachineFigures, Section};
 use crate::solution::{Estimate, Figure, Solution};
 use crate::study::{MachineSolution, Outcome};
 use crate::warning::{Warning, WarningKind, by_kind};
-use crate::words::{digits, pressure};
+use crate::words::{digits, force, pressure};
 
 /// The machine, its figures, its contacts as a table, failures, warnings.
 pub fn machine_report(
@@ -95,6 +95,7 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
     let is_rough = solutions().any(|s| s.mixed.is_some());
     let is_hot = solutions().any(|s| s.thermal.is_some());
     let slides = machine.solved().any(|(_, p)| p.case.motion.slides());
+    let is_across = solutions().any(|s| s.traction.across.is_some());
     let load = if whole.is_line {
         "load per length"
     } else {
@@ -109,11 +110,12 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
         (true, "central film"),
         (true, "minimum film"),
         (is_rough, "lambda"),
-        (slides, "traction"),
+        (slides, "traction coefficient"),
+        (is_across, "across"),
         (true, "friction power"),
         (is_hot, "hottest film"),
     ];
-    let keep = |cells: [String; 11]| -> Vec<String> {
+    let keep = |cells: [String; 12]| -> Vec<String> {
         let cells = cells.into_iter().zip(&columns);
         cells
             .filter_map(|(cell, (shown, _))| shown.then_some(cell))
@@ -129,8 +131,7 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
             0 | 1 => contact.name.clone(),
             n => format!("{} and {} more", contact.name, n - 1),
         };
-        let unit = if whole.is_line { "N/m" } else { "N" };
-        let load = format!("{} {unit}", digits(contact.load, 4));
+        let load = force(contact.load, whole.is_line, 4);
         let hertz = match contact.load > 0.0 {
             true => pressure(contact.hertz_pressure),
             false => none(),
@@ -155,7 +156,8 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
                 estimate(&s.summary.film_central),
                 estimate(&s.summary.film_minimum),
                 (s.mixed.as_ref()).map_or_else(none, |m| number(m.lambda_minimum)),
-                marked(number(s.traction.size()), s),
+                marked(number(s.traction.coefficient), s),
+                (s.traction.across.as_ref()).map_or_else(none, |a| number(a.coefficient)),
                 marked(power(s, whole.is_line), s),
                 (s.thermal.as_ref())
                     .map_or_else(none, |t| temperature(t.film_maximum.estimate(), None)),

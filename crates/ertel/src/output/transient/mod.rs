@@ -109,7 +109,7 @@ pub(super) fn write_files(
     root.file("report.txt", |out| {
         out.write_all(transient_report(case, found, None).as_bytes())
     })?;
-    let pictures = pictures(&case.title, found, case.contact.kind.load_unit())?;
+    let pictures = pictures(&case.title, found, is_line)?;
     root.file(REPORT_PAGE, |out| {
         out.write_all(transient_page(case, found, &pictures).as_bytes())
     })?;
@@ -137,9 +137,9 @@ pub(super) fn write_files(
 fn pictures(
     title: &str,
     found: &TransientSolution,
-    force_unit: &str,
+    is_line: bool,
 ) -> Result<Vec<Picture>, OutputError> {
-    let films = film_over_time(title, found, force_unit).drawing();
+    let films = film_over_time(title, found, is_line).drawing();
     let films = Picture::new("film-time", films);
     let map = map_of_film(title, found)?;
     let map = map.map(|drawing| Picture::new("film-map", drawing));

@@ -8,6 +8,7 @@ use super::super::pictures::{draw_ticks, film_unit};
 use super::report::time_unit;
 use crate::run::transient::{InstantSolution, TransientSolution};
 use crate::solution::Figure;
+use crate::words::force_unit;
 use ertel_plot::axis::Axis;
 use ertel_plot::chart::{Chart, Look, PALETTE, Series, Side};
 use ertel_plot::drawing::{
@@ -17,7 +18,7 @@ use ertel_plot::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis};
 use ertel_plot::png::encode;
 
 /// Central and minimum film over time; on the right, dashed, entrainment speed and load where they change, over their largest where both do, or the force of the film where a body moves by its inertia.
-pub fn film_over_time(title: &str, found: &TransientSolution, force_unit: &str) -> Chart {
+pub fn film_over_time(title: &str, found: &TransientSolution, is_line: bool) -> Chart {
     let instants = &found.instants;
     let film = |instant: &InstantSolution, figure| instant.measured.estimate(figure).value;
     let largest = (instants.iter())
@@ -56,7 +57,9 @@ pub fn film_over_time(title: &str, found: &TransientSolution, force_unit: &str) 
         ),
     );
     chart.series = films.to_vec();
-    let load = |instant: &InstantSolution| instant.load;
+    let largest_force = (instants.iter()).fold(0.0, |m: f64, i| m.max(i.load).max(i.film_force));
+    let (per_force, force_unit) = force_unit(largest_force, is_line);
+    let load = |instant: &InstantSolution| per_force * instant.load;
     let label = format!("Load ({force_unit})");
     let courses: [Course<'_>; 2] = [
         ("entrainment speed", "Entrainment speed (m/s)", &speed),
@@ -66,8 +69,8 @@ pub fn film_over_time(title: &str, found: &TransientSolution, force_unit: &str) 
         .filter(|(_, _, value)| instants.windows(2).any(|w| value(&w[0]) != value(&w[1])))
         .collect();
     if found.moves() {
-        let force = |instant: &InstantSolution| instant.film_force;
-        let forces = instants.iter().map(force).chain([0.0]);
+        let force = |instant: &InstantSolution| per_force * instant.film_force;
+        let forces = with_room(instants.iter().map(force).chain([0.0]));
         let label = format!("Film force ({force_unit})");
         chart.y_right = Some(Axis::linear_around(&label, forces));
         chart.series.push(series(
@@ -92,9 +95,14 @@ pub fn film_over_time(title: &str, found: &TransientSolution, force_unit: &str) 
             [(_, label, _)] => label,
             _ => "Speed and load over their largest",
         };
-        chart.y_right = Some(Axis::linear_around(label, shown));
+        chart.y_right = Some(Axis::linear_around(label, with_room(shown)));
     }
     chart
+}
+
+/// Values and room above them, so that a course that stays at its largest does not lie on the frame.
+fn with_room(values: impl IntoIterator<Item = f64>) -> impl Iterator<Item = f64> {
+    values.into_iter().map(|value| 1.05 * value)
 }
 
 /// Name and axis of a quantity over time, and its value at an instant.

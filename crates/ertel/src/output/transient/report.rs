@@ -12,7 +12,7 @@ use crate::run::over_time::{TimeFigure, over_time};
 use crate::run::transient::{InstantSolution, TransientSolution};
 use crate::solution::{Figure, Kind};
 use crate::transient::TransientError;
-use crate::words::{digits, length};
+use crate::words::{digits, force, length};
 
 /// Extremes over time, the instants of the output, warnings, effort.
 pub fn transient_report(
@@ -49,7 +49,6 @@ pub(in crate::output) fn write_results(
     found: &TransientSolution,
     kind: ContactKind,
 ) {
-    let force_unit = kind.load_unit();
     let instants = &found.instants;
     let (Some(first), Some(last)) = (instants.first(), instants.last()) else {
         if let Some(failure) = &found.failure {
@@ -94,9 +93,8 @@ pub(in crate::output) fn write_results(
             out.row(
                 "largest film force",
                 format!(
-                    "{} {} at {}",
-                    digits(instant.film_force, 4),
-                    force_unit,
+                    "{} at {}",
+                    force(instant.film_force, kind.is_line(), 4),
                     at(instant.time, time)
                 ),
             );
@@ -126,8 +124,8 @@ pub(in crate::output) fn write_results(
                     ),
                 },
                 match moves {
-                    true => format!("{} {force_unit}", digits(instant.film_force, 4)),
-                    false => format!("{} {force_unit}", digits(instant.load, 4)),
+                    true => force(instant.film_force, kind.is_line(), 4),
+                    false => force(instant.load, kind.is_line(), 4),
                 },
                 shown(instant, Figure::FilmCentral),
                 shown(instant, Figure::FilmMinimum),

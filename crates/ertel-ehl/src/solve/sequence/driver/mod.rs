@@ -15,7 +15,7 @@ use std::collections::VecDeque;
 
 pub(super) use stage_solver::{StageEnd, StageSolver, Task, Trial};
 
-use super::paths::knob::halfway;
+use super::paths::parameter::halfway;
 use super::paths::{Outline, less_diffusion, paths};
 use super::stage::Stage;
 use crate::solution::Role;

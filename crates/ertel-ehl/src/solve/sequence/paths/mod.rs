@@ -1,15 +1,15 @@
-//! Continuations: from a contact that is easily solved to the case's own, along one [`Knob`] at a time.
+//! Continuations: from a contact that is easily solved to the case's own, along one [`Parameter`] at a time.
 //!
 //! [`paths`] is the table of them, in the order in which they are tried; what each cures stands in docs/theory/isothermal-contact.md.
 
-pub(super) mod knob;
+pub(super) mod parameter;
 #[cfg(test)]
 pub(super) mod tests;
 
 use super::stage::Stage;
 use crate::solution::Role;
 use crate::solve::tuning::continuation::{EXPONENTS, MEDIUM_SOFTNESS, SLIDING, SPEEDS, THICKEST};
-use knob::Knob;
+use parameter::Parameter;
 
 /// What continuations know of a problem.
 #[derive(Clone, Debug)]
@@ -64,7 +64,7 @@ impl Outline {
     /// From the stages so far to the case: the shear law where that is the difficulty, then diffusion, then what a rule names.
     fn to_case(&self, mut path: Vec<Stage>, rule: impl Fn(&Stage) -> bool) -> Vec<Stage> {
         if self.exponential && path[path.len() - 1].newtonian {
-            path.extend(march(&path[path.len() - 1], Knob::Softness, |_| true));
+            path.extend(march(&path[path.len() - 1], Parameter::Softness, |_| true));
         }
         path.extend(less_diffusion(&path[path.len() - 1], self.last()));
         path.extend(self.ends(rule));
@@ -72,22 +72,22 @@ impl Outline {
     }
 }
 
-/// Steps along a knob at which nothing else changes.
-fn march(at: &Stage, knob: Knob, within: impl Fn(f64) -> bool) -> Vec<Stage> {
+/// Steps along a parameter at which nothing else changes.
+fn march(at: &Stage, parameter: Parameter, within: impl Fn(f64) -> bool) -> Vec<Stage> {
     let step = Stage {
         cold: false,
         role: Role::Path,
         ..*at
     };
-    let values = knob.values().iter().filter(|value| within(**value));
-    values.map(|value| knob.set(step, *value)).collect()
+    let values = parameter.values().iter().filter(|value| within(**value));
+    values.map(|value| parameter.set(step, *value)).collect()
 }
 
 /// Steps from a diffusive stage towards the diffusion of another.
 pub(super) fn less_diffusion(from: &Stage, to: &Stage) -> Vec<Stage> {
-    let [from_value, end] = [from, to].map(|stage| Knob::Diffusion.of(stage));
+    let [from_value, end] = [from, to].map(|stage| Parameter::Diffusion.of(stage));
     let within = end..from_value;
-    march(from, Knob::Diffusion, |value| within.contains(&value))
+    march(from, Parameter::Diffusion, |value| within.contains(&value))
 }
 
 /// What is tried, in turn, when the first start or the final stage does not converge. First what changes least: mesh and start stay
@@ -106,15 +106,15 @@ pub(super) fn paths(outline: &Outline) -> Vec<Path> {
     };
     if outline.exponential && heats_up {
         // To a medium softness with little sliding, through sliding, and the rest of the way when hot: heat thins the film and its spikes.
-        let slow = Knob::Sliding.set(start, SLIDING[0]);
+        let slow = Parameter::Sliding.set(start, SLIDING[0]);
         let hot = Stage {
             heated: true,
-            ..Knob::Softness.set(start, MEDIUM_SOFTNESS)
+            ..Parameter::Softness.set(start, MEDIUM_SOFTNESS)
         };
         let mut path = vec![start];
-        path.extend(march(&slow, Knob::Softness, |s| s >= MEDIUM_SOFTNESS));
-        path.extend(march(&hot, Knob::Sliding, |_| true));
-        path.extend(march(&hot, Knob::Softness, |s| s < MEDIUM_SOFTNESS));
+        path.extend(march(&slow, Parameter::Softness, |s| s >= MEDIUM_SOFTNESS));
+        path.extend(march(&hot, Parameter::Sliding, |_| true));
+        path.extend(march(&hot, Parameter::Softness, |s| s < MEDIUM_SOFTNESS));
         let name = "shear law, sliding, then the rest of the shear law";
         push(name, true, outline.to_case(path, measured));
     }
@@ -132,7 +132,7 @@ pub(super) fn paths(outline: &Outline) -> Vec<Path> {
                 given_up_early: false,
                 ..*last
             };
-            let mut path = march(&hot, Knob::Sliding, |_| true);
+            let mut path = march(&hot, Parameter::Sliding, |_| true);
             // Without heat first: what was reached so far slides more.
             let unheated = Stage {
                 heated: false,
@@ -145,8 +145,8 @@ pub(super) fn paths(outline: &Outline) -> Vec<Path> {
         let path = outline.to_case(vec![start], measured);
         push("diffusion", true, path[1..].to_vec());
     }
-    let mut thinner = march(&start, Knob::Exponent, |_| true);
-    thinner[0] = Knob::Exponent.set(start, EXPONENTS[0]);
+    let mut thinner = march(&start, Parameter::Exponent, |_| true);
+    thinner[0] = Parameter::Exponent.set(start, EXPONENTS[0]);
     let path = outline.to_case(thinner.clone(), measured);
     push("viscosity exponent", false, path);
     // Where the mesh is not refined, on the case's own, which is finer than that of the start.
@@ -174,7 +174,7 @@ fn speeds(outline: &Outline) -> Vec<Stage> {
             heated: false,
             ..*stage
         };
-        Knob::Speed.set(stage, multiple * stage.constants.lambda)
+        Parameter::Speed.set(stage, multiple * stage.constants.lambda)
     };
     // Thick films have other shapes, and other difficulties.
     let is_thin = |multiple: &f64| at(start, *multiple).constants.film_scale < THICKEST;

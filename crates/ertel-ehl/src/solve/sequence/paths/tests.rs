@@ -1,4 +1,4 @@
-use super::knob::halfway;
+use super::parameter::halfway;
 use super::*;
 use crate::contact::Planar;
 use crate::params::{Formulation, PenaltyScaling};
@@ -140,8 +140,12 @@ fn paths_lead_to_the_case() {
             let (first, last) = (&stages[0], &stages[stages.len() - 1]);
             assert!(needs_start || first.cold, "{name}");
             assert_eq!(last.role, Role::Final, "{name}");
-            for knob in Knob::ALL {
-                assert_eq!(knob.of(last), knob.of(outline.last()), "{name}: {knob:?}");
+            for parameter in Parameter::ALL {
+                assert_eq!(
+                    parameter.of(last),
+                    parameter.of(outline.last()),
+                    "{name}: {parameter:?}"
+                );
             }
             assert_eq!(last.heated, outline.last().heated, "{name}");
             assert_eq!(last.constants, outline.last().constants, "{name}");

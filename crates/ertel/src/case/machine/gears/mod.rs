@@ -13,7 +13,7 @@ use ertel_quantity::Dimension;
 use self::dimensions::Gearing;
 use super::{Machine, Rows, Steel};
 use crate::contact::Contact;
-use crate::words::length;
+use crate::words::{force, length};
 
 /// Places on the line of action, m.
 const POSITION: Bounds = Bounds::closed(-1e3, 1e3);
@@ -254,13 +254,13 @@ fn tell_contact(
     }
     rows.length(names.radius, pair.reduced_radius(position));
     rows.number(names.force, operation.base_force(pair), "N");
-    rows.number("load per length w", load, "N/m");
+    rows.text("load per length w", force(load, true, 6));
     let [pinion, wheel] = operation.surface_speeds(pair, position);
     rows.number("u_1 = ω_1 R_1", pinion, "m/s");
     rows.number("u_2 = ω_2 R_2", wheel, "m/s");
     if kind == Teeth::Helical {
         let along = operation.base_speed(pair) * pair.base_helix_angle.sin();
-        rows.number("along the line, does not count", along, "m/s");
+        rows.number("axial speed (no effect)", along, "m/s");
     }
     rows.text("source", names.source);
 }

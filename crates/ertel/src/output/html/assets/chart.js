@@ -54,19 +54,18 @@ function errorBars(spec) {
   };
 }
 
-// Ends of an axis that hold all values with their error bars; a bar on a logarithmic axis counts to a third and to three times its value.
+// Ends of an axis that hold all values, and their error bars unless these would stretch it: a bar counts to half its value or half the range of
+// all values, on a logarithmic axis to a third and to three times its value, and not below zero where all values are above.
 function endsOf(spec, scale, log) {
-  let [low, high] = [Infinity, -Infinity];
-  for (const s of spec.series) {
-    if ((s.scale ?? "y") !== scale) continue;
-    s.data.forEach((v, i) => {
-      if (!Number.isFinite(v) || (log && v <= 0)) return;
-      const e = s.errors?.[i] > 0 ? s.errors[i] : 0;
-      low = Math.min(low, log ? Math.max(v - e, v / 3) : v - e);
-      high = Math.max(high, log ? Math.min(v + e, 3 * v) : v + e);
-    });
-  }
-  return low <= high ? withRoom(low, high, log) : axisEnds(NaN, NaN, log);
+  const points = spec.series.filter((s) => (s.scale ?? "y") === scale).flatMap((s) => Array.from(s.data, (v, i) => [v, s.errors?.[i] > 0 ? s.errors[i] : 0]));
+  const known = points.filter(([v]) => Number.isFinite(v) && !(log && v <= 0));
+  if (!known.length) return axisEnds(NaN, NaN, log);
+  const over = (pick, of) => known.reduce((end, [v, e]) => pick(end, of(v, e)), of(...known[0]));
+  const [least, most] = [Math.min, Math.max].map((pick) => over(pick, (v) => v));
+  const bar = (v, e) => Math.min(e, Math.max(0.5 * Math.abs(v), 0.5 * (most - least)));
+  const low = over(Math.min, (v, e) => (log ? Math.max(v - e, v / 3) : v - bar(v, e)));
+  const high = over(Math.max, (v, e) => (log ? Math.min(v + e, 3 * v) : v + bar(v, e)));
+  return withRoom(least >= 0 && !log ? Math.max(0, low) : low, high, log);
 }
 
 function cursorLine(spec) {

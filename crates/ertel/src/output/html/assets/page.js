@@ -139,6 +139,11 @@ function setUp() {
   for (const button of document.querySelectorAll("button[data-copy]")) button.addEventListener("click", () => copy(texts[button.dataset.copy](), button));
 }
 
+// Width from which on a picture has several panels, pixels.
+const WIDE_PICTURE = 700;
+
+for (const image of document.querySelectorAll(".picture img")) image.decode().then(() => image.closest(".picture").classList.toggle("wide", image.naturalWidth > WIDE_PICTURE), () => {});
+
 function redraw() {
   view.contact?.show();
   view.instants?.redraw();

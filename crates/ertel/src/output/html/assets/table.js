@@ -113,7 +113,9 @@ class TableView {
 
   shownColumns() {
     const all = document.getElementById("all-columns").checked;
-    return this.columns.map((c, i) => [c, i]).filter(([c, i]) => all || i <= this.nAxes || (this.plain.includes(c.title) && this.rows.some((r) => this.says(c, r.cells[i]))));
+    // What all points have in common is in the case.
+    const varies = (i) => this.rows.length < 2 || new Set(this.rows.map((r) => r.cells[i])).size > 1;
+    return this.columns.map((c, i) => [c, i]).filter(([c, i]) => all || (i <= this.nAxes && varies(i)) || (this.plain.includes(c.title) && this.rows.some((r) => this.says(c, r.cells[i]))));
   }
 
   // Whether a cell is worth a column: zeros, and that points converged, go without saying.

@@ -18,7 +18,7 @@ use crate::solve::tuning::continuation::{
 
 /// A quantity that a continuation changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Knob {
+pub enum Parameter {
     /// Isotropic diffusion ρ_id.
     Diffusion,
     /// Exponent of the viscosity.
@@ -31,45 +31,45 @@ pub enum Knob {
     Speed,
 }
 
-impl Knob {
-    pub const ALL: [Knob; 5] = [
-        Knob::Diffusion,
-        Knob::Exponent,
-        Knob::Softness,
-        Knob::Sliding,
-        Knob::Speed,
+impl Parameter {
+    pub const ALL: [Parameter; 5] = [
+        Parameter::Diffusion,
+        Parameter::Exponent,
+        Parameter::Softness,
+        Parameter::Sliding,
+        Parameter::Speed,
     ];
 
     /// Its values from step to step; of speeds multiples of the case's.
     pub fn values(self) -> &'static [f64] {
         match self {
-            Knob::Diffusion => &DIFFUSION,
-            Knob::Exponent => &EXPONENTS,
-            Knob::Softness => &SOFTNESS,
-            Knob::Sliding => &SLIDING,
-            Knob::Speed => &SPEEDS,
+            Parameter::Diffusion => &DIFFUSION,
+            Parameter::Exponent => &EXPONENTS,
+            Parameter::Softness => &SOFTNESS,
+            Parameter::Sliding => &SLIDING,
+            Parameter::Speed => &SPEEDS,
         }
     }
 
     /// Its value in a stage.
     pub fn of(self, stage: &Stage) -> f64 {
         match self {
-            Knob::Diffusion => stage.constants.isotropic_diffusion,
-            Knob::Exponent => stage.viscosity_exponent,
-            Knob::Softness => stage.softness,
-            Knob::Sliding => stage.sliding,
-            Knob::Speed => stage.constants.lambda,
+            Parameter::Diffusion => stage.constants.isotropic_diffusion,
+            Parameter::Exponent => stage.viscosity_exponent,
+            Parameter::Softness => stage.softness,
+            Parameter::Sliding => stage.sliding,
+            Parameter::Speed => stage.constants.lambda,
         }
     }
 
     /// A stage with another value of it.
     pub fn set(self, mut stage: Stage, value: f64) -> Stage {
         match self {
-            Knob::Diffusion => stage.constants.isotropic_diffusion = value,
-            Knob::Exponent => stage.viscosity_exponent = value,
-            Knob::Softness => (stage.softness, stage.newtonian) = (value, false),
-            Knob::Sliding => stage.sliding = value,
-            Knob::Speed => {
+            Parameter::Diffusion => stage.constants.isotropic_diffusion = value,
+            Parameter::Exponent => stage.viscosity_exponent = value,
+            Parameter::Softness => (stage.softness, stage.newtonian) = (value, false),
+            Parameter::Sliding => stage.sliding = value,
+            Parameter::Speed => {
                 stage.constants.film_scale *= (value / stage.constants.lambda).powf(FILM_EXPONENT);
                 stage.constants.lambda = value;
             }
@@ -80,10 +80,10 @@ impl Knob {
     /// Where it comes from in a step: a Newtonian fluid is softer than any, and heat begins with little sliding.
     fn before(self, from: &Stage, to: &Stage) -> f64 {
         match self {
-            Knob::Softness if from.newtonian && !to.newtonian => {
+            Parameter::Softness if from.newtonian && !to.newtonian => {
                 SOFTNESS[0] * SOFTNESS[0] / SOFTNESS[1]
             }
-            Knob::Sliding if from.heated != to.heated => 0.0,
+            Parameter::Sliding if from.heated != to.heated => 0.0,
             _ => self.of(from),
         }
     }
@@ -91,8 +91,8 @@ impl Knob {
     /// Half of the way between two values.
     fn between(self, from: f64, to: f64) -> f64 {
         match self {
-            Knob::Exponent | Knob::Sliding => 0.5 * (from + to),
-            Knob::Diffusion | Knob::Softness | Knob::Speed => (from * to).sqrt(),
+            Parameter::Exponent | Parameter::Sliding => 0.5 * (from + to),
+            Parameter::Diffusion | Parameter::Softness | Parameter::Speed => (from * to).sqrt(),
         }
     }
 }
@@ -100,16 +100,16 @@ impl Knob {
 /// Half of a continuation step that was too long, if its halves differ enough.
 pub fn halfway(from: &Stage, to: &Stage) -> Option<Stage> {
     let mut half = *to;
-    for knob in Knob::ALL {
-        let (start, end) = (knob.before(from, to), knob.of(to));
+    for parameter in Parameter::ALL {
+        let (start, end) = (parameter.before(from, to), parameter.of(to));
         if start != end {
-            half = knob.set(half, knob.between(start, end));
+            half = parameter.set(half, parameter.between(start, end));
         }
     }
-    let is_near = |knob: Knob| {
-        let (half, end) = (knob.of(&half), knob.of(to));
-        half.max(end) <= NEAR[knob as usize] * half.min(end)
+    let is_near = |parameter: Parameter| {
+        let (half, end) = (parameter.of(&half), parameter.of(to));
+        half.max(end) <= NEAR[parameter as usize] * half.min(end)
     };
-    let near = Knob::ALL.into_iter().all(is_near);
+    let near = Parameter::ALL.into_iter().all(is_near);
     (to.role == Role::Path && !near).then_some(half)
 }
