@@ -70,14 +70,13 @@ fn both_methods_side_by_side() {
 fn refusals() {
     let folder = TempDir::new().unwrap();
     write(&folder, "case.toml", CASE);
-    let line = CASE
-        .replace("\"circular\"", "\"line\"")
-        .replace("30 N\"", "1e5 N/m\"");
-    write(&folder, "line.toml", &format!("{line}[thermal]\n"));
-    let output = solve(&folder, &["line.toml", "--cross-check"]);
+    let roller = CASE.replace("\"circular\"", "\"roller\"\nlength = \"8 mm\"");
+    write(&folder, "roller.toml", &format!("{roller}[thermal]\n"));
+    let output = solve(&folder, &["roller.toml", "--cross-check"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(
-        stderr(&output).contains("finite volumes do not solve for the heat of line contacts"),
+        stderr(&output)
+            .contains("finite volumes do not solve for the heat of rollers of finite length"),
         "{}",
         stderr(&output)
     );

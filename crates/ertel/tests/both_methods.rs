@@ -127,6 +127,56 @@ fn both_engines_agree_on_rollers_and_heat() {
     }
 }
 
+/// Heat of a flooded line contact, of a starved one and of a starved ball: films, friction and temperatures differ by no more than the sum of their bars. What the film carries off is counted
+/// as far as the area goes, which is not the same by both.
+#[test]
+fn both_engines_agree_on_heat_of_lines_and_starved_contacts() {
+    let line = "kind = \"line\"\nradius = \"15 mm\"\nload = \"150 kN/m\"";
+    let motion = "entrainment_speed = \"4 m/s\"\nslide_to_roll_ratio = 0.5";
+    let layer = |nm: u32| format!("[inlet]\noil_layer = \"{nm} nm\"\n");
+    let settings = |target: &str| {
+        format!("[thermal]\n[mesh]\ntarget_error = {target}\n[output]\nsensitivities = false")
+    };
+    let warm = |contact: &str, more: &str| {
+        let text = text_of(contact, motion, more, "18");
+        let text = text.replacen(
+            "lubricant = { ",
+            "lubricant = { base_oil = \"mineral\", ",
+            1,
+        );
+        parsed(text.replace(
+            "mu_0 = ",
+            "beta = \"0.04 1/K\", reference_temperature = \"40 degC\", mu_0 = ",
+        ))
+    };
+    for mut case in [
+        warm(line, &settings("0.02")),
+        warm(line, &(layer(400) + &settings("0.02"))),
+        warm(BALL, &(layer(300) + &settings("0.05"))),
+    ] {
+        case.solver.method = Some(Method::FiniteVolumes);
+        let own = solved(&case);
+        assert_eq!(own.stats.method, Method::FiniteVolumes);
+        let found = cross_check(&case, &own, &mut NoObserver).unwrap();
+        for figure in [
+            Figure::FilmCentral,
+            Figure::FilmMinimum,
+            Figure::TractionCoefficient,
+            Figure::FilmTemperatureMaximum,
+            Figure::FilmTemperatureMean,
+            Figure::TemperatureBody1Maximum,
+            Figure::TemperatureBody1Mean,
+            Figure::TemperatureBody2Maximum,
+            Figure::TemperatureBody2Mean,
+            Figure::HeatShear,
+        ] {
+            let crossed = found.figures.iter().find(|c| c.figure == figure);
+            let crossed = crossed.unwrap_or_else(|| panic!("{figure:?}"));
+            assert_eq!(crossed.verdict(), Verdict::Agrees, "{crossed:?}");
+        }
+    }
+}
+
 /// Cylinders: a Newtonian fluid, a layer of oil, Eyring's fluid that slides along and across: films and pressure differ by no more than the sum of their bars,
 /// below 1 % of films. Traction and the outlet differ by up to 0.6 %, the friction power of the layer by 1.8 %, beyond the bars of the elements, whose penalty leaves a
 /// pressure below zero behind the film.
