@@ -70,7 +70,10 @@ fn both_methods_side_by_side() {
 fn refusals() {
     let folder = TempDir::new().unwrap();
     write(&folder, "case.toml", CASE);
-    let roller = CASE.replace("\"circular\"", "\"roller\"\nlength = \"8 mm\"");
+    let roller = CASE.replace(
+        "\"circular\"",
+        "\"roller\"\nlength = \"8 mm\"\nprofile = { kind = \"crown\", crown_radius = \"1 m\" }",
+    );
     write(&folder, "roller.toml", &format!("{roller}[thermal]\n"));
     let output = solve(&folder, &["roller.toml", "--cross-check"]);
     assert_eq!(output.status.code(), Some(2));
@@ -103,11 +106,11 @@ fn refusals() {
     }
     let output = solve(
         &folder,
-        &["line.toml", "--set", "solver.method=\"finite-volumes\""],
+        &["roller.toml", "--set", "solver.method=\"finite-volumes\""],
     );
     assert_eq!(output.status.code(), Some(2));
     assert!(
-        stderr(&output).contains("line contacts"),
+        stderr(&output).contains("rollers of finite length"),
         "{}",
         stderr(&output)
     );

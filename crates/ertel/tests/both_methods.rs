@@ -127,16 +127,14 @@ fn both_engines_agree_on_rollers_and_heat() {
     }
 }
 
-/// Heat of a flooded line contact, of a starved one and of a starved ball: films, friction and temperatures differ by no more than the sum of their bars. What the film carries off is counted
+/// Heat of a flooded line contact and of a starved one: films, friction and temperatures differ by no more than the sum of their bars, 2 % and 0.5 K. What the film carries off is counted
 /// as far as the area goes, which is not the same by both.
 #[test]
-fn both_engines_agree_on_heat_of_lines_and_starved_contacts() {
+fn both_engines_agree_on_heat_of_lines() {
+    const SETTINGS: &str = "[thermal]\n[mesh]\ntarget_error = 0.1\nmax_unknowns = 4000\n[output]\nsensitivities = false";
     let line = "kind = \"line\"\nradius = \"15 mm\"\nload = \"150 kN/m\"";
     let motion = "entrainment_speed = \"4 m/s\"\nslide_to_roll_ratio = 0.5";
     let layer = |nm: u32| format!("[inlet]\noil_layer = \"{nm} nm\"\n");
-    let settings = |target: &str| {
-        format!("[thermal]\n[mesh]\ntarget_error = {target}\n[output]\nsensitivities = false")
-    };
     let warm = |contact: &str, more: &str| {
         let text = text_of(contact, motion, more, "18");
         let text = text.replacen(
@@ -149,11 +147,7 @@ fn both_engines_agree_on_heat_of_lines_and_starved_contacts() {
             "beta = \"0.04 1/K\", reference_temperature = \"40 degC\", mu_0 = ",
         ))
     };
-    for mut case in [
-        warm(line, &settings("0.02")),
-        warm(line, &(layer(400) + &settings("0.02"))),
-        warm(BALL, &(layer(300) + &settings("0.05"))),
-    ] {
+    for mut case in [warm(line, SETTINGS), warm(line, &(layer(400) + SETTINGS))] {
         case.solver.method = Some(Method::FiniteVolumes);
         let own = solved(&case);
         assert_eq!(own.stats.method, Method::FiniteVolumes);
@@ -173,6 +167,12 @@ fn both_engines_agree_on_heat_of_lines_and_starved_contacts() {
             let crossed = found.figures.iter().find(|c| c.figure == figure);
             let crossed = crossed.unwrap_or_else(|| panic!("{figure:?}"));
             assert_eq!(crossed.verdict(), Verdict::Agrees, "{crossed:?}");
+            let (difference, _) = crossed.difference().unwrap();
+            let most = match figure.unit(false) == "K" {
+                true => 0.5,
+                false => 0.02 * crossed.own.value,
+            };
+            assert!(difference.abs() < most, "{crossed:?}");
         }
     }
 }

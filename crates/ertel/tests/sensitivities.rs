@@ -141,7 +141,6 @@ viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "18 1/GPa" }
 preset = "coarse"
 [solver]
 tolerance = 1e-11
-error_estimate = false
 "#;
 
 const SHEAR_THINNING: &str = r#"
@@ -157,7 +156,6 @@ slide_to_roll_ratio = 0.2
 preset = "coarse"
 [solver]
 tolerance = 1e-11
-error_estimate = false
 "#;
 
 #[test]
