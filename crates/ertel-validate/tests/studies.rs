@@ -70,6 +70,7 @@ const SLOW: &[&str] = &[
     "figure-6-10",
     "figure-6-5",
     "heat-convergence",
+    "mourier-cavity",
     "table-3-3",
     "venner-waves",
 ];

@@ -146,7 +146,7 @@ mod tests {
     /// Wrong answers are told and asked for again; a slip of a unit is asked about.
     #[test]
     fn answers_are_checked_at_once() {
-        let number = TEMPLATES.iter().position(|t| t.name == "ball").unwrap() + 1;
+        let number = TEMPLATES.iter().position(|t| t.name == "rig").unwrap() + 1;
         let answers = format!(
             "{number}\n20 mm\n40\n40,5 N\n40 N\n3000 rpm\n2 m/s\n1.5 m/s\n\n\n80 degC\n80 degC\n\n\n0.02 1/GPa\n\n"
         );

@@ -198,7 +198,7 @@ fn flanks_in_space() {
             dot(velocities[1], normal),
             max_relative = 1e-6
         );
-        let along = row(&case, "along the line").split(' ').next().unwrap();
+        let along = row(&case, "axial speed").split(' ').next().unwrap();
         let along: f64 = along.parse().unwrap();
         assert_relative_eq!(dot(velocities[0], line).abs(), along, max_relative = 1e-5);
     }
