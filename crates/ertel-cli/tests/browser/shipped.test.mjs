@@ -10,8 +10,8 @@ import { CASES, ERTEL, SCREENSHOTS, checkPlots, launch, openPage } from "./pages
 const folder = mkdtempSync(join(tmpdir(), "ertel-shipped-"));
 const cases = join(folder, "cases");
 
-// The cases as shipped, but for what takes time: meshes are coarse, of curves three points are left, of the axes of studies two, the ends among them, so that plots
-// have the same axes, and of what is solved in time the first half.
+// The cases as shipped, but for what takes time: meshes are coarse, and of curves three points are left, of the axes of studies two, the
+// ends among them, so that plots have the same axes.
 const COARSE = ["mesh.target_error=10 %", "mesh.pressure_error=20 %", "output.sensitivities=false"];
 
 function thin(text) {
@@ -20,12 +20,7 @@ function thin(text) {
     const values = list.split(",").map((v) => v.trim());
     return `${head}[${[values[0], ...(isStudy ? [] : [values[values.length >> 1]]), values[values.length - 1]].join(", ")}]`;
   };
-  const lists = isStudy ? /^(values\s*=\s*)\[((?:[^,\]]*,){2,}[^\]]*)\]/gm : /^(values\s*=\s*)\[((?:[^,\]]*,){3,}[^\]]*)\]/gm;
-  return text
-    .replace(/^(key = "mesh\.target_error"\s+values\s*=\s*)\[[^\]]*\]/gm, "$1[0.1]")
-    .replace(/^(duration = ")([\d.]+)/gm, (_, head, value) => `${head}${value / 2}`)
-    .replace(lists, ends)
-    .replace(/^(points\s*=\s*)\d+/gm, isStudy ? "$12" : "$13");
+  return text.replace(/^(key = "mesh\.target_error"\s+values\s*=\s*)\[[^\]]*\]/gm, "$1[0.1]").replace(/^(values\s*=\s*)\[((?:[^,\]]*,){3,}[^\]]*)\]/gm, ends).replace(/^(points\s*=\s*)\d+/gm, isStudy ? "$12" : "$13");
 }
 
 function kindOf(text) {

@@ -62,15 +62,20 @@ function figuresCsv(results) {
   return [head, ...rows].map((r) => r.join(",")).join("\n") + "\n";
 }
 
+// Largest residual that the plot of iterations shows.
+const LARGEST_RESIDUAL = 1e12;
+
 function showIterations(result) {
   const history = result.data.history;
   if (!history.length) return;
   reveal("convergence");
   const stages = [...new Set(history.map((r) => r.stage))];
+  // A step that went astray would leave no room for the others.
+  const isShown = (residual) => residual > 0 && residual < LARGEST_RESIDUAL;
   const count = history.map((_, i) => i + 1);
   const series = stages.map((stage, k) => ({
     label: `stage ${stage}`, ink: k, points: true,
-    data: history.map((r) => (r.stage === stage && r.residual > 0 ? r.residual : NaN)),
+    data: history.map((r) => (r.stage === stage && isShown(r.residual) ? r.residual : NaN)),
   }));
   const { tolerance, heat_tolerance: heatTolerance } = result.data;
   if (heatTolerance) {
