@@ -934,6 +934,21 @@ pub const ROWS: &[Row] = &[
     ),
     (
         VOLUMES,
+        "A line on {} nodes or more has factors",
+        &[("volumes/preconditioner.rs", "LONG_LINE", 0, 1.0)],
+    ),
+    (
+        VOLUMES,
+        "down to dense matrices of {} nodes",
+        &[("volumes/line_factors.rs", "DENSE", 0, 1.0)],
+    ),
+    (
+        VOLUMES,
+        "err by {} of the largest entry",
+        &[("volumes/line_factors.rs", "TOLERANCE", 0, 1.0)],
+    ),
+    (
+        VOLUMES,
         "only with M above {} or L above {}, or with a film above {} a²/R",
         &[
             ("crates/ertel/src/run/mod.rs", "ELEMENTS_UP_TO", 0, 1.0),

@@ -123,7 +123,7 @@ fn largest_change(problem: &Problem<Plan>) -> f64 {
 /// # Errors
 /// When no order of elimination is found.
 pub fn pattern(system: &System) -> Result<Pattern, SolveError> {
-    Pattern::new(&system.grid, system.convolution.stencils()).map_err(|error| {
+    Pattern::new(&system.grid, &system.convolution).map_err(|error| {
         SolveError::Factorisation(LuError {
             n: system.grid.n_nodes(),
             reason: error.to_string(),

@@ -17,6 +17,8 @@ use crate::elastic::LINE_REFERENCE;
 /// The convolution of a row of nodes.
 pub struct LineConvolution {
     n: usize,
+    /// −2C/π K of nodes 0, 1, … n apart.
+    kernel: Vec<f64>,
     /// Transformed length.
     padded: usize,
     /// Transform of −2C/π K over it: real, as K is even.
@@ -40,21 +42,24 @@ impl LineConvolution {
         let forward = planner.plan_fft_forward(padded);
         let backward = planner.plan_fft_inverse(padded);
         let factor = -2.0 * compliance / PI;
-        let mut kernel = forward.make_input_vec();
-        for i in 0..n {
-            let [low, high] = [-0.5, 0.5].map(|side| primitive((i as f64 + side) * h));
-            let value = factor * (high - low);
-            kernel[i] = value;
-            if i > 0 {
-                kernel[padded - i] = value;
-            }
+        let kernel: Vec<f64> = (0..=n)
+            .map(|i| {
+                let [low, high] = [-0.5, 0.5].map(|side| primitive((i as f64 + side) * h));
+                factor * (high - low)
+            })
+            .collect();
+        let mut around = forward.make_input_vec();
+        around[..n].copy_from_slice(&kernel[..n]);
+        for i in 1..n {
+            around[padded - i] = kernel[i];
         }
         let mut waves = forward.make_output_vec();
         forward
-            .process(&mut kernel, &mut waves)
+            .process(&mut around, &mut waves)
             .expect("lengths agree");
         LineConvolution {
             n,
+            kernel,
             padded,
             symbol: waves.iter().map(|wave| wave.re).collect(),
             forward,
@@ -82,6 +87,11 @@ impl LineConvolution {
             .expect("lengths agree");
         row.truncate(self.n);
         row
+    }
+
+    /// Deflection of a node by one so many nodes away, for 0, 1, … as many as there are.
+    pub fn kernel(&self) -> &[f64] {
+        &self.kernel
     }
 
     /// Three-point stencil that is nearest to the inverse over all waves of the grid, in the places of a stencil of nine points.

@@ -20,7 +20,7 @@
 //! | [`contents`] | oil in gaps that it does not fill |
 //! | [`passing`] | how contents change with the pressures |
 //! | [`system`], [`step`] | the equation and its linearisation; Newton's step |
-//! | [`preconditioner`] | the sparse approximation of its matrix |
+//! | [`preconditioner`], [`line_factors`] | the sparse approximation of its matrix; factors of that of a long line |
 //! | [`multigrid`], [`transfer`] | a cycle over coarser grids that solves it |
 //! | [`stencil`], [`rectangle`] | its matrix, incomplete and complete factors |
 //! | [`newton`], [`ending`] | Newton's method with active sets, and when it ends |
@@ -53,6 +53,7 @@ pub mod grid;
 pub mod heat;
 pub mod level;
 pub mod line_convolution;
+pub mod line_factors;
 pub mod multigrid;
 pub mod newton;
 pub mod passing;

@@ -90,7 +90,7 @@ fn cycles_converge_on_all_grids() {
     for level in found.levels.iter().skip(2) {
         let (system, grid) = (&level.system, &level.system.grid);
         let at = system.linearise(&level.state);
-        let pattern = Pattern::with_coarsest(grid, system.convolution.stencils(), 400).unwrap();
+        let pattern = Pattern::with_coarsest(grid, &system.convolution, 400).unwrap();
         let mut cycle = Cycle::new(&pattern.grids, pattern.matrix(&at)).unwrap();
         let layout = cycle.levels[0].transfer.fine;
         let all =

@@ -3,15 +3,16 @@
 //! ```text
 //!   δP = S w,   S ≈ K⁻¹ by nine points        (A S + B) w = r,   A: fluxes by the pressures, B: by the films, upwind of first order
 //! ```
-//! The compliance is long-range, its inverse is not. Small grids are factorised; on large ones a cycle over coarser grids does as well: GMRES takes as many iterations.
+//! The compliance is long-range, its inverse is not. Long lines have factors of their own ([`super::line_factors`]). Small grids are factorised; on large ones a cycle over coarser grids does as well: GMRES takes as many iterations.
 
 use std::sync::OnceLock;
 
 use ertel_fem::linear::ordering::OrderingError;
 use rayon::prelude::*;
 
-use super::deflection::Stencils;
+use super::deflection::{Deflection, Stencils};
 use super::grid::{Grid, RING};
+use super::line_factors::{LineFactors, LineKernel, Triple};
 use super::multigrid::{Cycle, Grids};
 use super::stencil::{PLACES, REACH, Row, SIDE};
 use super::system::Linearised;
@@ -27,6 +28,8 @@ pub struct Pattern {
     direct: OnceLock<Option<Grids>>,
     /// S.
     inverse: Stencils,
+    /// K of a line on many nodes.
+    line: Option<LineKernel>,
 }
 
 /// Unknowns up to which a factorisation is all; it costs as much as the cycle at about a half of them. That of a row costs no more than its nodes.
@@ -35,33 +38,43 @@ const DIRECT: usize = 10_000;
 /// Unknowns up to which the coarsest grid of a cycle is factorised: in some milliseconds.
 const COARSEST: usize = 4_000;
 
+/// Nodes of a line from which it has factors of its own: on fewer, 10 to 20 Krylov iterations cost no more than those.
+const LONG_LINE: usize = 2_000;
+
 /// Unknowns whose rows a thread takes at a time.
 const BATCH: usize = 1024;
 
 impl Pattern {
-    /// For a grid, with the stencil S.
+    /// For a grid and how the bodies deflect there.
     ///
     /// # Errors
     /// When no order of elimination is found.
-    pub fn new(grid: &Grid, inverse: impl Into<Stencils>) -> Result<Pattern, OrderingError> {
+    pub fn new(grid: &Grid, deflection: &Deflection) -> Result<Pattern, OrderingError> {
         let n = grid.n_nodes();
         let is_small = n <= DIRECT || grid.is_line();
-        Pattern::with_coarsest(grid, inverse, if is_small { n } else { COARSEST })
+        Pattern::with_coarsest(grid, deflection, if is_small { n } else { COARSEST })
     }
 
     /// The same with this many unknowns of the coarsest grid at most.
     pub(super) fn with_coarsest(
         grid: &Grid,
-        inverse: impl Into<Stencils>,
+        deflection: &Deflection,
         coarsest: usize,
     ) -> Result<Pattern, OrderingError> {
         let n = [grid.n[0] - 2 * RING, grid.inner_rows().len()];
+        let line = match deflection {
+            Deflection::Line(line) if grid.n_nodes() >= LONG_LINE => {
+                Some(LineKernel::new(line.kernel(), n[0]))
+            }
+            _ => None,
+        };
         Ok(Pattern {
+            line,
             grids: Grids::new(n, grid.half, coarsest)?,
             direct: OnceLock::new(),
             grid: grid.clone(),
             n,
-            inverse: inverse.into(),
+            inverse: deflection.stencils(),
         })
     }
 
@@ -76,14 +89,36 @@ impl Pattern {
         self.n[0] * self.n[1]
     }
 
+    /// The row of a node.
+    fn cross(&self, at: &Linearised, k: usize) -> Cross {
+        match at.wetted[k] {
+            true => Cross::wetted(&self.grid, at, k),
+            false => Cross::broken(),
+        }
+    }
+
+    /// The rows of a line, each over its size, and the sizes.
+    fn triples(&self, at: &Linearised) -> (Vec<Triple>, Vec<f64>) {
+        let row = |unknown: usize| {
+            let k = self.node(unknown);
+            let cross = self.cross(at, k);
+            let size = (self.square(k, &cross).iter()).fold(0.0_f64, |m, v| m.max(v.abs()));
+            let of_line =
+                |[centre, west, east, ..]: [f64; 5]| [west, centre, east].map(|v| v / size);
+            let triple = Triple {
+                by_pressure: of_line(cross.by_pressure),
+                by_film: of_line(cross.by_film),
+            };
+            (triple, size)
+        };
+        (0..self.len()).map(row).unzip()
+    }
+
     /// A S + B at a state.
     pub(super) fn matrix(&self, at: &Linearised) -> Matrix {
         let row = |unknown: usize| {
             let k = self.node(unknown);
-            let cross = match at.wetted[k] {
-                true => Cross::wetted(&self.grid, at, k),
-                false => Cross::broken(),
-            };
+            let cross = self.cross(at, k);
             let mut square = self.square(k, &cross);
             for (t, value) in square.iter_mut().enumerate() {
                 let place = [
@@ -214,10 +249,18 @@ fn at_square([i, j]: [i64; 2]) -> usize {
     j * SIDE + i
 }
 
+/// How it is solved.
+enum Approximation<'a> {
+    /// In w, as a sparse matrix.
+    Sparse(Cycle),
+    /// In δP, with the compliance of a line as it is.
+    Line(LineFactors<'a>),
+}
+
 /// The approximation, ready to be solved.
 pub struct Preconditioner<'a> {
     pattern: &'a Pattern,
-    cycle: Cycle,
+    approximation: Approximation<'a>,
     /// Whether it is factorised as a whole.
     pub is_direct: bool,
     /// Size of each row, by which residuals become heights of the film: 1 at nodes that are not solved for.
@@ -242,20 +285,32 @@ impl<'a> Preconditioner<'a> {
     }
 
     fn with(pattern: &'a Pattern, grids: &Grids, at: &Linearised) -> Option<Preconditioner<'a>> {
-        let matrix = pattern.matrix(at);
         let mut scale = vec![1.0; pattern.grid.n_nodes()];
-        for (unknown, size) in matrix.sizes.iter().enumerate() {
-            scale[pattern.node(unknown)] = f64::from(*size);
-        }
+        let approximation = match &pattern.line {
+            Some(line) => {
+                let (rows, sizes) = pattern.triples(at);
+                for (unknown, size) in sizes.into_iter().enumerate() {
+                    scale[pattern.node(unknown)] = size;
+                }
+                Approximation::Line(LineFactors::new(line, &rows)?)
+            }
+            None => {
+                let matrix = pattern.matrix(at);
+                for (unknown, size) in matrix.sizes.iter().enumerate() {
+                    scale[pattern.node(unknown)] = f64::from(*size);
+                }
+                Approximation::Sparse(Cycle::new(grids, matrix)?)
+            }
+        };
         Some(Preconditioner {
             pattern,
-            cycle: Cycle::new(grids, matrix)?,
+            approximation,
             is_direct: grids.is_direct(),
             scale,
         })
     }
 
-    /// Pressures δP = S w for scaled residuals at all nodes.
+    /// Pressures δP for scaled residuals at all nodes.
     pub fn solve(&mut self, residual: &[f64]) -> Vec<f64> {
         let p = self.pattern;
         let grid = &p.grid;
@@ -263,11 +318,22 @@ impl<'a> Preconditioner<'a> {
         let mut w: Vec<f64> = (0..p.len())
             .map(|unknown| residual[p.node(unknown)])
             .collect();
-        self.cycle.solve(&mut w);
-        let mut film = vec![0.0; grid.n_nodes()];
-        for (unknown, w) in w.iter().enumerate() {
-            film[p.node(unknown)] = *w;
+        let at_nodes = |values: &[f64]| {
+            let mut all = vec![0.0; grid.n_nodes()];
+            for (unknown, value) in values.iter().enumerate() {
+                all[p.node(unknown)] = *value;
+            }
+            all
+        };
+        match &mut self.approximation {
+            Approximation::Line(factors) => {
+                factors.solve(&mut w);
+                return at_nodes(&w);
+            }
+            Approximation::Sparse(cycle) => cycle.solve(&mut w),
         }
+        // δP = S w.
+        let film = at_nodes(&w);
         let mut pressure = vec![0.0; grid.n_nodes()];
         for k in (0..p.len()).map(|unknown| p.node(unknown)) {
             let [s0, sx, sy, sd] = *p.inverse.of(k / nx);
