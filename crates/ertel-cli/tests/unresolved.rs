@@ -84,12 +84,12 @@ fn points_that_are_not_resolved_are_counted_and_their_warnings_merged() {
         "{report}"
     );
     assert!(
-        warnings[3].contains("all 3 points, here of point"),
+        warnings[3].contains("all 3 points, shown for point"),
         "{report}"
     );
     assert!(
         report.contains("  · 3 of 3 points have figures that are not resolved")
-            && report.contains("film central in 3"),
+            && report.contains("central film thickness in 3"),
         "{report}"
     );
     let table = std::fs::read_to_string(folder.path().join("results/case/curve.csv")).unwrap();
@@ -117,7 +117,7 @@ fn studies_count_them_too() {
         "{message}"
     );
     let said = text(&output.stdout);
-    assert!(said.contains("film central in 2"), "{said}");
+    assert!(said.contains("central film thickness in 2"), "{said}");
     let accepted = ertel(&folder, &["sweep", "study.toml", "--accept-unresolved"]);
     assert_eq!(
         accepted.status.code(),

@@ -234,7 +234,7 @@ impl Merged {
     pub fn line(&self, of: usize) -> String {
         let place = match self.points[..] {
             [one] => format!("point {}", one + 1),
-            _ if self.points.len() == of => format!("all {of} points"),
+            _ if self.points.len() == of => all(of, "points"),
             _ => format!("points {}", ranges(&self.points)),
         };
         self.with_worst(&place, &format!("point {}", self.worst_point + 1))
@@ -246,7 +246,7 @@ impl Merged {
         let text = &self.worst.text;
         match self.points.len() {
             1 => format!("{worst}: {text}"),
-            n if n == of => self.with_worst(&format!("all {of} contacts"), worst),
+            n if n == of => self.with_worst(&all(of, "contacts"), worst),
             n => {
                 let others = match n - 1 {
                     1 => "1 more contact".to_owned(),
@@ -255,7 +255,7 @@ impl Merged {
                 let alike = if self.alike {
                     ""
                 } else {
-                    ", here of the first"
+                    ", shown for the first"
                 };
                 format!("{worst} and {others}{alike}: {text}")
             }
@@ -266,8 +266,16 @@ impl Merged {
         let text = &self.worst.text;
         match self.alike || self.points.len() == 1 {
             true => format!("{place}: {text}"),
-            false => format!("{place}, here of {worst}: {text}"),
+            false => format!("{place}, shown for {worst}: {text}"),
         }
+    }
+}
+
+/// `all 5 points`, `both contacts`.
+fn all(n: usize, what: &str) -> String {
+    match n {
+        2 => format!("both {what}"),
+        n => format!("all {n} {what}"),
     }
 }
 
@@ -321,14 +329,19 @@ mod tests {
         assert_eq!(
             lines,
             [
-                "points 1 to 3, here of point 2: film 7 nm",
+                "points 1 to 3, shown for point 2: film 7 nm",
                 "points 2, 5: no title"
             ]
         );
         let few: Vec<String> = by_kind(all).iter().map(|m| m.line(3)).collect();
         assert!(
-            few[0].starts_with("all 3 points, here of point 2"),
+            few[0].starts_with("all 3 points, shown for point 2"),
             "{few:?}"
+        );
+        let two = [(0, &films[0]), (1, &films[1])];
+        assert_eq!(
+            by_kind(two)[0].line(2),
+            "both points, shown for point 2: film 7 nm"
         );
     }
 
@@ -340,11 +353,11 @@ mod tests {
         let name = |i: usize| ["inner ring", "outer ring", "rib"][i];
         assert_eq!(
             merged[0].line_of(9, name),
-            "outer ring and 2 more contacts, here of the first: film 7 nm"
+            "outer ring and 2 more contacts, shown for the first: film 7 nm"
         );
         assert_eq!(
             merged[0].line_of(3, name),
-            "all 3 contacts, here of outer ring: film 7 nm"
+            "all 3 contacts, shown for outer ring: film 7 nm"
         );
         let alike = [thin(9.0), thin(9.0)];
         let merged = by_kind(alike.iter().enumerate());

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import pickle
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -85,7 +86,7 @@ def test_curves(line: dict[str, Any], tmp_path: Path) -> None:
     assert [text.get_color() for text in axes.get_lines()][0] == "#0072B2", "the first colour of the program"
     drawn = axes.get_lines()[0].get_ydata()
     np.testing.assert_allclose(drawn, 1e9 * again.to_pandas()["film_central_m"])
-    assert "(nm)" in axes.get_ylabel()
+    assert "(nm)" in axes.get_ylabel() and axes.get_xlabel() == "entrainment speed (m/s)"
     with pytest.raises(KeyError, match="film_minimum"):
         again.plot("film")
 
@@ -131,6 +132,7 @@ def test_studies(line: dict[str, Any], tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     axes = study.plot("film_minimum").axes[0]
     assert len(axes.containers) == 2, "a curve for each load"
+    assert all(re.fullmatch(r"load \d+ kN/m", curve.get_label()) for curve in axes.containers)
     with pytest.raises(KeyError, match="contact"):
         study.plot(x="contact.load")
     # A journal that is gone, of something else, or damaged in part.

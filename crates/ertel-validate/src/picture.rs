@@ -267,8 +267,8 @@ impl Picture {
         });
         let all = || series.iter().flat_map(|s| s.points.iter());
         all().next()?;
-        let x = Axis::log_around("Load group *M*", all().map(|p| p[0]));
-        let y = Axis::log_around("Central film *h*_{c}/(*R*√2*U*)", all().map(|p| p[1]));
+        let x = Axis::log_close_around("Load group *M*", all().map(|p| p[0]));
+        let y = Axis::log_close_around("Central film *h*_{c}/(*R*√2*U*)", all().map(|p| p[1]));
         let mut chart = Chart::new(&self.caption, x, y);
         chart.series = series;
         Some(chart)
@@ -303,19 +303,21 @@ impl Picture {
                 };
                 Series {
                     label: if mesh == first_mesh { label } else { "" }.to_owned(),
-                    points,
                     look: match meshes.iter().position(|m| *m == mesh) {
+                        // A line through one point cannot be seen.
+                        _ if points.len() == 1 => Look::Dots,
                         Some(0) => Look::Line,
                         Some(1) => Look::Dashed,
                         _ => Look::LineAndDots,
                     },
+                    points,
                     colour: colour.into(),
                     ..Series::default()
                 }
             })
             .collect();
         let all = || series.iter().flat_map(|s| s.points.iter());
-        let x = Axis::log_around("Penalty *ξ*_{0}", all().map(|p| p[0]));
+        let x = Axis::log_close_around("Penalty *ξ*_{0}", all().map(|p| p[0]));
         let label = match quantity {
             Quantity::Outlet => "Outlet *X*_{out}",
             other => other.label(),

@@ -201,7 +201,7 @@ quantities! {
             Some(thermal.film_maximum.value - thermal.inlet_temperature)
         });
     /// Mean temperature of the surface of body 1 less that of body 2, over the Hertz zone, K.
-    SurfaceDifference, "surface-difference", "mean plane − mean ball, K", Number,
+    SurfaceDifference, "surface-difference", "mean body 1 − mean body 2, K", Number,
         Sources::solution(|s| {
             let thermal = s.thermal.as_ref()?;
             Some(thermal.body_1_mean.value - thermal.body_2_mean.value)

@@ -125,7 +125,7 @@ rows! {
         relative_density_15: Number => "density at 15 °C relative to that of water at 15 °C, dimensionless";
         base_oil: Choice(&["mineral", "PAO", "ester", "PAG", "naphthenic", "Group III"]) => r#"kind of the base oil:
             `"mineral"`, `"PAO"`, `"ester"`, `"PAG"`, `"naphthenic"` or `"Group III"`, in any case of letters, also `"Group I"` and `"Group II"`
-            (mineral) and `"Group IV"` (PAO) of API 1509; needed if something is to be estimated. It may stand beside
+            (mineral) and `"Group IV"` (PAO) of API 1509; needed if something is to be estimated. It may be given with
             laws, too: [heat and shear](#heat-and-shear-by-the-kind-of-oil) are estimated by it. There is no correlation with a source for
             silicones, PFPE and water-glycol: their error says what to give instead, that of other names also the nearest kind"#;
         pressure_viscosity_coefficient: PER_PRESSURE, usual [COEFFICIENT] => r"measured initial slope of ln μ at `reference_temperature`; if

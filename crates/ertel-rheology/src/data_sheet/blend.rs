@@ -17,7 +17,7 @@ const DENSITY_PRESSURES: [f64; 2] = [0.25e9, 1e9];
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum BlendError {
     /// A part has no density.
-    #[error("{fluid} has no density law, by which its share of the volume is reckoned")]
+    #[error("{fluid} has no density law, which its share of the volume needs")]
     NoDensity {
         /// Name of the part.
         fluid: String,

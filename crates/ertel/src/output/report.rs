@@ -190,13 +190,34 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
         };
         let value = format!("{} {unit}", estimate.value);
         out.row(
-            &estimate.key.replace('_', " "),
+            &estimate_in_words(&estimate.key),
             format!("{} ({range})", value.trim_end()),
         );
     }
     if let Some(thermal) = &case.thermal {
         heat::write(out, thermal);
     }
+}
+
+/// What an estimated key is, in words: of a blend, that of a part by its name.
+fn estimate_in_words(key: &str) -> String {
+    let words = match key {
+        "density.beta" => "thermal expansion β",
+        "pressure_viscosity_coefficient" => "pressure-viscosity coefficient",
+        "thermal_conductivity.k_0" => "thermal conductivity",
+        "heat_capacity.rho_c_0" => "volumetric heat capacity",
+        "shear_thinning.tau_0" => "Eyring stress τ_0",
+        "shear_thinning.limit.lambda" => "limiting stress over pressure Λ",
+        _ => {
+            return match key.split_once('.') {
+                Some((part, key)) if part != "blend" && key.starts_with("pressure_viscosity") => {
+                    format!("pressure-viscosity coefficient, {part}")
+                }
+                _ => key.replace('_', " "),
+            };
+        }
+    };
+    words.to_owned()
 }
 
 /// The dry contact and its groups; `groups_asymptotic` are those with α*, the modulus in Pa.

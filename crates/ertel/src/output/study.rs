@@ -455,7 +455,6 @@ fn axis_title(study: &StudyEcho, column: usize) -> (String, Option<Unit>) {
     if let Some(first) = name.get_mut(..1) {
         first.make_ascii_uppercase();
     }
-    let name = name.replace("Slide to roll ratio", "Slide-to-roll ratio");
     let unit = user_unit(study, column);
     let shown = unit.as_ref().map_or(si, |u| u.1.clone());
     let label = match shown.as_str() {
@@ -472,10 +471,16 @@ pub(super) fn words(title: &str) -> (String, String) {
     for (i, _) in name.match_indices('_') {
         let unit = name[i + 1..].replace("_per_", "/").replace('_', ".");
         if !unit.is_empty() && Unit::parse(&unit).is_ok() {
-            return (name[..i].replace('_', " "), unit);
+            return (plain(&name[..i]), unit);
         }
     }
-    (name.replace('_', " "), String::new())
+    (plain(name), String::new())
+}
+
+/// A name as it is written in a text.
+fn plain(name: &str) -> String {
+    name.replace('_', " ")
+        .replace("slide to roll", "slide-to-roll")
 }
 
 fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
@@ -529,7 +534,7 @@ mod tests {
         };
         assert_eq!(value_in_words(&study, 0, "3e4"), "load 30 kN/m");
         assert_eq!(value_in_words(&study, 1, "3.1315e2"), "temperature 40 °C");
-        assert_eq!(value_in_words(&study, 2, "1e-1"), "slide to roll ratio 0.1");
+        assert_eq!(value_in_words(&study, 2, "1e-1"), "slide-to-roll ratio 0.1");
     }
 
     #[test]
@@ -542,7 +547,7 @@ mod tests {
             ),
             ("contact.load_N", "load", "N"),
             ("contact.load_N_per_m", "load", "N/m"),
-            ("motion.slide_to_roll_ratio", "slide to roll ratio", ""),
+            ("motion.slide_to_roll_ratio", "slide-to-roll ratio", ""),
             ("lubricant.name", "name", ""),
         ] {
             assert_eq!(words(title), (name.to_owned(), unit.to_owned()));

@@ -101,13 +101,13 @@ const TOLD: [Told; 10] = [
         Figure::TractionCoefficient,
         Over::Highest,
         "traction_coefficient_highest",
-        "highest friction coefficient",
+        "highest traction coefficient",
     ),
     told(
         Figure::TractionCoefficient,
         Over::Mean,
         "traction_coefficient_mean",
-        "mean friction coefficient",
+        "mean traction coefficient",
     ),
     told(
         Figure::FrictionPower,

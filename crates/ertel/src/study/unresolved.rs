@@ -1,12 +1,22 @@
 //! Which figures the points of a curve or a study do not resolve.
 
 use super::{Cell, CurveSolution, point_fields};
+use crate::run::over_time;
+use crate::solution::Figure;
 
 /// Columns of a table that name them: what was asked for, and all figures.
 const COLUMNS: [&str; 2] = ["unresolved", "uncertain_figures"];
 
 /// Figures that are named; of more only the number.
 const MOST: usize = 6;
+
+/// What a figure is called in reports, by its name in tables.
+fn words_of(name: &str) -> String {
+    let of = Figure::ALL.into_iter().find(|figure| figure.name() == name);
+    of.map(|figure| figure.words())
+        .or_else(|| over_time::words_of(name))
+        .map_or_else(|| name.replace('_', " "), str::to_owned)
+}
 
 /// How many points do not resolve each figure, by its name.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -51,10 +61,10 @@ impl UnresolvedFigures {
     pub fn line(&self, n_points: usize) -> Option<String> {
         let mut counts: Vec<&(String, usize)> = self.counts.iter().collect();
         counts.sort_by_key(|(_, n)| std::cmp::Reverse(*n));
-        let named = counts.iter().take(MOST).map(|(name, n)| {
-            let words = name.replace('_', " ");
-            format!("{words} in {n}")
-        });
+        let named = counts
+            .iter()
+            .take(MOST)
+            .map(|(name, n)| format!("{} in {n}", words_of(name)));
         let mut text = named.collect::<Vec<_>>().join(", ");
         if text.is_empty() {
             return None;

@@ -219,7 +219,7 @@ fn number(cell: &str) -> Option<f64> {
 /// Name and unit of a column of figures.
 fn name_of(title: &str) -> (String, String) {
     let (name, unit) = words(title);
-    (name.replace(' ', "_"), unit)
+    (name.replace([' ', '-'], "_"), unit)
 }
 
 fn words_of(name: &str) -> String {

@@ -28,7 +28,7 @@ pub fn viscosity_chart(
     let mut chart = Chart::new(
         title,
         Axis::linear_around(&format!("Pressure *p* ({unit})"), [0.0, factor * highest]),
-        Axis::log_around("Viscosity *μ* (Pa s)", values),
+        Axis::log_close_around("Viscosity *μ* (Pa s)", values),
     );
     chart.x.high = chart
         .x

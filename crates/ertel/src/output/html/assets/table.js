@@ -29,9 +29,9 @@ const OF_WHOLE_MACHINES = ["friction_torque_N_m", "mesh_loss", "friction_power_W
 
 const WORDS = {
   film_central_lowest: "lowest central film", film_central_highest: "highest central film", film_central_last: "central film at the end", film_minimum_lowest: "lowest minimum film", film_minimum_last: "minimum film at the end",
-  pressure_maximum_highest: "highest pressure", traction_coefficient_highest: "highest friction coefficient", traction_coefficient_mean: "mean friction coefficient", friction_power_mean: "mean friction power", film_temperature_maximum_highest: "highest film temperature",
+  pressure_maximum_highest: "highest pressure", traction_coefficient_highest: "highest traction coefficient", traction_coefficient_mean: "mean traction coefficient", friction_power_mean: "mean friction power", film_temperature_maximum_highest: "highest film temperature",
   amplitude_ratio_lowest: "lowest amplitude ratio", amplitude_ratio_highest: "highest amplitude ratio", amplitude_ratio_last: "amplitude ratio at the end", mass_error_highest: "largest mass error of a step",
-  name: "contact", film_central: "central film", film_minimum: "minimum film", pressure_maximum: "largest pressure", pressure_central: "smooth pressure maximum", hertz_pressure: "Hertz pressure",
+  contact: "no.", name: "contact", film_central: "central film", film_minimum: "minimum film", pressure_maximum: "largest pressure", pressure_central: "smooth pressure maximum", hertz_pressure: "Hertz pressure",
   friction_total: "friction coefficient", lambda_minimum: "lambda ratio", film_temperature_maximum: "largest film temperature",
   shear_stress_maximum: "largest shear stress",
 };
@@ -40,7 +40,7 @@ function describeColumn(title) {
   const last = title.split(".").pop();
   const found = SUFFIXES.find(([suffix]) => last.endsWith(suffix));
   const name = found ? last.slice(0, -found[0].length) : last;
-  return { title, name, unit: found ? found[1] : "", words: WORDS[name] ?? name.replaceAll("_", " "), isError: name.endsWith("_error") };
+  return { title, name, unit: found ? found[1] : "", words: WORDS[name] ?? name.replaceAll("_", " ").replace("slide to roll", "slide-to-roll"), isError: name.endsWith("_error") };
 }
 
 // Several tables as one, whose first column after the number of the point says which result a point is of. Columns are joined by
@@ -71,6 +71,10 @@ class TableView {
       column.shown = column.isNumber ? unitOf(column.unit, Math.max(...known.map(Math.abs))) : null;
       column.errors = head.indexOf(this.errorTitle(column));
     });
+    // Both films of a point compare in one unit.
+    const films = this.columns.filter((c) => ["film_central", "film_minimum"].includes(c.name) && c.isNumber);
+    const thickest = Math.max(...films.flatMap((c) => c.numbers.filter(Number.isFinite).map(Math.abs)));
+    for (const film of films) film.shown = unitOf(film.unit, thickest);
     if (leftOut) document.getElementById("rows-left-out").textContent = ` The table of this page ends here for its size; ${leftOut} more points are in the table beside it.`;
     this.sort = { column: 0, down: false };
     this.setUp();
@@ -128,7 +132,7 @@ class TableView {
     if (uncertain >= 0 && column.name !== "" && row.cells[uncertain].split(" ").includes(column.name) && !document.getElementById("all-columns").checked) return "not resolved";
     const value = column.shown.show(Number(text));
     // What was varied is known exactly.
-    if (this.columns.indexOf(column) <= this.nAxes) return String(Number(value.toPrecision(6)));
+    if (this.columns.indexOf(column) <= this.nAxes) return exactly(value);
     const error = column.errors >= 0 ? Number(row.cells[column.errors]) * column.shown.factor : NaN;
     return error > 0 && !document.getElementById("all-columns").checked ? withBar(value, error, "") : digits(value, 5);
   }
@@ -226,7 +230,7 @@ class TableView {
 
   groupText(column, text) {
     const c = this.columns[column];
-    return c.isNumber ? `${c.words} ${digits(c.shown.show(Number(text)), 4)} ${c.shown.name}`.trim() : text;
+    return c.isNumber ? `${c.words} ${exactly(c.shown.show(Number(text)))} ${c.shown.name}`.trim() : text;
   }
 
   mark(i, scroll) {

@@ -29,6 +29,9 @@ function digits(value, n = 4) {
   return value.toFixed(Math.max(0, n - 1 - exponent));
 }
 
+// A value that was given: without digits that nobody wrote.
+function exactly(value) { return String(Number(value.toPrecision(6))); }
+
 // Value and error bar with the digits that the bar leaves certain.
 function withBar(value, error, unit) {
   const space = unit ? " " : "";
