@@ -51,8 +51,7 @@ python3 -m venv "$parts/fresh"
 "$parts/fresh/bin/python" -c 'import ertel; print(ertel.Case.from_file("cases/ball-on-disc.toml").solve().film_central)'
 
 # The documentation as a site.
-test -x "$target/tools/bin/mdbook" || cargo install --quiet --locked --root "$target/tools" --target-dir "$target/tools/target" mdbook@0.5.4
-"$target/tools/bin/mdbook" build --dest-dir "$parts/ertel-$version-documentation" > /dev/null
+packaging/book.sh "$parts/ertel-$version-documentation"
 cp THIRD_PARTY_NOTICES.txt LICENSE-APACHE LICENSE-MIT "$parts/ertel-$version-documentation/"
 tar -C "$parts" --sort=name --owner=0 --group=0 --numeric-owner -czf "$out/ertel-$version-documentation.tar.gz" "ertel-$version-documentation"
 
