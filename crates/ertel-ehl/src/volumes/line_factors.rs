@@ -43,35 +43,31 @@ struct Products {
 }
 
 impl Products {
-    /// For halves of up to m nodes and the one beyond each, by adaptive cross approximation (Bebendorf 2000).
+    /// For halves of up to m nodes and the one beyond each, by crosses (Bebendorf 2000). Their largest entries are looked for on nodes ever farther
+    /// apart: along single rows and columns, as is usual, one may vanish by chance before the others are small.
     fn new(kernel: &[f64], m: usize) -> Products {
         let n = m + 1;
         let entry = |s: usize, t: usize| kernel[(s + 1 + t).min(kernel.len() - 1)];
-        let mut terms: Vec<[DVector<f64>; 2]> = Vec::new();
-        let mut used = vec![false; n];
+        let looked_at = spread(n);
+        let mut left = DMatrix::from_fn(looked_at.len(), looked_at.len(), |i, j| {
+            entry(looked_at[i], looked_at[j])
+        });
         let largest = kernel.iter().fold(0.0_f64, |m, k| m.max(k.abs()));
-        let mut row = 0;
-        while terms.len() < n {
-            used[row] = true;
-            let left = |s: usize, t: usize| {
-                let known: f64 = terms.iter().map(|[u, v]| u[s] * v[t]).sum();
-                entry(s, t) - known
-            };
-            let of_row = DVector::from_fn(n, |t, _| left(row, t));
-            let column = of_row.icamax();
-            let pivot = of_row[column];
+        let mut terms: Vec<[DVector<f64>; 2]> = Vec::new();
+        while terms.len() < looked_at.len() {
+            let at = left.iamax_full();
+            let pivot = left[at];
             if pivot.abs() <= TOLERANCE * largest {
                 break;
             }
-            let of_column = DVector::from_fn(n, |s, _| left(s, column));
-            let next = (0..n)
-                .filter(|s| !used[*s])
-                .max_by(|a, b| of_column[*a].abs().total_cmp(&of_column[*b].abs()));
-            terms.push([of_column, of_row / pivot]);
-            match next {
-                Some(next) => row = next,
-                None => break,
-            }
+            let (row, column) = (looked_at[at.0], looked_at[at.1]);
+            let known =
+                |s: usize, t: usize| -> f64 { terms.iter().map(|[u, v]| u[s] * v[t]).sum() };
+            let u = DVector::from_fn(n, |s, _| entry(s, column) - known(s, column));
+            let v = DVector::from_fn(n, |t, _| (entry(row, t) - known(row, t)) / pivot);
+            let cross = left.column(at.1) * left.row(at.0) / pivot;
+            left -= cross;
+            terms.push([u, v]);
         }
         let columns = |side: usize| {
             let columns: Vec<_> = terms.iter().map(|term| term[side].clone()).collect();
@@ -84,6 +80,18 @@ impl Products {
             on: columns(1),
         }
     }
+}
+
+/// Numbers below n: all of the first, then ever farther apart, and the last.
+fn spread(n: usize) -> Vec<usize> {
+    let mut numbers = Vec::new();
+    let mut next = 0;
+    while next < n - 1 {
+        numbers.push(next);
+        next += (next / 8).max(1);
+    }
+    numbers.push(n - 1);
+    numbers
 }
 
 /// What all factors of a grid share.
