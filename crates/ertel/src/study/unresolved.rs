@@ -99,7 +99,7 @@ mod tests {
         }
         let line = found.line(3).expect("two");
         assert!(
-            line.starts_with("2 of 3 points have figures that are not resolved, their bars too wide: friction torque in 2, film minimum in 1 ("),
+            line.starts_with("2 of 3 points have figures that are not resolved, their bars too wide: friction torque in 2, minimum film thickness in 1 ("),
             "{line}"
         );
     }
