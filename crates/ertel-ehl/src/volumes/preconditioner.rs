@@ -38,7 +38,7 @@ const DIRECT: usize = 10_000;
 /// Unknowns up to which the coarsest grid of a cycle is factorised: in some milliseconds.
 const COARSEST: usize = 4_000;
 
-/// Nodes of a line from which it has factors of its own: on fewer, 10 to 20 Krylov iterations cost no more than those.
+/// Nodes of a line from which it has factors of its own: on fewer, Krylov iterations cost little, and 10 to 46 of them do.
 const LONG_LINE: usize = 2_000;
 
 /// Unknowns whose rows a thread takes at a time.
