@@ -71,10 +71,10 @@ impl Grid {
         self.n[1] == 1
     }
 
-    /// Size of a cell, m, where a half-width is `length`; one of a line has no end across.
+    /// Size of a cell, m, where a half-width is `length`; one of a line has no end across, nor have those of a roller, whose rows are uneven.
     pub fn cell_size(&self, length: f64) -> [f64; 2] {
         let [along, across] = self.spacing.map(|h| h * length);
-        match self.is_line() {
+        match self.is_line() || self.rows.is_some() {
             true => [along, f64::INFINITY],
             false => [along, across],
         }

@@ -12,8 +12,8 @@ pub struct About {
 /// What of the heat of a contact decides.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HeatAbout {
-    /// A roller of finite length.
-    pub is_roller: bool,
+    /// A roller whose surfaces slide along its axis.
+    pub slides_along_roller: bool,
     /// A body spins about the normal of the contact.
     pub spins: bool,
     /// Conductivity or heat capacity of a body change with its temperature.
@@ -31,8 +31,8 @@ pub fn why_not(about: &About) -> Option<&'static str> {
             "need half-spaces, no finite-element bodies",
         ),
         (
-            heat.is_roller,
-            "do not solve for the heat of rollers of finite length",
+            heat.slides_along_roller,
+            "do not solve for the heat of rollers that slide along their axis",
         ),
         (heat.spins, "do not solve for the heat of bodies that spin"),
         (
@@ -64,7 +64,7 @@ mod tests {
         assert_eq!(why_not(&about(None)), None);
         assert_eq!(why_not(&about(Some(HeatAbout::default()))), None);
         let roller = HeatAbout {
-            is_roller: true,
+            slides_along_roller: true,
             ..HeatAbout::default()
         };
         assert!(why_not(&about(Some(roller))).is_some_and(|reason| reason.contains("roller")));

@@ -398,7 +398,8 @@ fn heat_about(case: &Case) -> Option<volumes::HeatAbout> {
             || differs(&|t| body.heat_capacity.heat_capacity(0.0, t))
     };
     Some(volumes::HeatAbout {
-        is_roller: case.contact.kind == ContactKind::Roller,
+        slides_along_roller: case.contact.kind == ContactKind::Roller
+            && case.motion.slide_to_roll_ratio_across != 0.0,
         spins: case.motion.spin != [0.0; 2],
         bodies_vary: heat.is_some_and(|heat| varies(&heat.body_1) || varies(&heat.body_2)),
         asks_for_bodies: params.field,

@@ -102,10 +102,12 @@ pub struct Below {
     pub body: MovingBody,
     /// What its temperature is made of.
     pub modes: Modes,
-    /// Size of a cell, m.
+    /// Size of a cell, m; without an end across where all is the same, and where shapes of a roller tell it.
     pub cell: [f64; 2],
     /// Transforms on the grid.
     pub transforms: Padded,
+    /// Half-width, m.
+    pub length: f64,
 }
 
 impl Below {
@@ -117,6 +119,7 @@ impl Below {
             transforms: Padded::new(grid),
             body,
             cell,
+            length,
         }
     }
 
@@ -175,16 +178,16 @@ struct Along {
     rate: Complex64,
     /// e to the power of minus that times `counted`.
     decay: Complex64,
-    /// Transform of a cell, over the heat capacity and the number of nodes, m³·K/J.
+    /// Transform of a cell, over the heat capacity and the gain of the transforms, m³·K/J.
     cell: f64,
 }
 
 /// A wave of a mode over a time.
 struct Wave {
     k: usize,
-    /// Transform of a cell, over the heat capacity and the number of nodes, m³·K/J.
+    /// Transform of a cell, over the heat capacity and the gain of the transforms, m³·K/J.
     cell: f64,
-    /// e^{−zΔ} over the number of nodes; 0 where all has left.
+    /// e^{−zΔ} over the gain of the transforms; 0 where all has left.
     decay: Complex64,
     /// I_0, s.
     whole: Complex64,
@@ -210,10 +213,10 @@ impl<'a> Over<'a> {
             body,
             cell,
             transforms,
+            length,
             ..
         } = below;
-        let [px, py] = transforms.padded();
-        let each = 1.0 / (px * py) as f64;
+        let each = 1.0 / transforms.gain();
         let of_wave = |k: usize| {
             let (turns, is_shortest) = transforms.wave(k);
             let [kx, ky] = [0, 1].map(|d: usize| turns[d] / cell[d]);
@@ -222,7 +225,8 @@ impl<'a> Over<'a> {
                 true => 0.0,
                 false => turns[d] / cell[d] * velocity[d],
             };
-            let spread = body.diffusivity() * (kx * kx + ky * ky);
+            let axial = transforms.across(k) / (length * length);
+            let spread = body.diffusivity() * (kx * kx + ky * ky + axial);
             let rate = Complex64::new(spread, passing(0) + passing(1));
             Along {
                 rate,
@@ -245,8 +249,7 @@ impl<'a> Over<'a> {
 
     /// Something of each wave of a mode, in the order of a spectrum.
     fn map(&self, rate: f64, of: impl Fn(&Wave) -> Complex64 + Sync) -> Vec<Complex64> {
-        let [px, py] = self.below.transforms.padded();
-        let each = 1.0 / (px * py) as f64;
+        let each = 1.0 / self.below.transforms.gain();
         let t = self.counted;
         let forgotten = (-rate * t).exp();
         let is_left = self.duration <= t;
@@ -301,7 +304,6 @@ impl<'a> Over<'a> {
         } = self.below;
         let at_once = modes.at_once / body.capacity;
         let mut symbol = vec![Complex64::default(); transforms.n_waves()];
-        let [px, py] = transforms.padded();
         for [rate, weight] in &modes.each {
             let own = self.map(*rate, |at| weight * at.cell * (at.whole - at.before));
             for (sum, own) in symbol.iter_mut().zip(own) {
@@ -309,7 +311,7 @@ impl<'a> Over<'a> {
             }
         }
         for value in &mut symbol {
-            *value += at_once / (px * py) as f64;
+            *value += at_once / transforms.gain();
         }
         Spreading::of_symbol(transforms.clone(), symbol)
     }

@@ -10,6 +10,7 @@
 //! | module | what |
 //! |---|---|
 //! | [`source`] | temperature of a moving body by the heat that flows into cells |
+//! | [`axial`] | shapes along the axis of a roller |
 //! | [`spreading`] | the same on a grid, by fast Fourier transforms |
 //! | [`padded`] | the transforms themselves |
 //! | [`memory`] | what the bodies remember in time |
@@ -23,6 +24,7 @@
 //!
 //! Theory: Heat by finite volumes.
 
+pub mod axial;
 pub mod columns;
 pub mod figures;
 pub mod memory;

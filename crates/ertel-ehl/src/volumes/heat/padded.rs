@@ -1,4 +1,5 @@
-//! Fourier transforms of what stands at the nodes of a grid, with room beside it: what goes round it ends there.
+//! Fourier transforms of what stands at the nodes of a grid, with room beside it: what goes round it ends there. Along the axis of a roller shapes of its rows stand
+//! in the place of waves.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -8,6 +9,7 @@ use realfft::num_complex::Complex64;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::Fft;
 
+use super::axial::AxialShapes;
 use crate::volumes::grid::Grid;
 
 /// Transforms on a grid at least twice as long along both directions, of a line along the motion.
@@ -16,11 +18,20 @@ pub struct Padded {
     /// Nodes of the grid, and whether its last row is the centreline of a mirrored half.
     n: [usize; 2],
     half: bool,
-    /// Nodes with the room beside them.
+    /// Nodes with the room beside them; across a roller, its shapes.
     padded: [usize; 2],
     forward: Arc<dyn RealToComplex<f64>>,
     backward: Arc<dyn ComplexToReal<f64>>,
-    along: [Arc<dyn Fft<f64>>; 2],
+    across: Across,
+}
+
+/// What stands for values along a column.
+#[derive(Clone)]
+enum Across {
+    /// Waves, there and back.
+    Waves([Arc<dyn Fft<f64>>; 2]),
+    /// Shapes of the rows of a roller.
+    Shapes(Arc<AxialShapes>),
 }
 
 /// Rows and waves that a thread takes at a time.
@@ -52,25 +63,47 @@ impl Padded {
         let n = grid.n;
         let rows = if grid.half { 2 * n[1] - 1 } else { n[1] };
         // A line is the same in all rows: one stands for them.
-        let padded = match grid.is_line() {
-            true => [smooth(2 * n[0]), 1],
-            false => [2 * n[0], 2 * rows].map(smooth),
+        let shapes = (grid.rows.as_ref()).map(|rows| Arc::new(AxialShapes::new(rows, grid.half)));
+        let padded = match (grid.is_line(), &shapes) {
+            (true, _) => [smooth(2 * n[0]), 1],
+            (false, None) => [2 * n[0], 2 * rows].map(smooth),
+            (false, Some(shapes)) => [smooth(2 * n[0]), shapes.n()],
         };
         let mut planner = RealFftPlanner::<f64>::new();
         let forward = planner.plan_fft_forward(padded[0]);
         let backward = planner.plan_fft_inverse(padded[0]);
         let mut complex = rustfft::FftPlanner::<f64>::new();
-        let along = [
-            complex.plan_fft_forward(padded[1]),
-            complex.plan_fft_inverse(padded[1]),
-        ];
+        let across = match shapes {
+            Some(shapes) => Across::Shapes(shapes),
+            None => Across::Waves([
+                complex.plan_fft_forward(padded[1]),
+                complex.plan_fft_inverse(padded[1]),
+            ]),
+        };
         Padded {
             n,
             half: grid.half,
             padded,
             forward,
             backward,
-            along,
+            across,
+        }
+    }
+
+    /// Shapes along the axis of a roller.
+    pub fn shapes(&self) -> Option<&AxialShapes> {
+        match &self.across {
+            Across::Waves(_) => None,
+            Across::Shapes(shapes) => Some(shapes),
+        }
+    }
+
+    /// By how much values have grown that have gone there and back.
+    pub fn gain(&self) -> f64 {
+        let [px, py] = self.padded;
+        match &self.across {
+            Across::Waves(_) => (px * py) as f64,
+            Across::Shapes(_) => px as f64,
         }
     }
 
@@ -80,7 +113,7 @@ impl Padded {
         [nx, if self.half { 2 * ny - 1 } else { ny }]
     }
 
-    /// Nodes along both directions with the room beside them.
+    /// Nodes along both directions with the room beside them; across a roller, its shapes.
     pub fn padded(&self) -> [usize; 2] {
         self.padded
     }
@@ -95,10 +128,14 @@ impl Padded {
         self.waves() * self.padded[1]
     }
 
-    /// Radians from node to node along both directions of the wave at each place of a spectrum, and whether a wave of two nodes is among them.
+    /// Radians from node to node along both directions of the wave at each place of a spectrum, and whether a wave of two nodes is among them. Shapes of a roller have none
+    /// across.
     pub fn wave(&self, k: usize) -> ([f64; 2], [bool; 2]) {
         let [px, py] = self.padded;
-        let (i, j) = (k / py, k % py);
+        let (i, j) = match self.across {
+            Across::Waves(_) => (k / py, k % py),
+            Across::Shapes(_) => (k / py, 0),
+        };
         let signed = if 2 * j > py {
             j as f64 - py as f64
         } else {
@@ -111,6 +148,14 @@ impl Padded {
             ],
             [2 * i == px, 2 * j == py],
         )
+    }
+
+    /// κ² of the shape at a place of a spectrum, over half-widths squared; 0 of waves.
+    pub fn across(&self, k: usize) -> f64 {
+        match &self.across {
+            Across::Waves(_) => 0.0,
+            Across::Shapes(shapes) => shapes.squares()[k % self.padded[1]],
+        }
     }
 
     /// The transform of values at the nodes of the grid, a line of waves across for each wave along the rows.
@@ -149,6 +194,14 @@ impl Padded {
             .enumerate()
             .with_min_len(ROWS)
             .for_each(|(k, line)| {
+                let along = match &self.across {
+                    Across::Waves([along, _]) => along,
+                    Across::Shapes(shapes) => {
+                        let own: Vec<Complex64> = (0..ny).map(|j| rows[j * waves + k]).collect();
+                        shapes.parts(&own, line);
+                        return;
+                    }
+                };
                 for j in 0..ny {
                     line[j] = rows[j * waves + k];
                 }
@@ -164,17 +217,15 @@ impl Padded {
                 for (m, share) in after.iter().enumerate() {
                     line[covered + m] = line[covered - 1] * share;
                 }
-                self.along[0].process(line);
+                along.process(line);
             });
         lines
     }
 
-    /// Values at the nodes of the grid, times the number of nodes with the room beside them.
-    pub fn values(&self, mut lines: Vec<Complex64>) -> Vec<f64> {
-        let ([nx, ny], [_, py], waves) = (self.n, self.padded, self.waves());
-        (lines.par_chunks_exact_mut(py))
-            .with_min_len(ROWS)
-            .for_each(|line| self.along[1].process(line));
+    /// Values at the nodes of the grid, times the gain.
+    pub fn values(&self, lines: Vec<Complex64>) -> Vec<f64> {
+        let ([nx, ny], waves) = (self.n, self.waves());
+        let (lines, py) = self.columns(lines);
         let mut values = vec![0.0; nx * ny];
         (values.par_chunks_exact_mut(nx))
             .enumerate()
@@ -200,32 +251,59 @@ impl Padded {
         values
     }
 
-    /// The transform of a response at the offsets between nodes, row by row, over the number of nodes with the room beside them.
+    /// Columns of nodes for each wave along the rows, and how many numbers each has.
+    fn columns(&self, mut lines: Vec<Complex64>) -> (Vec<Complex64>, usize) {
+        let [ny, py] = [self.n[1], self.padded[1]];
+        match &self.across {
+            Across::Waves([_, back]) => {
+                (lines.par_chunks_exact_mut(py))
+                    .with_min_len(ROWS)
+                    .for_each(|line| back.process(line));
+                (lines, py)
+            }
+            Across::Shapes(shapes) => {
+                let mut columns = vec![Complex64::default(); self.waves() * ny];
+                (columns.par_chunks_exact_mut(ny))
+                    .zip(lines.par_chunks_exact(py))
+                    .with_min_len(ROWS)
+                    .for_each(|(column, parts)| shapes.line(parts, column));
+                (columns, ny)
+            }
+        }
+    }
+
+    /// The transform of a response at the offsets between nodes, row by row, over the gain. Of shapes of a roller: the response at the offsets along the rows, shape by shape.
     pub fn of_response(&self, response: &[f64]) -> Vec<Complex64> {
         let [px, py] = self.padded;
         let reach = self.covered().map(|n| n - 1);
         let width = 2 * reach[0] + 1;
+        let gain = self.gain();
         let mut symbol = vec![Complex64::default(); self.n_waves()];
         let (mut row, mut out) = (
             self.forward.make_input_vec(),
             self.forward.make_output_vec(),
         );
-        for j in 0..2 * reach[1] + 1 {
+        for (j, values) in response.chunks_exact(width).enumerate() {
             row.fill(0.0);
-            for i in 0..width {
-                row[(i + px - reach[0]) % px] = response[j * width + i];
+            for (i, value) in values.iter().enumerate() {
+                row[(i + px - reach[0]) % px] = *value;
             }
             self.forward
                 .process(&mut row, &mut out)
                 .expect("lengths agree");
+            let place = match &self.across {
+                Across::Waves(_) => (j + py - reach[1]) % py,
+                Across::Shapes(_) => j,
+            };
             for (k, value) in out.iter().enumerate() {
-                symbol[k * py + (j + py - reach[1]) % py] = *value / (px * py) as f64;
+                symbol[k * py + place] = *value / gain;
             }
         }
-        symbol
-            .par_chunks_exact_mut(py)
-            .with_min_len(ROWS)
-            .for_each(|line| self.along[0].process(line));
+        if let Across::Waves([along, _]) = &self.across {
+            (symbol.par_chunks_exact_mut(py))
+                .with_min_len(ROWS)
+                .for_each(|line| along.process(line));
+        }
         symbol
     }
 }

@@ -102,37 +102,70 @@ impl MovingBody {
         }
     }
 
+    /// Gauss points in time of instantaneous sources in such cells, with √t and the weight of each, 2 θ(t) d√t/ρc√(πχ).
+    fn times(&self, size: [f64; 2], farthest: [f64; 2]) -> Vec<[f64; 2]> {
+        let rule = Quadrature::simplex(1, 2 * POINTS - 1);
+        let unit = self.capacity * (PI * self.diffusivity()).sqrt();
+        let panels = self.panels(size, farthest);
+        let points = panels.windows(2).flat_map(|ends| {
+            let [low, high] = [ends[0], ends[1]].map(f64::sqrt);
+            (rule.points.iter().zip(&rule.weights)).map(move |(x, w)| {
+                let root = low + (high - low) * x[0];
+                // dt/√t = 2 d√t
+                let weight = 2.0 * w * (high - low) * self.memory(root * root) / unit;
+                [root, weight]
+            })
+        });
+        points.collect()
+    }
+
     /// Rise of the surface temperature, K/(W/m²), of the cells at offsets from one that takes in heat: −n ≤ i ≤ n along the first direction, −m ≤ j ≤ m along the
     /// second, row by row. Cells are `size` m wide; those of a line contact have no end across.
     pub fn response(&self, size: [f64; 2], [n, m]: [usize; 2]) -> Vec<f64> {
-        let chi = self.diffusivity();
         let counts = [2 * n + 1, 2 * m + 1];
         let farthest = [0, 1].map(|d: usize| match size[d].is_finite() {
             true => [n, m][d] as f64 * size[d],
             false => f64::INFINITY,
         });
-        let rule = Quadrature::simplex(1, 2 * POINTS - 1);
         let mut response = vec![0.0; counts[0] * counts[1]];
         let mut shares = counts.map(|n| vec![0.0; n]);
-        for ends in self.panels(size, farthest).windows(2) {
-            let [low, high] = [ends[0], ends[1]].map(f64::sqrt);
-            for (x, w) in rule.points.iter().zip(&rule.weights) {
-                let root = low + (high - low) * x[0];
-                let time = root * root;
-                // dt/√t = 2 d√t
-                let weight = 2.0 * w * (high - low) * self.memory(time)
-                    / (self.capacity * (PI * chi).sqrt());
-                let [over_row, over_rows] = &mut shares;
-                let [x, y] = self.velocity.map(|u| u * time);
-                let width = (4.0 * chi).sqrt() * root;
-                let along = Covered::new(over_row, size[0], x, width);
-                let across = Covered::new(over_rows, size[1], y, width);
-                let rows = response.chunks_exact_mut(counts[0]).skip(across.first);
-                for (row, share) in rows.zip(across.shares) {
-                    let factor = weight * share;
-                    for (sum, share) in row[along.first..].iter_mut().zip(along.shares) {
-                        *sum += factor * share;
-                    }
+        for [root, weight] in self.times(size, farthest) {
+            let [over_row, over_rows] = &mut shares;
+            let [x, y] = self.velocity.map(|u| u * root * root);
+            let width = (4.0 * self.diffusivity()).sqrt() * root;
+            let along = Covered::new(over_row, size[0], x, width);
+            let across = Covered::new(over_rows, size[1], y, width);
+            let rows = response.chunks_exact_mut(counts[0]).skip(across.first);
+            for (row, share) in rows.zip(across.shares) {
+                let factor = weight * share;
+                for (sum, share) in row[along.first..].iter_mut().zip(along.shares) {
+                    *sum += factor * share;
+                }
+            }
+        }
+        response
+    }
+
+    /// The same of heat that varies across the motion like shapes that keep their form, Y = e^{−χκ²t}: at −n ≤ i ≤ n along the rows, for each κ² of `squares`, 1/m². The
+    /// body moves along the rows alone.
+    pub fn response_to_shapes(&self, size: f64, n: usize, squares: &[f64]) -> Vec<f64> {
+        let count = 2 * n + 1;
+        let chi = self.diffusivity();
+        let mut response = vec![0.0; count * squares.len()];
+        let mut over_row = vec![0.0; count];
+        let farthest = [n as f64 * size, f64::INFINITY];
+        for [root, weight] in self.times([size, f64::INFINITY], farthest) {
+            let time = root * root;
+            let width = (4.0 * chi).sqrt() * root;
+            let along = Covered::new(&mut over_row, size, self.velocity[0] * time, width);
+            for (row, square) in response.chunks_exact_mut(count).zip(squares) {
+                let spread = chi * square * time;
+                if spread > FORGOTTEN {
+                    continue;
+                }
+                let factor = weight * (-spread).exp();
+                for (sum, share) in row[along.first..].iter_mut().zip(along.shares) {
+                    *sum += factor * share;
                 }
             }
         }
@@ -268,6 +301,33 @@ mod tests {
             );
         assert_relative_eq!(largest * unit, 0.785_983_4, max_relative = 3e-3);
         assert!(((at as f64 + 0.5 - 200.0) / 200.0 - 0.6522).abs() < 0.01);
+    }
+
+    /// Heat that varies along one direction like cos κy is a sum of cells along it; a body that moves across them, at rest and fast.
+    #[test]
+    fn shapes_are_sums_of_cells() {
+        let (h, n) = (2e-5, 12);
+        for speed in [0.0, 0.3, -3.0] {
+            let body = steel([speed, 0.0], 3e-4);
+            let wavelength = 8.0;
+            let turn = 2.0 * PI / wavelength;
+            let far = 160;
+            let cells = body.response([h; 2], [n, far]);
+            let count = 2 * n + 1;
+            let kappa = turn / h;
+            let shape = body.response_to_shapes(h, n, &[0.0, kappa * kappa]);
+            for i in 0..count {
+                let sum: f64 = (0..=2 * far)
+                    .map(|j| cells[j * count + i] * (turn * (j as f64 - far as f64)).cos())
+                    .sum();
+                // A wave that is level in each cell is smaller by sin(x)/x.
+                let level = sum / ((0.5 * turn).sin() / (0.5 * turn));
+                let size = shape[count + n].abs();
+                assert!((shape[count + i] - level).abs() < 1e-3 * size, "{speed} {i}");
+                let line = body.response([h, f64::INFINITY], [n, 0]);
+                assert_relative_eq!(shape[i], line[i], max_relative = 1e-12);
+            }
+        }
     }
 
     /// A square at rest on a half-space has ln(1 + √2) 4/π of q h/2k at its middle (Carslaw and Jaeger 1959, section 10.5), where the depth is 300 times its width; and a wide layer of

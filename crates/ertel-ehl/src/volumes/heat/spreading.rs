@@ -1,7 +1,7 @@
 //! Temperatures of the surfaces of both bodies on a grid by the heat that flows into them, by fast Fourier transforms.
 //!
 //! ```text
-//!   T_i = Σ_j K_{i−j} q_j         K the response of a moving body to heat in a cell (see [`super::source`])
+//!   T_i = Σ_j K_{i−j} q_j         K the response of a moving body to heat in a cell (see [`super::source`]); along a roller, of each shape [`super::axial`]
 //! ```
 
 use rayon::prelude::*;
@@ -14,7 +14,7 @@ use crate::volumes::grid::Grid;
 /// Spreading of heat in one body under a grid.
 pub struct Spreading {
     transforms: Padded,
-    /// Transform of K, over the number of nodes.
+    /// Transform of K, over the gain of the transforms.
     symbol: Vec<Complex64>,
 }
 
@@ -23,14 +23,21 @@ impl Spreading {
     pub fn new(grid: &Grid, body: &MovingBody, length: f64) -> Spreading {
         let transforms = Padded::new(grid);
         let size = grid.cell_size(length);
-        let response = body.response(size, transforms.covered().map(|n| n - 1));
+        let reach = transforms.covered().map(|n| n - 1);
+        let response = match transforms.shapes() {
+            None => body.response(size, reach),
+            Some(shapes) => {
+                let squares = shapes.squares().iter().map(|k| k / (length * length));
+                body.response_to_shapes(size[0], reach[0], &squares.collect::<Vec<f64>>())
+            }
+        };
         Spreading {
             symbol: transforms.of_response(&response),
             transforms,
         }
     }
 
-    /// By the transform of K, over the number of nodes.
+    /// By the transform of K, over the gain of the transforms.
     pub fn of_symbol(transforms: Padded, symbol: Vec<Complex64>) -> Spreading {
         Spreading { transforms, symbol }
     }

@@ -210,10 +210,12 @@ pub fn solve<'a>(
     let residual = Flow::new(&of, &columns, &at.faces).residual(temperature);
     let mut heated = own.temperatures.clone();
     note_flux(&residual, transport.unknown(), of.nodes(), &mut heated);
-    let ratio = grid.spacing[1] / grid.spacing[0];
     let near = grid.nodes().map(|[i, j]| {
         let [x, y] = grid.on_axes(i, j);
-        x.hypot(y / ratio) < NEAR
+        match &grid.rows {
+            None => x.hypot(y * grid.spacing[0] / grid.spacing[1]) < NEAR,
+            Some(_) => x.abs() < NEAR && !grid.is_end(j),
+        }
     });
     let mut coupled = Coupled {
         near: near.collect(),

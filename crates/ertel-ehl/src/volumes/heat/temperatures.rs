@@ -117,7 +117,8 @@ pub fn within_edges(grid: &Grid, flux: &[f64]) -> Vec<f64> {
         row[0] *= 0.5;
         row[nx - 1] *= 0.5;
     }
-    if grid.is_line() {
+    // A row of a roller stands for what it does.
+    if grid.is_line() || grid.rows.is_some() {
         return flux;
     }
     flux[..nx].iter_mut().for_each(|q| *q *= 0.5);

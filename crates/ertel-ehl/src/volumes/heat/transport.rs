@@ -1,7 +1,8 @@
 //! What flows from node to node, and the temperatures that follow from those of the walls.
 //!
 //! ```text
-//!   C = c [H ρ̄ ∂T/∂t + Σ_f m_f (T_f − T_P) + ω ∂T/∂s],   T_f = T_u + ½(T_u − T_uu)       second-order upwind at each height (Warming and Beam 1976)
+//!   C = c [H ρ̄ ∂T/∂t + Σ_f m_f (T_f − T_P) + ω ∂T/∂s],   T_f = T_u + a(T_u − T_uu)       second-order upwind at each height (Warming and Beam 1976)
+//!   a = ½ step to the next node/step from the one before: ½ but across a roller, whose rows are uneven
 //!   ω(s) = −Σ_f ∫_{−½}^s m_f ds' + (s + ½) Σ_f ∫ m_f ds                        mass flow across the film
 //! ```
 //! The first term of C is there in time alone. m_f is the mean of both nodes, scaled to the mass flow F that the film equation has for the face: what flows in at a height, flows out or to other heights, and
@@ -52,6 +53,8 @@ struct Side {
     /// The node beyond it, the next one, and the one behind the node itself.
     next: [usize; 2],
     behind: usize,
+    /// a of what flows in and of what flows out.
+    ahead: [f64; 2],
 }
 
 fn sides_of(grid: &Grid, k: usize) -> [Side; 4] {
@@ -68,6 +71,19 @@ fn sides_of(grid: &Grid, k: usize) -> [Side; 4] {
         false => i + nx * row((j as i64 + dj) as usize),
     };
     let own = sides(grid, k);
+    // Steps between the node behind, the node, the next one and the one beyond it.
+    let ahead = |towards: bool, direction: usize| match (&grid.rows, direction) {
+        (Some(rows), 1) => {
+            let step = |j: i64| rows.step(row(j as usize).min(row((j + 1) as usize)));
+            let j = j as i64;
+            let [behind, own, beyond] = match towards {
+                true => [step(j - 1), step(j), step(j + 1)],
+                false => [step(j), step(j - 1), step(j - 2)],
+            };
+            [0.5 * own / beyond, 0.5 * own / behind]
+        }
+        _ => [0.5; 2],
+    };
     let reach = [
         ([along(1), along(2)], along(-1)),
         ([along(-1), along(-2)], along(1)),
@@ -80,6 +96,7 @@ fn sides_of(grid: &Grid, k: usize) -> [Side; 4] {
         weight: own[s].weight,
         next: reach[s].0,
         behind: reach[s].1,
+        ahead: ahead(s % 2 == 0, own[s].direction),
     })
 }
 
@@ -223,7 +240,7 @@ impl<'a> Flow<'a> {
             let flow = &self.through[side.direction][side.face * h..][..h];
             for l in 0..h {
                 let out = side.weight * flow[l];
-                diagonal[l] += if out > 0.0 { 0.5 * out } else { -out };
+                diagonal[l] += if out > 0.0 { side.ahead[1] * out } else { -out };
                 outflow += self.heights.weights()[l] * out;
                 for (m, up) in up[..h].iter_mut().enumerate() {
                     *up -= self.heights.below()[m][l] * out;
@@ -268,9 +285,10 @@ impl<'a> Flow<'a> {
             let behind = &at_heights[side.behind * h..][..h];
             for l in 0..h {
                 let out = side.weight * flow[l];
+                let [inwards, outwards] = side.ahead;
                 sums[l] += match out > 0.0 {
-                    true => -0.5 * out * behind[l],
-                    false => out * (1.5 * next[l] - 0.5 * second[l]),
+                    true => -outwards * out * behind[l],
+                    false => out * ((1.0 + inwards) * next[l] - inwards * second[l]),
                 };
             }
         }
