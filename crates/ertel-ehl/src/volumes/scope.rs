@@ -12,10 +12,10 @@ pub struct About {
 /// What of the heat of a contact decides.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HeatAbout {
-    /// A roller whose surfaces slide along its axis.
+    /// A roller whose surfaces slide along its axis or spin.
     pub slides_along_roller: bool,
-    /// A body spins about the normal of the contact.
-    pub spins: bool,
+    /// A body spins so fast that the point about which it turns lies near the contact.
+    pub turns_nearby: bool,
     /// Conductivity or heat capacity of a body change with its temperature.
     pub bodies_vary: bool,
     /// Temperatures within the bodies are asked for.
@@ -32,9 +32,12 @@ pub fn why_not(about: &About) -> Option<&'static str> {
         ),
         (
             heat.slides_along_roller,
-            "do not solve for the heat of rollers that slide along their axis",
+            "do not solve for the heat of rollers whose surfaces slide along the axis or spin",
         ),
-        (heat.spins, "do not solve for the heat of bodies that spin"),
+        (
+            heat.turns_nearby,
+            "do not solve for the heat of a body whose spin moves the edge of the contact at more than half of its speed at the centre",
+        ),
         (
             heat.bodies_vary,
             "do not solve for the heat of bodies whose conductivity or heat capacity changes with temperature",
@@ -68,10 +71,10 @@ mod tests {
             ..HeatAbout::default()
         };
         assert!(why_not(&about(Some(roller))).is_some_and(|reason| reason.contains("roller")));
-        let spins = HeatAbout {
-            spins: true,
+        let turns = HeatAbout {
+            turns_nearby: true,
             ..HeatAbout::default()
         };
-        assert!(why_not(&about(Some(spins))).is_some_and(|reason| reason.contains("spin")));
+        assert!(why_not(&about(Some(turns))).is_some_and(|reason| reason.contains("spin")));
     }
 }

@@ -399,10 +399,23 @@ fn heat_about(case: &Case) -> Option<volumes::HeatAbout> {
     };
     Some(volumes::HeatAbout {
         slides_along_roller: case.contact.kind == ContactKind::Roller
-            && case.motion.slide_to_roll_ratio_across != 0.0,
-        spins: case.motion.spin != [0.0; 2],
+            && !case.motion.is_straight(),
+        turns_nearby: turns_nearby(case),
         bodies_vary: heat.is_some_and(|heat| varies(&heat.body_1) || varies(&heat.body_2)),
         asks_for_bodies: params.field,
+    })
+}
+
+/// Largest speed by its spin at the edge of the Hertz zone over that of a body at the centre up to which finite volumes solve for its heat.
+const MOST_TURN: f64 = 0.5;
+
+/// Whether the point about which a body turns lies near the contact.
+fn turns_nearby(case: &Case) -> bool {
+    let hertz = case.hertz();
+    let reach = (hertz.half_width).max(hertz.half_width_y.unwrap_or(0.0));
+    case.motion.surfaces(reach).iter().any(|body| {
+        let [u, v] = body.centre;
+        body.spin.abs() > MOST_TURN * u.hypot(v)
     })
 }
 

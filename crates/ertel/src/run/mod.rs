@@ -164,7 +164,7 @@ fn solve_here(
 const ELEMENTS_UP_TO: [f64; 2] = [1500.0, 11.0];
 
 /// The method that a case asks for, or else the one that takes less time: finite volumes for circular and elliptical contacts and rollers of finite length that they
-/// solve. Finite elements for lines, for what has heat, and for circles that are thinned by a power of the stress, unless their films are thin, or so thick that
+/// solve. Finite elements for lines, for what has heat but rollers, and for circles that are thinned by a power of the stress, unless their films are thin, or so thick that
 /// pressures far away count, or their viscosities steep.
 pub fn first_method(case: &Case) -> Method {
     if let Some(method) = case.solver.method {
@@ -173,8 +173,9 @@ pub fn first_method(case: &Case) -> Method {
     if !case.standing_reliefs().is_empty() {
         return Method::FiniteVolumes;
     }
-    // Where heat counts, both take as long for contacts that both solve.
-    let is_left = case.thermal().is_some() || finite_volumes_refuse(case).is_some();
+    // Where heat counts, both take as long for contacts that both solve, but for rollers, whose ends and middle elements of one size do not resolve.
+    let is_warm = case.thermal().is_some() && case.contact.kind != ContactKind::Roller;
+    let is_left = is_warm || finite_volumes_refuse(case).is_some();
     // Elements of high order that are small at the spike alone take less time for a line.
     if asks_for_elements(case) || is_left || case.contact.kind.is_line() {
         return Method::FiniteElements;

@@ -471,7 +471,7 @@ mod tests {
             let grid = grid(half);
             let below = below(&grid, peclet);
             let heat = bell(&grid);
-            let steady = Spreading::new(&grid, &below.body, A).apply(&heat);
+            let steady = Spreading::new(&grid, &below.body, A, 0.0).apply(&heat);
             let differs = |own: &[f64]| {
                 let errors: Vec<f64> = own.iter().zip(&steady).map(|(a, b)| a - b).collect();
                 largest(&errors) / largest(&steady)

@@ -12,6 +12,7 @@
 //! | [`source`] | temperature of a moving body by the heat that flows into cells |
 //! | [`axial`] | shapes along the axis of a roller |
 //! | [`spreading`] | the same on a grid, by fast Fourier transforms |
+//! | [`turning`] | bodies that spin, drawn out |
 //! | [`padded`] | the transforms themselves |
 //! | [`memory`] | what the bodies remember in time |
 //! | [`columns`] | the energy equation of the film over each node |
@@ -36,6 +37,7 @@ pub mod spreading;
 pub mod tangents;
 pub mod temperatures;
 pub mod transport;
+pub mod turning;
 pub mod warmth;
 
 pub use rounds::{Params, Warm};

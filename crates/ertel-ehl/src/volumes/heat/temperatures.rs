@@ -48,6 +48,8 @@ pub struct Bodies {
     own: [MovingBody; 2],
     /// Their depth, half-widths.
     pub depth: f64,
+    /// Rates at which they spin, m/s over a half-width.
+    spins: [f64; 2],
     /// Size of a cell, m.
     cell: [f64; 2],
     spreading: [Arc<Spreading>; 2],
@@ -72,14 +74,20 @@ impl Bodies {
     pub fn new(grid: &Grid, heat: &Heat, depth: f64, others: Option<&Bodies>) -> Bodies {
         let own = [0, 1].map(|b: usize| moving_body(heat, b, grid, depth));
         let cell = grid.cell_size(heat.length);
+        let spins = [0, 1].map(|b: usize| heat.bodies[b].velocity.spin);
         Bodies {
             spreading: [0, 1].map(|b: usize| match others {
-                Some(others) if others.own[b] == own[b] && others.cell == cell => {
+                Some(others)
+                    if others.own[b] == own[b]
+                        && others.spins[b] == spins[b]
+                        && others.cell == cell =>
+                {
                     Arc::clone(&others.spreading[b])
                 }
-                _ => Arc::new(Spreading::new(grid, &own[b], heat.length)),
+                _ => Arc::new(Spreading::new(grid, &own[b], heat.length, spins[b])),
             }),
             outer: [0, 1].map(|b: usize| vec![heat.bodies[b].bulk_temperature; grid.n_nodes()]),
+            spins,
             cell,
             own,
             depth,
@@ -97,6 +105,7 @@ impl Bodies {
         Bodies {
             own: [0, 1].map(|b: usize| moving_body(heat, b, grid, depth)),
             spreading: spreading.map(Arc::new),
+            spins: [0.0; 2],
             cell: grid.cell_size(heat.length),
             outer,
             depth,
