@@ -398,8 +398,7 @@ fn heat_about(case: &Case) -> Option<volumes::HeatAbout> {
             || differs(&|t| body.heat_capacity.heat_capacity(0.0, t))
     };
     Some(volumes::HeatAbout {
-        slides_along_roller: case.contact.kind == ContactKind::Roller
-            && !case.motion.is_straight(),
+        slides_along_roller: case.contact.kind == ContactKind::Roller && !case.motion.is_straight(),
         turns_nearby: turns_nearby(case),
         bodies_vary: heat.is_some_and(|heat| varies(&heat.body_1) || varies(&heat.body_2)),
         asks_for_bodies: params.field,

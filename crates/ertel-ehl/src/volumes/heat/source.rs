@@ -323,7 +323,10 @@ mod tests {
                 // A wave that is level in each cell is smaller by sin(x)/x.
                 let level = sum / ((0.5 * turn).sin() / (0.5 * turn));
                 let size = shape[count + n].abs();
-                assert!((shape[count + i] - level).abs() < 1e-3 * size, "{speed} {i}");
+                assert!(
+                    (shape[count + i] - level).abs() < 1e-3 * size,
+                    "{speed} {i}"
+                );
                 let line = body.response([h, f64::INFINITY], [n, 0]);
                 assert_relative_eq!(shape[i], line[i], max_relative = 1e-12);
             }

@@ -85,9 +85,8 @@ impl Turning {
         let [sin, cos] = [sign * x, sign * (self.radius - y)];
         let angle = sin.atan2(cos);
         let distance = sin.hypot(cos);
-        let turned = angle * sign;
         (angle.abs() < FARTHEST && distance > 0.0)
-            .then(|| self.joined([turned * self.radius, self.radius - sign * distance]))
+            .then(|| self.joined([angle * self.radius, self.radius - sign * distance]))
     }
 
     /// r of X; `None` on the other side of c.
@@ -190,7 +189,10 @@ mod tests {
                 let later = {
                     let [x, y] = place;
                     let dt = 1e-6;
-                    [x + dt * (velocity[0] - spin * y), y + dt * (velocity[1] + spin * x)]
+                    [
+                        x + dt * (velocity[0] - spin * y),
+                        y + dt * (velocity[1] + spin * x),
+                    ]
                 };
                 let moved = turning.drawn_out(later).unwrap();
                 for d in 0..2 {
@@ -208,12 +210,18 @@ mod tests {
             let grid = grid(h);
             let turning = Turning::new(&grid, [1.0, 0.2], 0.4).unwrap();
             let bell = |[x, y]: [f64; 2]| (-2.0 * (x * x + y * y)).exp();
-            let values: Vec<f64> = grid.nodes().map(|[i, j]| bell(grid.on_axes(i, j))).collect();
+            let values: Vec<f64> = grid
+                .nodes()
+                .map(|[i, j]| bell(grid.on_axes(i, j)))
+                .collect();
             let back = turning.draw_back(&turning.draw_out(&values));
             (back.iter().zip(&values))
                 .map(|(a, b)| (a - b).abs())
                 .fold(0.0, f64::max)
         });
-        assert!(errors[1] < 1e-4 && errors[0] / errors[1] > 10.0, "{errors:?}");
+        assert!(
+            errors[1] < 1e-4 && errors[0] / errors[1] > 10.0,
+            "{errors:?}"
+        );
     }
 }
