@@ -148,8 +148,9 @@ const OF_WALLS: GmresParams = GmresParams {
     twice: true,
 };
 
-/// Sweeps at most.
+/// Sweeps at most, and the change in one, beside the largest change, at which a step is as exact as the equations of the walls.
 const MOST_SWEEPS: usize = 16;
+const SETTLED: f64 = 1e-2;
 
 /// What a step came to.
 #[derive(Clone, Copy, Debug, Default)]
@@ -202,7 +203,7 @@ pub fn step(
         grid,
         bodies,
         (&rows, &missing),
-        Sweeps::UpTo(MOST_SWEEPS),
+        Sweeps::UpTo(MOST_SWEEPS, SETTLED),
         by_krylov,
     );
     (info.krylov_iterations, info.sweeps) = (found.krylov_iterations, found.sweeps);
@@ -246,7 +247,7 @@ pub fn change(
     // Heat by the film's own residual spreads, too.
     let own = transport.moved(still, Some(rows), sweeps);
     let sweeps = match sweeps {
-        Sweeps::UpTo(_) => Sweeps::Count(own.sweeps),
+        Sweeps::UpTo(..) => Sweeps::Count(own.sweeps),
         Sweeps::Count(_) => sweeps,
     };
     let by_own = [0, 1].map(|b: usize| bodies.rise(grid, b, &own.flux[b]));

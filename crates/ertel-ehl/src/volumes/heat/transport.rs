@@ -8,6 +8,9 @@
 //! The first term of C is there in time alone. m_f is the mean of both nodes, scaled to the mass flow F that the film equation has for the face: what flows in at a height, flows out or to other heights, and
 //! heat is kept as mass is.
 
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
 use rayon::prelude::*;
 
 use super::columns::{Columns, FilmHeat};
@@ -32,8 +35,9 @@ pub struct Flow<'a> {
 /// The equations of a grid at some temperatures.
 pub struct Transport<'a> {
     flow: Flow<'a>,
-    /// Nodes, each behind those upstream of it where the flow goes in no circles.
-    order: Vec<u32>,
+    /// Nodes, each behind those upstream of it where the flow goes in no circles: what flows across to one side at some heights and to the other one at others is followed by
+    /// one order each.
+    orders: [Vec<u32>; 2],
     /// ∂R/∂T of each unknown node: `[row + f·column]`.
     slopes: Vec<f64>,
     /// Factors of its inner rows and columns, with their pivots.
@@ -118,12 +122,9 @@ pub struct Moved {
 pub enum Sweeps {
     /// So often: linear in what is asked for.
     Count(usize),
-    /// Until a sweep changes nothing, so often at most.
-    UpTo(usize),
+    /// Until a sweep changes no more than this share of the largest change, so often at most.
+    UpTo(usize, f64),
 }
-
-/// Change in a sweep that is none, beside the largest one.
-const SETTLED: f64 = 1e-3;
 
 /// Convection of a node at each height.
 struct Convection {
@@ -335,7 +336,7 @@ impl<'a> Transport<'a> {
         );
         Transport {
             flow,
-            order: downstream(grid, faces),
+            orders: [false, true].map(|from_last_row| downstream(grid, faces, from_last_row)),
             slopes,
             factors,
             pivots,
@@ -356,11 +357,11 @@ impl<'a> Transport<'a> {
 
     /// Unknown nodes.
     pub fn unknown(&self) -> &[u32] {
-        &self.order
+        &self.orders[0]
     }
 
-    /// Changes of the temperatures within the film for which R changes by `rows` there, and the heat into both bodies, by changes of the walls. Nodes are taken in the
-    /// order of the flow and against it in turn, as often as `sweeps` says.
+    /// Changes of the temperatures within the film for which R changes by `rows` there, and the heat into both bodies, by changes of the walls. Nodes are taken in both
+    /// orders of the flow and against them in turn, as often as `sweeps` says.
     pub fn moved(&self, walls: [&[f64]; 2], rows: Option<&[f64]>, sweeps: Sweeps) -> Moved {
         let [f, h] = self.flow.columns.n;
         let n = self.flow.grid.n_nodes();
@@ -384,16 +385,17 @@ impl<'a> Transport<'a> {
                 }
                 self.flow.raise(own, &mut at_heights[k * h..][..h]);
             };
-            match done % 2 {
-                0 => self.order.iter().for_each(|k| visit(*k as usize)),
-                _ => self.order.iter().rev().for_each(|k| visit(*k as usize)),
+            let order = &self.orders[done % 2];
+            match done % 4 {
+                0 | 1 => order.iter().for_each(|k| visit(*k as usize)),
+                _ => order.iter().rev().for_each(|k| visit(*k as usize)),
             }
             let [size, change] = largest;
             match sweeps {
                 Sweeps::Count(count) if done + 1 >= count => break,
                 // The last one changed nothing.
-                Sweeps::UpTo(_) if done > 0 && change <= SETTLED * size => break,
-                Sweeps::UpTo(most) if done + 1 >= most => {
+                Sweeps::UpTo(_, settled) if done > 0 && change <= settled * size => break,
+                Sweeps::UpTo(most, _) if done + 1 >= most => {
                     done += 1;
                     break;
                 }
@@ -401,7 +403,7 @@ impl<'a> Transport<'a> {
             }
         }
         let mut flux = [vec![0.0; n], vec![0.0; n]];
-        for k in self.order.iter().map(|k| *k as usize) {
+        for k in self.unknown().iter().map(|k| *k as usize) {
             let mut from = [0.0; MOST_NODES];
             self.flow.arriving(k, &at_heights, &mut from);
             let nodes = &temperature[k * f..][..f];
@@ -498,38 +500,42 @@ fn through(
     through
 }
 
-/// Unknown nodes, each behind those that mass flows from; nodes in circles last.
-fn downstream(grid: &Grid, faces: &[Vec<Face>; 2]) -> Vec<u32> {
-    let n = grid.n_nodes();
-    let is_unknown = |k: usize| grid.is_unknown(k % grid.n[0], k / grid.n[0]);
+/// Unknown nodes, each behind those that mass flows from, otherwise column by column; nodes in circles last.
+fn downstream(grid: &Grid, faces: &[Vec<Face>; 2], from_last_row: bool) -> Vec<u32> {
+    let [nx, ny] = grid.n;
+    let is_unknown = |k: usize| grid.is_unknown(k % nx, k / nx);
     let out = |side: &Side| side.weight * faces[side.direction][side.face].flux;
-    let mut waiting = vec![0_u8; n];
-    let mut order: Vec<u32> = Vec::new();
-    for k in (0..n).filter(|k| is_unknown(*k)) {
+    let place = |k: usize| {
+        let j = k / nx;
+        (k % nx, if from_last_row { ny - 1 - j } else { j }, k)
+    };
+    let mut waiting = vec![0_u8; grid.n_nodes()];
+    let mut ready = BinaryHeap::new();
+    for k in (0..waiting.len()).filter(|k| is_unknown(*k)) {
         waiting[k] = sides_of(grid, k)
             .iter()
             .filter(|side| out(side) < 0.0 && is_unknown(side.next[0]))
             .count() as u8;
         if waiting[k] == 0 {
-            order.push(k as u32);
+            ready.push(Reverse(place(k)));
         }
     }
-    let mut next = 0;
-    while let Some(k) = order.get(next).copied() {
-        next += 1;
-        for side in sides_of(grid, k as usize) {
+    let mut order: Vec<u32> = Vec::new();
+    while let Some(Reverse((_, _, k))) = ready.pop() {
+        order.push(k as u32);
+        for side in sides_of(grid, k) {
             let to = side.next[0];
             if out(&side) > 0.0 && is_unknown(to) && waiting[to] > 0 {
                 waiting[to] -= 1;
                 if waiting[to] == 0 {
-                    order.push(to as u32);
+                    ready.push(Reverse(place(to)));
                 }
             }
         }
     }
-    let left = (0..n).filter(|k| waiting[*k] > 0).map(|k| k as u32);
-    let left: Vec<u32> = left.collect();
-    order.extend(left);
+    let mut left: Vec<usize> = (0..waiting.len()).filter(|k| waiting[*k] > 0).collect();
+    left.sort_by_key(|k| place(*k));
+    order.extend(left.into_iter().map(|k| k as u32));
     order
 }
 
