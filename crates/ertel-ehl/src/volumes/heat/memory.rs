@@ -313,7 +313,7 @@ impl<'a> Over<'a> {
         for value in &mut symbol {
             *value += at_once / transforms.gain();
         }
-        Spreading::of_symbol(transforms.clone(), symbol)
+        Spreading::Even(transforms.clone(), symbol)
     }
 
     /// What is left of what a body remembered.
@@ -428,6 +428,7 @@ mod tests {
             capacity: 7850.0 * 470.0,
             velocity: [0.0; 2],
             depth: 3.15 * A,
+            stretch: 1.0,
         };
         let unit = body.diffusivity() / A;
         body.velocity = peclet.map(|p| p * unit);

@@ -66,6 +66,7 @@ pub fn moving_body(heat: &Heat, b: usize, grid: &Grid, depth: f64) -> MovingBody
         capacity: body.density * body.heat_capacity.heat_capacity(0.0, t),
         velocity: grid.turn.to_axes(body.velocity.centre),
         depth: depth * heat.length,
+        stretch: 1.0,
     }
 }
 
