@@ -74,12 +74,16 @@ fn refusals() {
         "\"circular\"",
         "\"roller\"\nlength = \"8 mm\"\nprofile = { kind = \"crown\", crown_radius = \"1 m\" }",
     );
-    write(&folder, "roller.toml", &format!("{roller}[thermal]\n"));
+    // Temperatures within the bodies.
+    write(
+        &folder,
+        "roller.toml",
+        &format!("{roller}[thermal]\nfield = true\n"),
+    );
     let output = solve(&folder, &["roller.toml", "--cross-check"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(
-        stderr(&output)
-            .contains("finite volumes do not solve for the heat of rollers of finite length"),
+        stderr(&output).contains("finite volumes find no temperatures within the bodies"),
         "{}",
         stderr(&output)
     );
@@ -110,7 +114,7 @@ fn refusals() {
     );
     assert_eq!(output.status.code(), Some(2));
     assert!(
-        stderr(&output).contains("rollers of finite length"),
+        stderr(&output).contains("no temperatures within the bodies"),
         "{}",
         stderr(&output)
     );

@@ -87,7 +87,7 @@ fn both_engines_agree() {
     }
 }
 
-/// A tilted roller with a logarithmic profile and a ball with heat, by both methods: figures as above, and mean temperatures. The largest ones stand on the ridge of
+/// A tilted roller with a logarithmic profile, a ball with heat, and one that spins, too, by both methods: figures as above, and mean temperatures. The largest ones stand on the ridge of
 /// a Newtonian film, which neither resolves at this target.
 #[test]
 fn both_engines_agree_on_rollers_and_heat() {
@@ -105,14 +105,20 @@ fn both_engines_agree_on_rollers_and_heat() {
         "mu_0 = ",
         "beta = \"0.04 1/K\", reference_temperature = \"40 degC\", mu_0 = ",
     );
-    let cases = [case(roller, motion, mesh), parsed(warm)];
+    // Either way, at a quarter of the speed at the edge.
+    let spin = format!("{motion}\nbody_1_spin = \"-4000 rad/s\"\nbody_2_spin = \"4000 rad/s\"");
+    let spinning = warm.replace(motion, &spin);
+    let cases = [case(roller, motion, mesh), parsed(warm), parsed(spinning)];
+    let of_heat = &[
+        Figure::FilmTemperatureMean,
+        Figure::TemperatureBody1Mean,
+        Figure::TemperatureBody2Mean,
+        Figure::TractionCoefficient,
+    ][..];
     for (mut case, asked) in cases.into_iter().zip([
         &[Figure::RollerMoment, Figure::FrictionPower][..],
-        &[
-            Figure::FilmTemperatureMean,
-            Figure::TemperatureBody1Mean,
-            Figure::TractionCoefficient,
-        ],
+        of_heat,
+        of_heat,
     ]) {
         case.solver.method = Some(Method::FiniteVolumes);
         let own = solved(&case);

@@ -177,6 +177,14 @@ impl GridHeat {
         let bodies = Bodies::at_instant(grid, heat, rounds.params.depth, spreading, outer);
         let f = self.films[0].len() / grid.n_nodes();
         let (mut film, mut flux) = (self.ahead(times), self.flux.clone());
+        if sampled.is_none() {
+            // What comes in may have warmed up.
+            let arriving = unheated(grid, heat, f).film;
+            for [i, j] in grid.nodes().filter(|[i, j]| !grid.is_unknown(*i, *j)) {
+                let own = grid.index(i, j) * f;
+                film[own..own + f].copy_from_slice(&arriving[own..own + f]);
+            }
+        }
         if let Some((sampled, trial)) = &sampled {
             // What is given along the edge is that of the grid before at the same instant.
             let coarse = &trial.warm.temperatures;

@@ -19,6 +19,8 @@ pub(super) struct Present<'a> {
     lambda: f64,
     /// The fluid at the temperature of reference.
     fluid: FilmFluid,
+    /// That temperature, with which the lubricant comes, and those of both bodies, K; of a contact with heat.
+    temperatures: Option<(f64, [f64; 2])>,
 }
 
 /// Speed over that of reference below which the film is at rest.
@@ -49,6 +51,24 @@ impl<'a> Present<'a> {
             load: problem.load,
             lambda: problem.scales.lambda,
             fluid: problem.fluid.clone(),
+            temperatures: (problem.heat.as_ref()).map(|heat| {
+                let bodies = heat.bodies.each_ref();
+                (
+                    heat.inlet_temperature,
+                    bodies.map(|body| body.bulk_temperature),
+                )
+            }),
+        }
+    }
+
+    /// Gives oil and bodies a temperature, K; bodies that have one of their own are warmer or colder than the oil by as much as they are at that of reference.
+    fn set_temperature(&self, problem: &mut Problem<Plan>, temperature: f64) {
+        problem.fluid = problem.fluid.at_bulk(temperature);
+        if let (Some(heat), Some((inlet, bodies))) = (&mut problem.heat, self.temperatures) {
+            heat.inlet_temperature = temperature;
+            for (body, own) in heat.bodies.iter_mut().zip(bodies) {
+                body.bulk_temperature = temperature + own - inlet;
+            }
         }
     }
 
@@ -80,7 +100,7 @@ impl<'a> Present<'a> {
             self.set_layer(problem, least);
         }
         if let Some([_, most]) = warmest {
-            problem.fluid = problem.fluid.at_bulk(most);
+            self.set_temperature(problem, most);
         }
         match FiniteVolumes.solve(problem, observer) {
             Ok(found) => {
@@ -125,11 +145,10 @@ impl<'a> Present<'a> {
         problem.scales.lambda = self.lambda;
         problem.entrainment = Planar::along_x(0.5 * (first + second));
         let sliding = Planar::along_x(second - first);
-        let fluid = match &self.conditions.temperature {
-            Some(course) => &self.fluid.at_bulk(course.at(time)),
-            None => &self.fluid,
-        };
-        problem.fluid = fluid.sliding_by(&sliding, &problem.scales);
+        problem.fluid = self.fluid.sliding_by(&sliding, &problem.scales);
+        if let Some(course) = &self.conditions.temperature {
+            self.set_temperature(problem, course.at(time));
+        }
         if let Some(heat) = &mut problem.heat {
             for (body, speed) in heat.bodies.iter_mut().zip([first, second]) {
                 body.velocity = Planar::along_x(speed * heat.entrainment_speed);

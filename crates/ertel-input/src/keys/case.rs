@@ -136,7 +136,7 @@ rows! {
         body_1_speed, body_2_speed: Table(COURSE) => "how the speeds of the bodies change, in place of both";
         load: Table(COURSE) => "how the load changes";
         radius: Table(COURSE) => "how the radius of a ball on a plane or of a cylinder changes";
-        temperature: Table(COURSE) => "how the temperature of bodies and oil changes together; not of a contact with `[thermal]`";
+        temperature: Table(COURSE) => "how the temperature of bodies and oil changes together; with `[thermal]`, that with which they come";
         oil_layer: Table(COURSE) => "how the layer of oil changes that arrives, of a contact with `oil_layer` in `[inlet]`; at the edge of the contact area, from where it is carried on";
         cavities: Choice(&["refilled", "conserved"]), default "refilled" => r"what the gap holds where the film has broken, with more oil than the contact takes: as much as fits, as
             in steady contacts, or what has flown in, so that a cavity that comes back in front of the contact starves it";

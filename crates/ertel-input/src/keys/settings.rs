@@ -58,9 +58,7 @@ rows! {
     /// `[solver]`.
     pub SOLVER {
         method: Choice(&["finite-elements", "finite-volumes"]) => r#"`"finite-elements"`, as in Habchi's thesis, or `"finite-volumes"`
-            ([theory](../theory/finite-volumes.md)), for line, circular and elliptical contacts of half-spaces and rollers of finite length, flooded or starved, with heat, too,
-            but of rollers and of bodies that spin. If absent: finite volumes for rollers of finite length, elliptical and circular contacts without heat, but of flooded circles
-            that are thinned by a power of the stress only those with M above 1500 or L above 11, or with thick films; finite elements for all others and where a key is given that only they have. What one does not solve is left to the other; a note says so. With
+            ([theory](../theory/finite-volumes.md)), for line, circular and elliptical contacts of half-spaces and rollers of finite length, flooded or starved, with heat, too. If absent: finite volumes for rollers of finite length, elliptical and circular contacts without heat, but of flooded circles that are thinned by a power of the stress only those with M above 1500 or L above 11, or with thick films; finite elements for all others and where a key is given that only they have. What one does not solve is left to the other; a note says so. With
             `"finite-volumes"` the keys of finite elements are errors"#;
         formulation: Choice(&["gls", "supg", "galerkin"]), default "gls" => "weak form of the Reynolds equation";
         isotropic_diffusion: Number, bounds [0.0, 10.0], default "0" => "coefficient ρ_id of the isotropic diffusion";

@@ -285,7 +285,7 @@ fn check(case: &Case, table: &mut Table<'_>) -> Result<(), InputError> {
 const WITHOUT_HEAT: &str = "leave [thermal] out, or set isothermal = true in [solver]";
 
 /// Refuses heat that is not solved in time.
-fn check_heat(case: &Case, table: &mut Table<'_>) -> Result<(), InputError> {
+fn check_heat(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
     if case.thermal().is_none() {
         return Ok(());
     }
@@ -295,10 +295,7 @@ fn check_heat(case: &Case, table: &mut Table<'_>) -> Result<(), InputError> {
         ));
         return Err(error.with_help(WITHOUT_HEAT));
     }
-    match table.contains("temperature") {
-        false => Ok(()),
-        true => Err(beside_heat(table, "temperature")),
-    }
+    Ok(())
 }
 
 /// Refuses a key beside heat.
