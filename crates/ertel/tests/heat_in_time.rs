@@ -162,8 +162,9 @@ sensitivities = false
         let expected = steady.figure(figure).unwrap().value - warm(over);
         let error = (end / expected - 1.0).abs();
         assert!(error < most, "{}: {end} {expected}", figure.name());
-        // It was another contact at the start.
-        assert!((start / expected - 1.0).abs() > 0.04, "{}", figure.name());
+        // It was another contact at the start; friction, which a thinner film makes larger and a warmer one smaller, stays about the same.
+        let is_film = matches!(figure, Figure::FilmCentral | Figure::FilmMinimum);
+        assert!(!is_film || (start / expected - 1.0).abs() > 0.04, "{start}");
     }
 }
 

@@ -277,56 +277,6 @@ fn a_tilted_logarithmic_roller_is_solved() {
     assert!(solution.figure(Figure::LoadPosition).unwrap().value > 0.0);
 }
 
-/// In the middle of a long roller with Lundberg's profile film, friction and temperatures are those of the line contact, by finite elements, which has nothing of its heat in common with it.
-/// Temperatures of the centreline are compared where they are largest.
-#[test]
-fn the_middle_of_a_long_roller_with_heat_is_a_line() {
-    let warm = |case: Case, method: Method, target: f64| {
-        let mut case = heated(case);
-        // Steel on steel, as the profile is made for.
-        case.body_1 = case.body_2.clone();
-        case.motion.slide_to_roll_ratio = 0.4;
-        case.solver.method = Some(method);
-        let kind = case.contact.kind;
-        case.mesh = MeshParams::adaptive(target, kind);
-        case
-    };
-    let mut line = warm(line(), Method::FiniteElements, 5e-3);
-    line.contact.load = Hertz::load_for_pressure(&line.contact, line.reduced_modulus(), PRESSURE);
-    let (w, modulus, length) = (line.contact.load, line.reduced_modulus(), 0.008);
-    let b = line.hertz().half_width;
-    let profile = Profile::lundberg(length, w, b, modulus);
-    let long = warm(
-        roller(w * length, length, profile, 0.0),
-        Method::FiniteVolumes,
-        2e-2,
-    );
-    let (long, line) = (solved(&long), solved(&line));
-    assert_eq!(long.stats.method, Method::FiniteVolumes);
-    let alike = |found: f64, expected: f64, most: f64, what: &str| {
-        assert!(
-            (found / expected - 1.0).abs() < most,
-            "{what}: {found} {expected}"
-        );
-    };
-    let film = |s: &Solution| s.summary.film_central.value;
-    alike(film(&long), film(&line), 5e-3, "film");
-    let rises = |s: &Solution| {
-        let thermal = s.thermal.as_ref().unwrap();
-        let of = &thermal.centreline;
-        [&of.body_1, &of.body_2, &of.mean].map(|t| {
-            let largest = t.iter().fold(f64::NEG_INFINITY, |m, t| m.max(*t));
-            largest - thermal.inlet_temperature
-        })
-    };
-    for (found, expected) in rises(&long).into_iter().zip(rises(&line)) {
-        alike(found, expected, 1e-2, "rise");
-    }
-    // The mean over all of the roller is near to that of its middle.
-    let friction = |s: &Solution| s.figure(Figure::TractionCoefficient).unwrap().value;
-    alike(friction(&long), friction(&line), 3e-2, "friction");
-}
-
 /// Heat under a tilted roller: what is made is carried off, and the film is warmer than what flows in.
 #[test]
 fn heat_of_a_tilted_roller() {

@@ -195,6 +195,9 @@ impl SolveError {
                      without [thermal] the isothermal film comes out"
                 }
             }),
+            SolveError::Heat(HeatError::Turns { .. }) => {
+                Some("`method = \"finite-elements\"` in [solver]".into())
+            }
             SolveError::Heat(HeatError::Overheated) => Some(
                 "a look at the constants of [lubricant.shear_thinning], less sliding, or a lower load: shear stresses that the law \
                  bears",
@@ -314,6 +317,10 @@ mod tests {
             (not_coupled(0.9), "[thermal] max_iterations"),
             (not_coupled(1.1), "less sliding"),
             (SolveError::Heat(HeatError::Overheated), "shear_thinning"),
+            (
+                SolveError::Heat(HeatError::Turns { share: 0.3 }),
+                "finite-elements",
+            ),
             (
                 SolveError::Heat(HeatError::NotFinite),
                 "over the temperature",

@@ -79,6 +79,15 @@ pub enum HeatError {
     /// A temperature or a source is not a number.
     #[error("the heat of the film is not finite")]
     NotFinite,
+    /// By finite volumes: too much heat flows into a body where it turns about a point near the contact.
+    #[error(
+        "{:.0} % of the heat into a body flows in where finite volumes do not follow its surface, beyond the point about which it turns or more than a quarter of a turn from the contact",
+        100.0 * share
+    )]
+    Turns {
+        /// That share.
+        share: f64,
+    },
 }
 
 /// Newton's method on one discretisation, with what it keeps.

@@ -89,6 +89,9 @@ const ROUNDS_OF_STARTS: usize = 5;
 /// Change, in tolerances, beyond which ratios say nothing.
 const BELIEVED: f64 = 30.0;
 
+/// Share of the heat into a body that may flow in where a surface that spins is not followed.
+const MOST_LOST: f64 = 0.02;
+
 /// Steps for the temperatures in a round at most.
 const MOST_STEPS: usize = 12;
 
@@ -268,6 +271,14 @@ impl<'a> Rounds<'a> {
                 let clock = Instant::now();
                 let account = self.account(system, state, &mut own);
                 effort.seconds += clock.elapsed().as_secs_f64();
+                // The first grid covers all.
+                let share = match level {
+                    0 => bodies.lost(&system.grid, &own.flux),
+                    _ => 0.0,
+                };
+                if share > MOST_LOST {
+                    return Err(HeatError::Turns { share }.into());
+                }
                 let warm = Warm {
                     bodies,
                     temperatures: own,

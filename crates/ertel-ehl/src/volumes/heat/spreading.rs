@@ -40,6 +40,11 @@ impl Spreading {
         Spreading::Even(transforms, symbol)
     }
 
+    /// Whether a place along the axes lies where a surface that spins is not followed.
+    pub fn has_lost(&self, place: [f64; 2]) -> bool {
+        matches!(self, Spreading::Turning(turning) if turning.has_lost(place))
+    }
+
     /// Rises at the nodes, K, by the heat that flows in there, W/m².
     pub fn apply(&self, heat: &[f64]) -> Vec<f64> {
         match self {

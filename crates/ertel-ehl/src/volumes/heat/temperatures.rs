@@ -113,6 +113,26 @@ impl Bodies {
         }
     }
 
+    /// Share of the heat that flows in, of the body with the larger one, where a surface that spins is not followed.
+    pub fn lost(&self, grid: &Grid, flux: &[Vec<f64>; 2]) -> f64 {
+        let share = |b: usize| {
+            let mut sums = [0.0; 2];
+            for [i, j] in grid.nodes() {
+                let heat = grid.share(i, j) * flux[b][grid.index(i, j)].abs();
+                sums[0] += heat;
+                if self.spreading[b].has_lost(grid.on_axes(i, j)) {
+                    sums[1] += heat;
+                }
+            }
+            if sums[0] > 0.0 {
+                sums[1] / sums[0]
+            } else {
+                0.0
+            }
+        };
+        share(0).max(share(1))
+    }
+
     /// Rise of the surface of a body by heat at the nodes, K.
     pub fn rise(&self, grid: &Grid, body: usize, flux: &[f64]) -> Vec<f64> {
         self.spreading[body].apply(&within_edges(grid, flux))

@@ -58,6 +58,13 @@ impl Turning {
         })
     }
 
+    /// Whether the surface is not followed at a place along the axes.
+    pub fn has_lost(&self, place: [f64; 2]) -> bool {
+        self.surface
+            .image(place)
+            .is_none_or(|[_, n]| n.abs() > self.surface.radius.abs())
+    }
+
     /// Rises at the nodes, K, by the heat that flows in there, W/m².
     pub fn apply(&self, heat: &[f64]) -> Vec<f64> {
         let plane = &self.surface.plane;
