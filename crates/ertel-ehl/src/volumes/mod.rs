@@ -1,5 +1,5 @@
 //! Finite volumes on regular grids: a monotone engine for line and point contacts and rollers between half-spaces, flooded or starved, Newtonian or thinned by stress, of one
-//! temperature or, in line and point contacts, with the heat of film and bodies.
+//! temperature or with the heat of film and bodies.
 //!
 //! ```text
 //!   ∇·F = 0,  P ≥ 0,  F = ū ρ̄H − H₊³ρ̄/(μ̄λ) ∇P       one balance of mass for each node
