@@ -196,7 +196,7 @@ impl SolveError {
                 }
             }),
             SolveError::Heat(HeatError::Turns { .. }) => {
-                Some("`method = \"finite-elements\"` in [solver]".into())
+                Some("`method = \"finite-elements\"` in [solver]")
             }
             SolveError::Heat(HeatError::Overheated) => Some(
                 "a look at the constants of [lubricant.shear_thinning], less sliding, or a lower load: shear stresses that the law \

@@ -155,7 +155,7 @@ impl DrawnOut {
         let [sin, cos] = [sign * along, sign * (self.radius - across)];
         let (angle, distance) = (sin.atan2(cos), sin.hypot(cos));
         (angle.abs() < FARTHEST && distance > 0.0)
-            .then(|| [angle * self.radius, self.radius - sign * distance])
+            .then_some([angle * self.radius, self.radius - sign * distance])
     }
 
     /// The place along the axes at ξ and n; `None` on the other side of c.
