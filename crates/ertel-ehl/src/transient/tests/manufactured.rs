@@ -19,8 +19,9 @@ use crate::volumes::level::{Level, convolution, first_system, refined};
 use crate::volumes::patches::{first_cell, grid as patch};
 use crate::volumes::system::State;
 
-/// x_0, on a node of all grids, and σ; P_0 and b.
-const MIDDLE: f64 = -0.375;
+/// x_0, on a node of all grids, and σ; P_0 and b. The edge of the grid keeps its pressure: what the bump has left there must be less than what the steps err by, for the film
+/// is so thick at the outlet that a pressure of 3e-7 moves as much oil as an error of 5e-5 in the contact.
+const MIDDLE: f64 = -0.75;
 const WIDTH: f64 = 0.35;
 const FLOOR: f64 = 0.05;
 const HEIGHT: f64 = 0.4;
@@ -229,7 +230,7 @@ fn bumps(grid: &Grid) -> impl Iterator<Item = f64> {
     })
 }
 
-/// Errors of pressure, ρ̄H and H_0 fall with the square of the step, by a power between 1.8 and 2.5: at these steps those of the pressure still fall faster, by 2.27.
+/// Errors of pressure, ρ̄H and H_0 fall with the square of the step, by a power between 1.9 and 2.1.
 fn assert_second_order(given: &Given, n_grids: usize, steps: [u32; 3]) {
     let conditions = conditions();
     let errors = steps.map(|n| Manufactured::new(given, n_grids, &conditions).errors(n));
@@ -237,11 +238,17 @@ fn assert_second_order(given: &Given, n_grids: usize, steps: [u32; 3]) {
         let orders = [0, 1].map(|k: usize| (errors[k][which] / errors[k + 1][which]).log2());
         println!("{name}: {:?} {orders:?}", errors.map(|e| e[which]));
         assert!(
-            (1.8..2.5).contains(&orders[1]),
+            (1.9..2.1).contains(&orders[1]),
             "{name}: {errors:?} {orders:?}"
         );
         assert!(errors[2][which] < 2e-3, "{name}: {errors:?}");
     }
+}
+
+/// A line contact on two grids.
+#[test]
+fn steps_of_a_line_are_of_the_second_order() {
+    assert_second_order(&line(), 2, [20, 40, 80]);
 }
 
 /// A circular contact on two grids.
