@@ -107,6 +107,7 @@ crates/ertel-cli/tests/good/quick.toml
     transient={ duration = "1 ms" }
     transient={ duration = "1 ms", load = { course = "ramp", end = "1 ms", to = "50 N" }, entrainment_speed = { course = "sine", amplitude = "0.1 m/s", period = "1 ms" } }
     transient={ duration = "1 ms", body_1_speed = { course = "step", at = "1 ms", to = "1 m/s" }, body_2_speed = { course = "table", file = "none.csv" } }
+    transient={ duration = "1 ms", slide_to_roll_ratio_across = { course = "ramp", end = "1 ms", to = 0.1 }, body_1_spin = { course = "ramp", end = "1 ms", to = "10 rad/s" }, body_2_spin = { course = "step", at = "1 ms", to = "-10 rad/s" } }
     transient={ duration = "1 ms", slide_to_roll_ratio = { course = "table", times = ["0 s", "1 ms"], values = [0.0, 0.1] } }
     transient={ duration = "1 ms", mass = "1 kg", damping = "1 N.s/m", stiffness = "1 N/m", start = "apart", gap = "5 um", approach_velocity = "1 mm/s" }
     transient={ duration = "1 ms", cavities = "conserved", temperature = { course = "ramp", end = "1 ms", to = "50 degC" }, radius = { course = "ramp", end = "1 ms", to = "20 mm" } }

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Info;
 use super::heat::HeatMemory;
+use crate::contact::Pose;
 
 /// A run at the end of a step.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -15,8 +16,8 @@ pub struct Checkpoint {
     pub time: f64,
     /// Length of the next step, in T.
     pub(super) step: f64,
-    /// How far both bodies have moved, in half-widths.
-    pub(super) moved: [f64; 2],
+    /// Where both bodies have moved, in half-widths.
+    pub(super) moved: [Pose; 2],
     /// How it went so far.
     pub info: Info,
     /// What the grids remember.

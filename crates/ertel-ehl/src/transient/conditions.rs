@@ -1,11 +1,13 @@
 //! What changes in time.
 //!
 //! ```text
-//!   T = t u_r/a,   u_1 = ū(1 − S/2), u_2 = ū(1 + S/2) over u_r,   w over w_r
+//!   T = t u_r/a,   u_1 = ū(1 − S/2), u_2 = ū(1 + S/2) over u_r,   v_2 = −v_1 = ū S_⊥/2,   ω in u_r/a,   w over w_r
 //! ```
 //! The speed u_r and the load w_r of reference are those of the scales: the largest that occur, which never vanish.
 
 use super::{Approach, Course, Start};
+use crate::contact::pose::turned;
+use crate::contact::{Planar, Pose};
 
 /// Velocities of both surfaces along the motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,8 +62,12 @@ pub enum Cavities {
 /// What changes in time, over the scales of the contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Conditions {
-    /// Velocities of the surfaces.
+    /// Velocities of the surfaces along the motion.
     pub speeds: Speeds,
+    /// S_⊥: velocity of body 2 less that of body 1 across the motion, over ū.
+    pub slide_to_roll_ratio_across: Course,
+    /// ω of body 1 and body 2 about the contact normal, from x towards y.
+    pub spin: [Course; 2],
     /// Load.
     pub load: Course,
     /// Radius of the bodies.
@@ -90,6 +96,8 @@ impl Default for Conditions {
                 entrainment: Course::Constant(1.0),
                 slide_to_roll_ratio: Course::Constant(0.0),
             },
+            slide_to_roll_ratio_across: Course::Constant(0.0),
+            spin: [0.0; 2].map(Course::Constant),
             load: Course::Constant(1.0),
             radius: Course::Constant(1.0),
             temperature: None,
@@ -116,11 +124,41 @@ const GAUSS: [[f64; 2]; 5] = [
 const SAMPLES: u32 = 2000;
 
 impl Conditions {
-    /// How far both bodies move between two instants without a kink between them.
-    pub fn way(&self, from: f64, to: f64) -> [f64; 2] {
-        GAUSS.iter().fold([0.0; 2], |sum, [share, weight]| {
-            let speeds = self.speeds.at(from + share * (to - from));
-            [0, 1].map(|i: usize| sum[i] + weight * (to - from) * speeds[i])
+    /// Velocities of body 1 and body 2 at an instant, at places in half-widths.
+    pub fn velocities(&self, time: f64) -> [Planar; 2] {
+        let speeds = self.speeds.at(time);
+        let across = 0.25 * self.slide_to_roll_ratio_across.at(time) * (speeds[0] + speeds[1]);
+        [0, 1].map(|b: usize| Planar {
+            centre: [speeds[b], if b == 0 { -across } else { across }],
+            spin: self.spin[b].at(time),
+        })
+    }
+
+    /// Whether bodies turn about the contact normal at some time.
+    pub fn spins(&self) -> bool {
+        self.spin.iter().any(|spin| *spin != Course::Constant(0.0))
+    }
+
+    /// How both bodies move between two instants without a kink between them.
+    pub fn way(&self, from: f64, to: f64) -> [Pose; 2] {
+        let integral = |from: f64, to: f64, of: &dyn Fn(f64) -> [f64; 2]| {
+            GAUSS.iter().fold([0.0; 2], |sum, [share, weight]| {
+                let values = of(from + share * (to - from));
+                [0, 1].map(|i: usize| sum[i] + weight * (to - from) * values[i])
+            })
+        };
+        let spins = self.spins();
+        [0, 1].map(|b: usize| {
+            let angle = |from: f64| match spins {
+                true => integral(from, to, &|time| [self.spin[b].at(time), 0.0])[0],
+                false => 0.0,
+            };
+            Pose {
+                shift: integral(from, to, &|time| {
+                    turned(angle(time), self.velocities(time)[b].centre)
+                }),
+                angle: angle(from),
+            }
         })
     }
 
@@ -130,10 +168,10 @@ impl Conditions {
         sizes.fold(f64::INFINITY, f64::min)
     }
 
-    /// Largest speed of a body over time, over that of reference.
+    /// Largest speed of a body at the centre over time, over that of reference.
     pub fn fastest(&self) -> f64 {
-        let speeds = self.samples().map(|time| self.speeds.at(time));
-        speeds.flatten().fold(0.0, |most, u| most.max(u.abs()))
+        let velocities = self.samples().map(|time| self.velocities(time));
+        (velocities.flatten()).fold(0.0, |most, v| most.max(v.centre[0].hypot(v.centre[1])))
     }
 
     /// Smallest value of a course over time.
@@ -175,6 +213,8 @@ impl Conditions {
             Approach::Massless | Approach::Body(_) => None,
         };
         (self.speeds.courses().into_iter())
+            .chain([&self.slide_to_roll_ratio_across])
+            .chain(&self.spin)
             .chain([&self.load, &self.radius])
             .chain(&self.temperature)
             .chain(&self.layer)
@@ -210,6 +250,7 @@ impl Conditions {
 mod tests {
     use super::*;
     use approx::assert_relative_eq;
+    use std::f64::consts::TAU;
 
     /// A ramp from 1 to 3 within T = 2 at a ratio of 0.5: the bodies move by 0.75 and 1.25 of ∫ū = 4; stops in order, kinks told once.
     #[test]
@@ -228,15 +269,55 @@ mod tests {
             instants: vec![4.0, 2.0, 9.0],
             ..Conditions::default()
         };
-        let [first, second] = conditions.way(0.0, 2.0);
-        assert_relative_eq!(first, 3.0, max_relative = 1e-12);
-        assert_relative_eq!(second, 5.0, max_relative = 1e-12);
+        for (way, expected) in conditions.way(0.0, 2.0).iter().zip([3.0, 5.0]) {
+            assert_relative_eq!(way.shift[0], expected, max_relative = 1e-12);
+            assert_eq!((way.shift[1], way.angle), (0.0, 0.0));
+        }
         assert_relative_eq!(conditions.slowest(), 1.0);
         assert!(!conditions.turns());
         assert_eq!(
             conditions.stops(),
             vec![(1.5, true), (2.0, true), (4.0, false), (5.0, false)]
         );
+    }
+
+    /// A body at the speed u that turns by ω moves about (0, u/ω): in one step, and in two. One whose spin swings turns by ∫ω.
+    #[test]
+    fn bodies_turn_about_their_poles() {
+        let (u, omega) = (0.8, 0.6);
+        let conditions = Conditions {
+            speeds: Speeds::Mean {
+                entrainment: Course::Constant(u),
+                slide_to_roll_ratio: Course::Constant(0.0),
+            },
+            spin: [
+                Course::Constant(omega),
+                Course::Sine {
+                    mean: 0.1,
+                    amplitude: 0.4,
+                    period: 3.0,
+                    start: 0.0,
+                },
+            ],
+            duration: 2.0,
+            ..Conditions::default()
+        };
+        let start = [-0.7, 0.3];
+        let pole = [0.0, u / omega];
+        let way = conditions.way(0.0, 1.3);
+        let [x, y] = turned(omega * 1.3, [start[0] - pole[0], start[1] - pole[1]]);
+        let found = way[0].at_start([x + pole[0], y + pole[1]]);
+        let steps = [conditions.way(0.0, 0.5), conditions.way(0.5, 1.3)];
+        let both = [0, 1].map(|b: usize| steps[0][b].then(&steps[1][b]));
+        for d in 0..2 {
+            assert_relative_eq!(found[d], start[d], max_relative = 1e-9);
+            for b in 0..2 {
+                assert_relative_eq!(both[b].shift[d], way[b].shift[d], max_relative = 1e-6);
+            }
+        }
+        let wave = TAU / 3.0;
+        let angle = 0.13 + 0.4 / wave * (1.0 - (wave * 1.3).cos());
+        assert_relative_eq!(way[1].angle, angle, max_relative = 1e-6);
     }
 
     /// A speed that falls below zero between two samples of even times is seen at its kink; one that only falls to zero does not turn, nor do bodies that run

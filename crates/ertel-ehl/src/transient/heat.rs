@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use super::conditions::Conditions;
 use super::scheme::{MEMORY, Weights, extrapolation};
+use crate::contact::Pose;
 use crate::forms::energy::Heat;
 use crate::volumes::grid::Grid;
 use crate::volumes::heat::memory::{Below, Carried, Memory, Over};
@@ -60,21 +61,21 @@ pub(super) struct HeatMemory {
 pub(super) struct StepMotion {
     /// Its length, s.
     seconds: f64,
-    /// Mean velocities of both bodies along the motion, m/s.
-    velocities: [f64; 2],
+    /// Mean velocities of both bodies along and across the motion, m/s.
+    velocities: [[f64; 2]; 2],
 }
 
 impl StepMotion {
-    /// Of a step in T, in which the bodies move by a way, half-widths.
-    pub fn new(heat: &Heat, step: f64, way: [f64; 2]) -> StepMotion {
+    /// Of a step in T, in which the bodies move by a way, in half-widths, without turning.
+    pub fn new(heat: &Heat, step: f64, way: [Pose; 2]) -> StepMotion {
         StepMotion {
             seconds: step * heat.length / heat.entrainment_speed,
-            velocities: way.map(|way| way / step * heat.entrainment_speed),
+            velocities: way.map(|way| way.shift.map(|way| way / step * heat.entrainment_speed)),
         }
     }
 
     fn over<'a>(&self, grid: &Grid, below: &'a Below, b: usize) -> Over<'a> {
-        let velocity = grid.turn.to_axes([self.velocities[b], 0.0]);
+        let velocity = grid.turn.to_axes(self.velocities[b]);
         Over::new(below, self.seconds, velocity)
     }
 }

@@ -8,7 +8,7 @@ use super::checkpoint::{GridMemory, Memory, OtherGrids};
 use super::conditions::{Cavities, Conditions};
 use super::heat::{GridHeat, HeatTrial, StepMotion};
 use super::scheme::{MEMORY, Weights, extrapolation};
-use crate::contact::Shape;
+use crate::contact::{Pose, Shape};
 use crate::contact::gap::{GapTerm, Relief};
 use crate::engine::{Observer, Problem};
 use crate::solve::SolveError;
@@ -252,7 +252,7 @@ impl Levels {
         self.heat.iter_mut().for_each(GridHeat::forget);
     }
 
-    /// A step to an instant, at which the problem is what it is then, and until which the bodies move by a `way`, half-widths; `None` where Newton's method
+    /// A step to an instant, at which the problem is what it is then, and until which the bodies move by a `way`, in half-widths; `None` where Newton's method
     /// does not converge, or film and heat do not.
     ///
     /// # Errors
@@ -260,7 +260,7 @@ impl Levels {
     pub fn step(
         &self,
         problem: &Problem<Plan>,
-        (time, way): (f64, [f64; 2]),
+        (time, way): (f64, [Pose; 2]),
         zones: &Zones,
         observer: &mut dyn Observer,
     ) -> Result<Option<Trial>, SolveError> {

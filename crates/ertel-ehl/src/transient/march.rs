@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::contact::gap::{Body, GapTerm, Relief};
-use crate::contact::{Inlet, Shape};
+use crate::contact::{Inlet, Pose, Shape};
 use crate::engine::{Engine, Observer, Problem};
 use crate::solution::{IterationRecord, Measured};
 use crate::solve::SolveError;
@@ -251,7 +251,7 @@ fn run(
     let heat = &mut problem.plan.heat;
     (heat.tolerance, heat.share_of_target) = (LEFT * params.tolerance, 0.0);
     let present = Present::new(&mut problem, conditions);
-    let mut moved = [0.0; 2];
+    let mut moved = [Pose::START; 2];
     present.set(&mut problem, 0.0, moved);
     let first = match conditions.start {
         Start::Steady => {
@@ -315,7 +315,7 @@ fn run(
             };
             let taken = to - time;
             let way = conditions.way(time, to);
-            let next = [0, 1].map(|i: usize| moved[i] + way[i]);
+            let next = [0, 1].map(|i: usize| moved[i].then(&way[i]));
             present.set(&mut problem, to, next);
             let trial = levels.step(
                 &problem,
@@ -393,8 +393,11 @@ fn longest_step(
     params: &Params,
     time: f64,
 ) -> f64 {
-    let speeds = conditions.speeds.at(time);
-    let fastest = speeds.iter().fold(0.0_f64, |m, u| m.max(u.abs()));
+    // At the edge of the contact, which spin moves, too.
+    let reach = problem.shape.zone.axis_ratio.max(1.0);
+    let speeds = (conditions.velocities(time))
+        .map(|v| v.centre[0].hypot(v.centre[1]) + reach * v.spin.abs());
+    let fastest = speeds.iter().fold(0.0_f64, |m, u| m.max(*u));
     let is_carried = reliefs(&problem.shape).next().is_some()
         || problem.shape.inlet != Inlet::Flooded
         || conditions.cavities == Cavities::Conserved;
@@ -409,6 +412,6 @@ fn longest_step(
             Body::First => 0,
             Body::Second => 1,
         }];
-        step.min(STEP_OVER_RELIEF * relief.form.finest() / speed.abs().max(SLOW))
+        step.min(STEP_OVER_RELIEF * relief.form.finest() / speed.max(SLOW))
     })
 }

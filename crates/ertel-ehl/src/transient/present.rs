@@ -5,7 +5,7 @@ use super::conditions::Conditions;
 use super::levels::Levels;
 use super::{Course, TransientError};
 use crate::contact::gap::{Body, Curvature, GapTerm};
-use crate::contact::{Inlet, OilLayer, Planar};
+use crate::contact::{Inlet, OilLayer, Pose};
 use crate::engine::{Engine, Observer, Problem};
 use crate::film::FilmFluid;
 use crate::solve::SolveError;
@@ -93,7 +93,9 @@ impl<'a> Present<'a> {
         {
             return Ok(());
         }
-        problem.entrainment = Planar::along_x(slowest);
+        // Spin slows down with the bodies.
+        let [speed, _] = problem.entrainment.centre;
+        problem.entrainment = problem.entrainment.times(slowest / speed);
         problem.load = self.load;
         set_radius(problem, radius);
         if let Some([_, least]) = layer {
@@ -135,23 +137,23 @@ impl<'a> Present<'a> {
         let [speed, _] = problem.entrainment.centre;
         if speed.abs() > REST {
             problem.scales.lambda *= speed.abs();
-            problem.entrainment = Planar::along_x(speed.signum());
+            problem.entrainment = problem.entrainment.times(1.0 / speed.abs());
         }
     }
 
     /// The conditions at an instant, and where reliefs are that have moved with their bodies.
-    pub fn set(&self, problem: &mut Problem<Plan>, time: f64, moved: [f64; 2]) {
-        let [first, second] = self.conditions.speeds.at(time);
+    pub fn set(&self, problem: &mut Problem<Plan>, time: f64, moved: [Pose; 2]) {
+        let [first, second] = self.conditions.velocities(time);
         problem.scales.lambda = self.lambda;
-        problem.entrainment = Planar::along_x(0.5 * (first + second));
-        let sliding = Planar::along_x(second - first);
+        problem.entrainment = first.plus(&second).times(0.5);
+        let sliding = second.plus(&first.times(-1.0));
         problem.fluid = self.fluid.sliding_by(&sliding, &problem.scales);
         if let Some(course) = &self.conditions.temperature {
             self.set_temperature(problem, course.at(time));
         }
         if let Some(heat) = &mut problem.heat {
-            for (body, speed) in heat.bodies.iter_mut().zip([first, second]) {
-                body.velocity = Planar::along_x(speed * heat.entrainment_speed);
+            for (body, velocity) in heat.bodies.iter_mut().zip([first, second]) {
+                body.velocity = velocity.times(heat.entrainment_speed);
             }
         }
         set_radius(problem, self.conditions.radius.at(time));

@@ -7,7 +7,7 @@ use ertel_rheology::viscosity::ViscosityLaw;
 
 use super::{Conditions, Course, Info, Instant, Params, Speeds, TransientObserver, march};
 use crate::contact::gap::{Body, Form, GapTerm, Relief};
-use crate::contact::{Contact, Hertz, Material, Motion, Scales, Shape, Turn};
+use crate::contact::{Contact, Hertz, Material, Motion, Pose, Scales, Shape, Turn};
 use crate::elastic::Elasticity;
 use crate::engine::{Extents, NoObserver, Observer, Problem};
 use crate::film::FilmFluid;
@@ -18,6 +18,7 @@ mod body;
 mod manufactured;
 mod resumed;
 mod shapes;
+mod spin;
 mod supply;
 mod waves;
 
@@ -170,7 +171,7 @@ fn amplitude_ratio(given: &Given, wavelength: f64) -> (f64, f64) {
         form,
         body: Body::Second,
         place: [-2.0, 0.0],
-        moved: 0.0,
+        moved: Pose::START,
         turn: Turn::NONE,
     }));
     let end = 2.8 + wavelength;
@@ -295,7 +296,7 @@ fn a_dent_passes_through_a_circular_contact() {
         },
         body: Body::First,
         place: [-1.6, 0.0],
-        moved: 0.0,
+        moved: Pose::START,
         turn: Turn::NONE,
     }));
     let params = Params {

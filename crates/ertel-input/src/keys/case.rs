@@ -134,6 +134,8 @@ rows! {
         output_times: Quantities(&[D::TIME]) => "times whose centrelines are written to `profiles.csv`; without them eleven at equal distances";
         entrainment_speed, slide_to_roll_ratio: Table(COURSE) => "how the speed, or the ratio, changes; where neither is given it stays that of `[motion]`";
         body_1_speed, body_2_speed: Table(COURSE) => "how the speeds of the bodies change, in place of both";
+        slide_to_roll_ratio_across: Table(COURSE) => "how the ratio of the velocities across the entrainment changes; beside `entrainment_speed` and `slide_to_roll_ratio`";
+        body_1_spin, body_2_spin: Table(COURSE) => "how the angular velocities of the bodies about the contact normal change, of point contacts; not with heat";
         load: Table(COURSE) => "how the load changes";
         radius: Table(COURSE) => "how the radius of a ball on a plane or of a cylinder changes";
         temperature: Table(COURSE) => "how the temperature of bodies and oil changes together; with `[thermal]`, that with which they come";

@@ -51,6 +51,8 @@ class Instant:
         By how much the bodies have come nearer since t = 0, m, and its rate, m/s.
     entrainment_speed, body_1_speed, body_2_speed : float
         Speeds, m/s.
+    body_1_spin, body_2_spin : float
+        Angular velocities about the contact normal, rad/s.
     mass_error : float
         Mass that the film gained or lost in the step, over what passes the centre at the largest entrainment speed.
     """
@@ -70,6 +72,8 @@ class Instant:
         self.entrainment_speed: float = given["entrainment_speed"]
         self.body_1_speed: float = given["body_1_speed"]
         self.body_2_speed: float = given["body_2_speed"]
+        self.body_1_spin: float = given["body_1_spin"]
+        self.body_2_spin: float = given["body_2_spin"]
         self.mass_error: float = given["mass_error"]
 
     @property

@@ -180,7 +180,7 @@ fn without_rounding(contact: Contact) -> Contact {
 }
 
 /// How far the contact reaches from its centre, m.
-fn reach(contact: &Contact, hertz: &Hertz) -> f64 {
+pub(super) fn reach(contact: &Contact, hertz: &Hertz) -> f64 {
     let half_length = contact.roller.as_ref().map(|roller| 0.5 * roller.length);
     let across = half_length.or(hertz.half_width_y);
     across.map_or(hertz.half_width, |b| b.max(hertz.half_width))

@@ -11,7 +11,7 @@ const SLIDE_TO_ROLL: Bounds = Bounds::closed(-1e6, 1e6);
 /// Speeds, m/s: beyond these a unit was mistaken.
 pub(super) const MAX_SPEED: f64 = 1e3;
 /// Spin, rad/s.
-const SPIN: Bounds = Bounds::closed(-1e6, 1e6);
+pub(super) const SPIN: Bounds = Bounds::closed(-1e6, 1e6);
 /// Between the velocities of the surfaces, rad.
 const SKEW: Bounds = Bounds::closed(-std::f64::consts::PI, std::f64::consts::PI);
 /// Slowest entrainment, m/s: a nanometre in a second.
@@ -119,6 +119,10 @@ pub(super) fn check_entrainment(
     Ok(())
 }
 
+/// Why lines do not spin.
+pub(super) const NO_SPIN_OF_LINES: &str =
+    "surfaces that touch along an infinite line cannot spin about its normal";
+
 /// Largest speed of the mean motion over the entrainment speed at the edge of the Hertz zone: beyond it the surfaces turn on the
 /// spot more than they entrain, and no side is the inlet.
 const MOST_SPIN: f64 = 0.5;
@@ -138,10 +142,7 @@ pub(super) fn check_spin(
     let given = keys.into_iter().find(|key| table.keys().any(|k| k == *key));
     let key = given.unwrap_or("body_1_spin");
     if !is_point {
-        return Err(table.error(
-            key,
-            "surfaces that touch along an infinite line cannot spin about its normal",
-        ));
+        return Err(table.error(key, NO_SPIN_OF_LINES));
     }
     let mean = motion.entrainment(reach).spin.abs();
     if mean > MOST_SPIN {

@@ -11,7 +11,8 @@ use super::course::Reader;
 use super::inlet::LAYER;
 use super::lubricant::TEMPERATURE;
 use super::machine::Passage;
-use super::motion::MAX_SPEED;
+use super::geometry::reach;
+use super::motion::{MAX_SPEED, NO_SPIN_OF_LINES, SPIN, check_spin};
 use super::{Case, approach};
 use crate::contact::{Contact, ContactKind, Hertz, Motion, Supply};
 use crate::params::{ElasticModel, Method, SensitivityDemand};
@@ -30,6 +31,10 @@ pub struct Transient {
     pub output_times: Vec<f64>,
     /// Speeds of the surfaces, m/s.
     pub speeds: Speeds,
+    /// Velocity of body 2 less that of body 1 across the motion, over the entrainment speed.
+    pub slide_to_roll_ratio_across: Course,
+    /// Angular velocities of body 1 and body 2 about the contact normal, rad/s.
+    pub spin: [Course; 2],
     /// Load, N, of line contacts N/m.
     pub load: Course,
     /// Radius of a ball or a cylinder, m.
@@ -119,6 +124,8 @@ pub(super) fn read(
             speeds: Speeds::Each(passage.speeds),
             load: passage.load,
             radius: Some(passage.radius),
+            slide_to_roll_ratio_across: Course::Constant(0.0),
+            spin: [0.0; 2].map(Course::Constant),
         },
         None => changes(&mut reader, case)?,
     };
@@ -147,12 +154,13 @@ pub(super) fn read(
             "bodies that are apart have oil between them: leave out [inlet]",
         ));
     }
-    table.finish()?;
     let transient = Transient {
         duration,
         tolerance,
         output_times,
         speeds: own.speeds,
+        slide_to_roll_ratio_across: own.slide_to_roll_ratio_across,
+        spin: own.spin,
         load: own.load,
         radius: own.radius,
         temperature,
@@ -161,20 +169,34 @@ pub(super) fn read(
         approach,
         start,
     };
+    transient.check_motion(case, &table)?;
+    table.finish()?;
     transient.check(case, root)?;
     Ok(Some(transient))
 }
 
-/// Speeds, load and radius over time.
+/// Motion, load and radius over time.
 struct Changes {
     speeds: Speeds,
+    slide_to_roll_ratio_across: Course,
+    spin: [Course; 2],
     load: Course,
     radius: Option<Course>,
 }
 
 /// Those that the case gives.
 fn changes(reader: &mut Reader<'_, '_>, case: &Case) -> Result<Changes, InputError> {
-    let speeds = speeds(reader, &case.motion)?;
+    let is_at_rest = reader.table.optional_bool("at_rest")?.unwrap_or(false);
+    let motion = match is_at_rest {
+        true => Motion::straight(0.0, 0.0),
+        false => case.motion,
+    };
+    let speeds = match is_at_rest {
+        true => at_rest(reader)?,
+        false => speeds(reader, &motion)?,
+    };
+    let slide_to_roll_ratio_across = across(reader, &motion, &speeds)?;
+    let spin = spin(reader, &motion, case.contact.kind)?;
     let contact = &case.contact;
     let dimension = match contact.kind.is_line() {
         true => Dimension::FORCE_PER_LENGTH,
@@ -191,6 +213,8 @@ fn changes(reader: &mut Reader<'_, '_>, case: &Case) -> Result<Changes, InputErr
     }
     Ok(Changes {
         speeds,
+        slide_to_roll_ratio_across,
+        spin,
         load: load.unwrap_or(Course::Constant(contact.load)),
         radius,
     })
@@ -201,8 +225,11 @@ fn of_passage(table: &mut Table<'_>, passage: &Passage) -> Result<f64, InputErro
     let keys = [
         "entrainment_speed",
         "slide_to_roll_ratio",
+        "slide_to_roll_ratio_across",
         "body_1_speed",
         "body_2_speed",
+        "body_1_spin",
+        "body_2_spin",
         "load",
         "radius",
         "at_rest",
@@ -249,10 +276,6 @@ fn oil_layer(reader: &mut Reader<'_, '_>, supply: &Supply) -> Result<Option<Cour
 /// Refuses what is not solved in time.
 fn check(case: &Case, table: &mut Table<'_>) -> Result<(), InputError> {
     let refused = [
-        (
-            !case.motion.is_straight(),
-            "spin or skew: surfaces that move along the entrainment alone are solved in time",
-        ),
         (
             case.elastic_model() != ElasticModel::HalfSpace,
             "finite-element bodies: time is solved between half-spaces",
@@ -350,23 +373,28 @@ pub(super) fn check_increasing(
     }
 }
 
+/// Speeds of surfaces that do not move along each other.
+fn at_rest(reader: &mut Reader<'_, '_>) -> Result<Speeds, InputError> {
+    let keys = [
+        "body_1_speed",
+        "body_2_speed",
+        "entrainment_speed",
+        "slide_to_roll_ratio",
+        "slide_to_roll_ratio_across",
+        "body_1_spin",
+        "body_2_spin",
+    ];
+    match keys.into_iter().find(|key| reader.table.contains(key)) {
+        None => Ok(Speeds::Each([0.0, 0.0].map(Course::Constant))),
+        Some(key) => Err(reader
+            .table
+            .error(key, "surfaces that are at rest have no speed")
+            .with_help("leave out `at_rest`")),
+    }
+}
+
 fn speeds(reader: &mut Reader<'_, '_>, motion: &Motion) -> Result<Speeds, InputError> {
     let speed = Bounds::closed(-MAX_SPEED, MAX_SPEED);
-    if reader.table.optional_bool("at_rest")?.unwrap_or(false) {
-        let keys = [
-            "body_1_speed",
-            "body_2_speed",
-            "entrainment_speed",
-            "slide_to_roll_ratio",
-        ];
-        return match keys.into_iter().find(|key| reader.table.contains(key)) {
-            None => Ok(Speeds::Each([0.0, 0.0].map(Course::Constant))),
-            Some(key) => Err(reader
-                .table
-                .error(key, "surfaces that are at rest have no speed")
-                .with_help("leave out `at_rest`")),
-        };
-    }
     let mut of = |key, base| reader.course(key, base, Dimension::SPEED, speed);
     let own = [motion.body_1_speed(), motion.body_2_speed()];
     let each = [of("body_1_speed", own[0])?, of("body_2_speed", own[1])?];
@@ -396,7 +424,72 @@ fn speeds(reader: &mut Reader<'_, '_>, motion: &Motion) -> Result<Speeds, InputE
     ]))
 }
 
+/// Sliding across the motion over the entrainment speed.
+fn across(
+    reader: &mut Reader<'_, '_>,
+    motion: &Motion,
+    speeds: &Speeds,
+) -> Result<Course, InputError> {
+    const KEY: &str = "slide_to_roll_ratio_across";
+    let base = motion.slide_to_roll_ratio_across;
+    let given = reader.course(KEY, base, Dimension::DIMENSIONLESS, RATIO)?;
+    if matches!(speeds, Speeds::Each(_)) && (given.is_some() || base != 0.0) {
+        let key = ["body_1_speed", "body_2_speed"]
+            .into_iter()
+            .find(|key| reader.table.contains(key))
+            .unwrap_or(KEY);
+        return Err(reader
+            .table
+            .error(
+                key,
+                "surfaces that slide across the entrainment change by their mean and their ratios in time",
+            )
+            .with_help("give `entrainment_speed`, `slide_to_roll_ratio` and `slide_to_roll_ratio_across` in place of the speeds of the bodies"));
+    }
+    Ok(given.unwrap_or(Course::Constant(base)))
+}
+
+/// Spin of both bodies.
+fn spin(
+    reader: &mut Reader<'_, '_>,
+    motion: &Motion,
+    kind: ContactKind,
+) -> Result<[Course; 2], InputError> {
+    let [first, second] = motion.spin;
+    let mut of = |key: &str, base: f64| -> Result<Course, InputError> {
+        let course = reader.course(key, base, Dimension::ANGULAR_SPEED, SPIN)?;
+        if course.is_some() && kind.is_line() {
+            return Err(reader.table.error(key, NO_SPIN_OF_LINES));
+        }
+        Ok(course.unwrap_or(Course::Constant(base)))
+    };
+    Ok([of("body_1_spin", first)?, of("body_2_spin", second)?])
+}
+
 impl Transient {
+    /// Whether bodies turn about the contact normal at some time.
+    fn spins(&self) -> bool {
+        self.spin.iter().any(|spin| *spin != Course::Constant(0.0))
+    }
+
+    /// Whether surfaces slide across the motion at some time.
+    fn slides_across(&self) -> bool {
+        self.slide_to_roll_ratio_across != Course::Constant(0.0)
+    }
+
+    /// Whether the surfaces move along the motion alone, everywhere and at all times.
+    pub fn is_straight(&self) -> bool {
+        !self.spins() && !self.slides_across()
+    }
+
+    /// Largest mean spin of both bodies over time, rad/s.
+    fn largest_spin(&self) -> f64 {
+        let [first, second] = &self.spin;
+        let instants = (0..=SAMPLES).map(|i| self.duration * f64::from(i) / f64::from(SAMPLES));
+        let mean = |time: f64| 0.5 * (first.at(time) + second.at(time)).abs();
+        instants.map(mean).fold(0.0, f64::max)
+    }
+
     /// By what all else is measured: the largest entrainment speed, load and radius that occur. Where bodies come near to each other from afar, the speed of oil that leaves
     /// the contact, V R/a, and the force of their impact count, too.
     pub fn reference(&self, case: &Case) -> Reference {
@@ -447,6 +540,42 @@ impl Transient {
     fn entrainment(&self, time: f64) -> f64 {
         let [first, second] = self.speeds.at(time);
         0.5 * (first + second)
+    }
+
+    /// Refuses spin that leaves no inlet, beside the largest speed and, of a steady film, the first one, and motions for whose heat there are no equations in time.
+    fn check_motion(&self, case: &Case, table: &Table<'_>) -> Result<(), InputError> {
+        let Reference { speed, load, radius } = self.reference(case);
+        let contact = contact_with(case, load, radius);
+        let hertz = Hertz::new(&contact, case.reduced_modulus());
+        let at_start = self.spin.each_ref().map(|spin| spin.at(0.0));
+        let largest = [self.largest_spin(); 2];
+        let starts = self.start == Start::Steady && self.entrainment(0.0) > 0.0;
+        let speeds = starts.then(|| (at_start, self.entrainment(0.0)));
+        for (spin, speed) in speeds.into_iter().chain([(largest, speed)]) {
+            let motion = Motion {
+                spin,
+                ..Motion::straight(speed, 0.0)
+            };
+            let is_point = !contact.kind.is_line();
+            check_spin(table, &motion, is_point, reach(&contact, &hertz))?;
+        }
+        if case.thermal().is_none() {
+            return Ok(());
+        }
+        let refused = [
+            (self.spins(), "body_1_spin", "spin"),
+            (
+                self.slides_across() && contact.kind == ContactKind::Roller,
+                "slide_to_roll_ratio_across",
+                "sliding along a roller",
+            ),
+        ];
+        match refused.into_iter().find(|(is_there, ..)| *is_there) {
+            None => Ok(()),
+            Some((_, key, what)) => Err(table
+                .error(key, format!("[transient] does not solve for the heat of {what}"))
+                .with_help(WITHOUT_HEAT)),
+        }
     }
 
     /// Refuses starts without a steady film and loads beyond what a contact bears.

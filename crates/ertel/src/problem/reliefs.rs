@@ -2,7 +2,7 @@
 
 use crate::case::SurfaceRelief;
 use crate::contact::gap::{GapTerm, Relief};
-use crate::contact::{Scales, Shape, Symmetry};
+use crate::contact::{Pose, Scales, Shape, Symmetry};
 
 /// Cells across the shortest length of a relief: with 16 and with 32 of them waves of half a half-width keep the amplitude of a published table to 3 %.
 const CELLS_OVER_RELIEF: f64 = 16.0;
@@ -15,7 +15,7 @@ pub fn with_reliefs(mut shape: Shape, reliefs: &[SurfaceRelief], scales: &mut Sc
             form: relief.form.over(scales.length, scales.film),
             body: relief.body,
             place: relief.place.map(|x| x / scales.length),
-            moved: 0.0,
+            moved: Pose::START,
             turn,
         })
         .collect();

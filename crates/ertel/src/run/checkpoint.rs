@@ -12,7 +12,7 @@ use crate::case::Case;
 use crate::transient;
 
 /// What the bytes begin with.
-pub const MAGIC: &[u8] = b"ertel checkpoint 1\n";
+pub const MAGIC: &[u8] = b"ertel checkpoint 2\n";
 
 /// A run that stopped.
 #[derive(Debug, Deserialize, Serialize)]

@@ -69,8 +69,10 @@ pub struct Reached {
 pub struct InstantSolution {
     /// Time, s.
     pub time: f64,
-    /// Speeds of body 1 and body 2, m/s.
+    /// Speeds of body 1 and body 2 along the motion, m/s.
     pub speeds: [f64; 2],
+    /// Angular velocities of both about the contact normal, rad/s.
+    pub spin: [f64; 2],
     /// Load, N, of line contacts N/m.
     pub load: f64,
     /// Radius along the motion, m.
@@ -211,7 +213,13 @@ fn solve_here(
     let Reference { speed, load, .. } = by;
     let mut reference = case.clone();
     reference.contact = contact_with(case, load, by.radius);
-    reference.motion = Motion::straight(speed, case.motion.slide_to_roll_ratio);
+    // What is alike on both sides of the motion is so at all times.
+    let largest = |course: &Course| course.largest(transient.duration);
+    reference.motion = Motion {
+        slide_to_roll_ratio_across: largest(&transient.slide_to_roll_ratio_across),
+        spin: transient.spin.each_ref().map(largest),
+        ..Motion::straight(speed, case.motion.slide_to_roll_ratio)
+    };
     reference.solver.method = Some(Method::FiniteVolumes);
     let mut problem = problem_by_slices(&reference).with_plan(plan(&reference));
     let (length, film) = (problem.scales.length, problem.scales.film);
@@ -358,6 +366,8 @@ fn conditions(transient: &Transient, by: Reference, film: f64, unit: f64) -> Con
             },
             Speeds::Each(speeds) => Speeds::Each(speeds.each_ref().map(|u| over(u, speed))),
         },
+        slide_to_roll_ratio_across: over(&transient.slide_to_roll_ratio_across, 1.0),
+        spin: (transient.spin.each_ref()).map(|spin| over(spin, 1.0 / unit)),
         load: over(&transient.load, load),
         radius: (transient.radius.as_ref()).map_or(Course::Constant(1.0), |own| over(own, radius)),
         temperature: (transient.temperature.as_ref()).map(|own| over(own, 1.0)),
@@ -465,6 +475,7 @@ impl TransientObserver for Collector<'_> {
         self.found.instants.push(InstantSolution {
             time,
             speeds: instant.speeds.map(|u| u * self.speed),
+            spin: (self.transient.spin.each_ref()).map(|spin| spin.at(time)),
             load: instant.load * self.load,
             radius: (self.transient.radius.as_ref()).map_or(self.steady.radius, |own| own.at(time)),
             temperature: (self.transient.temperature.as_ref())

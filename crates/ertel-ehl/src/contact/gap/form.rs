@@ -12,6 +12,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
 use super::{Height, HeightMap};
+use crate::contact::pose::turned;
 
 /// Form of a relief; lengths in half-widths, heights in a²/R.
 #[derive(Clone, Debug, PartialEq)]
@@ -112,12 +113,6 @@ fn along(direction: f64, [x, y]: [f64; 2]) -> (f64, [f64; 2]) {
 /// Whether a direction is that across the motion.
 fn is_across(direction: f64) -> bool {
     direction.cos().abs() < ACROSS
-}
-
-/// A place in the own directions of a map.
-fn turned(direction: f64, [x, y]: [f64; 2]) -> [f64; 2] {
-    let (sin, cos) = direction.sin_cos();
-    [x * cos + y * sin, y * cos - x * sin]
 }
 
 impl Form {
@@ -245,10 +240,10 @@ impl Form {
                 ..
             } => {
                 let Height { value, gradient } =
-                    map.at(turned(*direction, place).map(|x| x / length));
+                    map.at(turned(-*direction, place).map(|x| x / length));
                 return Height {
                     value: height * value,
-                    gradient: turned(-direction, gradient).map(|slope| slope * height / length),
+                    gradient: turned(*direction, gradient).map(|slope| slope * height / length),
                 };
             }
             Form::Repeated { form, .. } => return form.at(self.beside_nearest(place)),
@@ -304,7 +299,7 @@ impl Form {
                 direction,
                 ..
             } => {
-                let centre = turned(*direction, [-x, -y]);
+                let centre = turned(-*direction, [-x, -y]);
                 let [dx, dy] = [0, 1]
                     .map(|d: usize| (centre[d].abs() - 0.5 * map.sides()[d] * units[0]).max(0.0));
                 dx.hypot(dy) < distance
@@ -337,7 +332,7 @@ impl Form {
                 direction,
                 ..
             } => {
-                let own = turned(*direction, place);
+                let own = turned(-*direction, place);
                 (0..2).all(|d| own[d].abs() < 0.5 * map.sides()[d] * units[0])
             }
             Form::Repeated { form, .. } => form.covers(self.beside_nearest(place)),

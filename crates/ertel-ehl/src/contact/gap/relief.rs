@@ -1,7 +1,7 @@
 //! What stands out of a surface or is missing from it, and moves with its body.
 
 use super::{Body, Form, Height};
-use crate::contact::Turn;
+use crate::contact::{Pose, Turn};
 
 /// A relief of one of the bodies, along and across the motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,8 +12,8 @@ pub struct Relief {
     pub body: Body,
     /// Where its middle, or first crest, lies at the start.
     pub place: [f64; 2],
-    /// How far the body has moved since.
-    pub moved: f64,
+    /// Where the body has moved since.
+    pub moved: Pose,
     /// From the motion to the principal directions.
     pub turn: Turn,
 }
@@ -21,9 +21,9 @@ pub struct Relief {
 impl Relief {
     /// What it adds to the gap at a place along the principal directions.
     pub fn at(&self, place: [f64; 2]) -> Height {
-        let [x, y] = self.turn.to_motion(place);
-        let from = [x - self.place[0] - self.moved, y - self.place[1]];
+        let from = self.from_middle(self.turn.to_motion(place));
         let Height { value, gradient } = self.form.at(from);
+        let gradient = self.moved.directed(gradient);
         Height {
             value: -value,
             gradient: self.turn.to_axes(gradient.map(|slope| -slope)),
@@ -32,14 +32,19 @@ impl Relief {
 
     /// Whether it lies within a distance from the centre.
     pub fn is_within(&self, distance: f64) -> bool {
-        let [x, y] = self.place;
-        self.form.is_within([x + self.moved, y], distance)
+        let middle = self.from_middle([0.0; 2]).map(|x| -x);
+        self.form.is_within(middle, distance)
     }
 
     /// Whether it reaches a place along and across the motion.
-    pub fn covers(&self, [x, y]: [f64; 2]) -> bool {
-        let from = [x - self.place[0] - self.moved, y - self.place[1]];
-        self.form.covers(from)
+    pub fn covers(&self, place: [f64; 2]) -> bool {
+        self.form.covers(self.from_middle(place))
+    }
+
+    /// From its middle to a place along and across the motion, in directions that are fixed to the body.
+    fn from_middle(&self, place: [f64; 2]) -> [f64; 2] {
+        let [x, y] = self.moved.at_start(place);
+        [x - self.place[0], y - self.place[1]]
     }
 
     /// Whether the halves y < 0 and y > 0 are alike.
@@ -65,7 +70,7 @@ mod tests {
         }
     }
 
-    /// Depth in the middle and at r_0 by hand, cos(75°) e^(−2/1.44); slopes by differences, moved and turned, of all forms.
+    /// Depth in the middle and at r_0 by hand, cos(75°) e^(−2/1.44); slopes by differences, of all forms on a body that has moved and turned.
     #[test]
     fn reliefs_by_hand_and_differences() {
         let dent = Form::Round {
@@ -91,6 +96,10 @@ mod tests {
             height: 0.2,
             direction: 0.7,
         };
+        let moved = Pose {
+            shift: [0.4, -0.3],
+            angle: 0.7,
+        };
         let heights: Vec<f64> = (0..80).map(|k| 0.1 * (0.9 * f64::from(k)).sin()).collect();
         let map = Form::Map {
             map: Arc::new(HeightMap::new([10, 8], [1.0, 1.5], &heights)),
@@ -112,10 +121,12 @@ mod tests {
                 form: form.clone(),
                 body: Body::First,
                 place: [-1.0, 0.25],
-                moved: 0.4,
+                moved,
                 turn: Turn::by(0.3),
             };
-            let axes = relief.turn.to_axes([-0.6 + offset[0], 0.25 + offset[1]]);
+            // From the middle along directions that turn with the body.
+            let [x, y] = moved.directed([-1.0 + offset[0], 0.25 + offset[1]]);
+            let axes = relief.turn.to_axes([x + moved.shift[0], y + moved.shift[1]]);
             let own = relief.at(axes);
             assert_relative_eq!(own.value, -form.at(offset).value, max_relative = 1e-9);
             for d in 0..2 {
@@ -142,7 +153,7 @@ mod tests {
             form: form.clone(),
             body: Body::Second,
             place: [x, 0.0],
-            moved: 0.0,
+            moved: Pose::START,
             turn: Turn::NONE,
         };
         let dent = Form::Round {
@@ -203,7 +214,7 @@ mod tests {
             form: form.clone(),
             body: Body::First,
             place: [x, 0.0],
-            moved: 0.0,
+            moved: Pose::START,
             turn: Turn::NONE,
         };
         let inside = [-1.2, 0.0, 1.9, 2.2].map(|x| at(&three, x).is_within(1.0));

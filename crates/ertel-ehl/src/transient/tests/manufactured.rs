@@ -79,7 +79,7 @@ impl<'a> Manufactured<'a> {
             body: Body::Second,
             // Its first crest, before which waves fade out with a kink of their curvature, has left the grid.
             place: [2.5, 0.0],
-            moved: 0.0,
+            moved: Pose::START,
             turn: Turn::NONE,
         }));
         // Newton's method leaves nothing beside what the steps err by.
@@ -121,10 +121,10 @@ impl<'a> Manufactured<'a> {
     fn set(&mut self, time: f64) {
         // To rounding.
         let parts = 8;
-        let moved = (0..parts).fold([0.0; 2], |sum, k| {
+        let moved = (0..parts).fold([Pose::START; 2], |sum, k| {
             let [from, to] = [k, k + 1].map(|k| time * f64::from(k) / f64::from(parts));
             let way = self.present.conditions.way(from, to);
-            [0, 1].map(|i: usize| sum[i] + way[i])
+            [0, 1].map(|i: usize| sum[i].then(&way[i]))
         });
         self.present.set(&mut self.problem, time, moved);
     }

@@ -88,7 +88,7 @@ fn waves_under_sliding_have_companions_at_the_speed_of_the_film() {
                 },
                 body: Body::First,
                 place: [-1.75, 0.0],
-                moved: 0.0,
+                moved: Pose::START,
                 turn: Turn::NONE,
             }));
         }

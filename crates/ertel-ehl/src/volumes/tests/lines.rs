@@ -4,7 +4,7 @@ use approx::assert_relative_eq;
 
 use super::*;
 use crate::contact::gap::{Body, Form, GapTerm, Relief};
-use crate::contact::{Inlet, OilLayer};
+use crate::contact::{Inlet, OilLayer, Pose};
 
 /// A system on a row of nodes at some state that is no solution.
 fn row() -> (System, State) {
@@ -169,7 +169,7 @@ fn standing_waves_under_sliding_are_those_of_hooke() {
                 form,
                 body: Body::First,
                 place: [1.25, 0.0],
-                moved: 0.0,
+                moved: Pose::START,
                 turn: Turn::NONE,
             }));
         }

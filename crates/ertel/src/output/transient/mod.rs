@@ -79,6 +79,8 @@ pub(super) fn check_finite(found: &TransientSolution) -> Result<(), OutputError>
             instant.film_force,
             instant.speeds[0],
             instant.speeds[1],
+            instant.spin[0],
+            instant.spin[1],
         ];
         if !values.all(f64::is_finite) || !own.iter().all(|value| value.is_finite()) {
             let what = format!("a figure at t = {:e} s", instant.time);

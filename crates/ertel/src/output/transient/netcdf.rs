@@ -49,12 +49,14 @@ pub fn transient_netcdf(case: &CaseEcho, found: &TransientSolution) -> Vec<u8> {
     let outputs = Values::Double(fields.times.clone());
     add("output_time", &[1], "s", "time of the fields", outputs);
     type Value = fn(&InstantSolution) -> f64;
-    let conditions: [(&str, &str, &str, Value); 10] = [
+    let conditions: [(&str, &str, &str, Value); 12] = [
         ("entrainment_speed", "m/s", "entrainment speed", |i| {
             0.5 * (i.speeds[0] + i.speeds[1])
         }),
         ("body_1_speed", "m/s", "speed of body 1", |i| i.speeds[0]),
         ("body_2_speed", "m/s", "speed of body 2", |i| i.speeds[1]),
+        ("body_1_spin", "rad/s", "spin of body 1", |i| i.spin[0]),
+        ("body_2_spin", "rad/s", "spin of body 2", |i| i.spin[1]),
         ("load", force, "load", |i| i.load),
         ("radius", "m", "radius along the motion", |i| i.radius),
         ("temperature", "K", "temperature of bodies and oil", |i| {

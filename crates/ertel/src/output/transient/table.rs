@@ -16,6 +16,8 @@ pub fn transient_table(found: &TransientSolution, is_line: bool) -> String {
         "entrainment_speed_m_per_s".to_owned(),
         "body_1_speed_m_per_s".to_owned(),
         "body_2_speed_m_per_s".to_owned(),
+        "body_1_spin_rad_per_s".to_owned(),
+        "body_2_spin_rad_per_s".to_owned(),
         titled("load", load_unit),
         "radius_m".to_owned(),
         "temperature_K".to_owned(),
@@ -37,9 +39,10 @@ pub fn transient_table(found: &TransientSolution, is_line: bool) -> String {
     let mut text = titles.join(",") + "\n";
     for (i, instant) in found.instants.iter().enumerate() {
         let [first, second] = instant.speeds;
+        let [spin_1, spin_2] = instant.spin;
         let _ = write!(
             text,
-            "{},{:e},{:e},{first:e},{second:e},{:e},{:e},{:e},{},{:e},{:e},{:e}",
+            "{},{:e},{:e},{first:e},{second:e},{spin_1:e},{spin_2:e},{:e},{:e},{:e},{},{:e},{:e},{:e}",
             i + 1,
             instant.time,
             0.5 * (first + second),

@@ -11,8 +11,9 @@ use crate::case::{Case, SurfaceRelief};
 use crate::contact::gap::{Body, Form};
 use crate::solution::Figure;
 
-/// A_d/A_i at each instant at which a whole wave has passed the centre; nothing at all where none does, or where the waves are not the only relief.
+/// A_d/A_i at each instant at which a whole wave has passed the centre; nothing at all where none does, where the waves are not the only relief, or where surfaces slide across the motion or spin.
 pub(super) fn amplitude_ratios(case: &Case, instants: &[InstantSolution]) -> Vec<Option<f64>> {
+    let moves_straight = (case.transient.as_ref()).is_some_and(|transient| transient.is_straight());
     let [
         SurfaceRelief {
             form:
@@ -29,6 +30,9 @@ pub(super) fn amplitude_ratios(case: &Case, instants: &[InstantSolution]) -> Vec
     else {
         return Vec::new();
     };
+    if !moves_straight {
+        return Vec::new();
+    }
     let (across, along) = direction.sin_cos();
     let which = usize::from(*body == Body::Second);
     let (mut moved, mut rows) = (0.0, Vec::new());
