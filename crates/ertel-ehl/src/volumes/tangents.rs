@@ -48,19 +48,6 @@ const FIGURES: [Figure; 13] = [
     Figure::TemperatureBody2Mean,
 ];
 
-/// Whether its derivatives are told where heat counts: those of films and temperatures are within 6 % of the largest of differences of whole solves, those of the traction by
-/// 12 %, at the walls by 90 %, and of the largest pressure by a third.
-fn is_known_with_heat(figure: Figure) -> bool {
-    !matches!(
-        figure,
-        Figure::PressureCentral
-            | Figure::TractionCoefficient
-            | Figure::TractionCoefficientBody1
-            | Figure::TractionCoefficientBody2
-            | Figure::FrictionPower
-    )
-}
-
 /// Grids that are left out, the finest first, and how many are taken at least: derivatives were compared with those of the adjoint on cells of 0.023
 /// half-widths, which is the fifth grid. Coarse grids of lines need not be solutions: the last one that is taken is.
 const LEFT_OUT: usize = 3;
@@ -112,7 +99,6 @@ impl<'a, Plan: Sync> Tangents<'a, Plan> {
             .filter(|f| *f != Figure::TractionCoefficient || problem.fluid.slides())
             // Of a line it differs from that of the adjoint by a fifth of the largest.
             .filter(|f| *f != Figure::PressureCentral || !problem.shape.is_line())
-            .filter(|f| problem.heat.is_none() || is_known_with_heat(*f))
             .filter(|f| wanted(*f) && found.get(*f).is_some() && coarser.get(*f).is_some());
         Tangents {
             problem,

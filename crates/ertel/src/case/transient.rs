@@ -8,10 +8,10 @@ use ertel_quantity::Dimension;
 use super::check::finite_volumes_refuse;
 use super::contact::RADIUS;
 use super::course::Reader;
+use super::geometry::reach;
 use super::inlet::LAYER;
 use super::lubricant::TEMPERATURE;
 use super::machine::Passage;
-use super::geometry::reach;
 use super::motion::{MAX_SPEED, NO_SPIN_OF_LINES, SPIN, check_spin};
 use super::{Case, approach};
 use crate::contact::{Contact, ContactKind, Hertz, Motion, Supply};
@@ -544,7 +544,11 @@ impl Transient {
 
     /// Refuses spin that leaves no inlet, beside the largest speed and, of a steady film, the first one, and motions for whose heat there are no equations in time.
     fn check_motion(&self, case: &Case, table: &Table<'_>) -> Result<(), InputError> {
-        let Reference { speed, load, radius } = self.reference(case);
+        let Reference {
+            speed,
+            load,
+            radius,
+        } = self.reference(case);
         let contact = contact_with(case, load, radius);
         let hertz = Hertz::new(&contact, case.reduced_modulus());
         let at_start = self.spin.each_ref().map(|spin| spin.at(0.0));
@@ -573,7 +577,10 @@ impl Transient {
         match refused.into_iter().find(|(is_there, ..)| *is_there) {
             None => Ok(()),
             Some((_, key, what)) => Err(table
-                .error(key, format!("[transient] does not solve for the heat of {what}"))
+                .error(
+                    key,
+                    format!("[transient] does not solve for the heat of {what}"),
+                )
                 .with_help(WITHOUT_HEAT)),
         }
     }

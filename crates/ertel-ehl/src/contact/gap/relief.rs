@@ -126,7 +126,9 @@ mod tests {
             };
             // From the middle along directions that turn with the body.
             let [x, y] = moved.directed([-1.0 + offset[0], 0.25 + offset[1]]);
-            let axes = relief.turn.to_axes([x + moved.shift[0], y + moved.shift[1]]);
+            let axes = relief
+                .turn
+                .to_axes([x + moved.shift[0], y + moved.shift[1]]);
             let own = relief.at(axes);
             assert_relative_eq!(own.value, -form.at(offset).value, max_relative = 1e-9);
             for d in 0..2 {

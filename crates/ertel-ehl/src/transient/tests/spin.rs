@@ -43,11 +43,7 @@ fn params() -> Params {
 /// Films and friction power of a spinning ball stay under constant conditions, and spin and sliding that begin in time lead to them.
 #[test]
 fn spin_that_begins_leads_to_the_steady_film() {
-    let (constant, _) = run(
-        ball().problem(),
-        &turning(Course::Constant, 1.0),
-        &params(),
-    );
+    let (constant, _) = run(ball().problem(), &turning(Course::Constant, 1.0), &params());
     let ramp = |value: f64| Course::Table(vec![[0.0, 0.0], [1.0, value]]);
     let (begun, _) = run(ball().problem(), &turning(ramp, 6.0), &params());
     let last = |films: &Films| *films.0.last().unwrap();
@@ -58,7 +54,10 @@ fn spin_that_begins_leads_to_the_steady_film() {
     }
     // Without them the film is another one, and nothing slides.
     let straight = begun.0[0];
-    assert!((straight[1] / steady[1] - 1.0).abs() > 5e-3, "{straight:?} {steady:?}");
+    assert!(
+        (straight[1] / steady[1] - 1.0).abs() > 5e-3,
+        "{straight:?} {steady:?}"
+    );
     assert!(straight[4] < 0.1 * steady[4], "{straight:?} {steady:?}");
     assert!(mass_error(&begun) < 1e-2);
 }
