@@ -48,6 +48,19 @@ fn line() -> Given {
     }
 }
 
+/// A slow ball of 12.5 mm on glass, with a thick oil: Mourier's contact.
+fn ball_on_glass() -> Given {
+    Given {
+        contact: Contact::circular(0.0125, 15.0),
+        reduced_modulus: 110e9,
+        viscosity: 0.25,
+        speed: 0.09,
+        target: 2e-2,
+        start_film: 0.12,
+        thinning: None,
+    }
+}
+
 impl Given {
     fn problem(&self) -> Problem<Plan> {
         // E' is that of two alike.
@@ -276,16 +289,7 @@ fn a_film_is_entrapped_and_turns() {
 /// A dent is a dent of the film that moves at the speed of its body, and the film closes behind it: circular contact, rolling.
 #[test]
 fn a_dent_passes_through_a_circular_contact() {
-    let given = Given {
-        contact: Contact::circular(0.0125, 15.0),
-        reduced_modulus: 110e9,
-        viscosity: 0.25,
-        speed: 0.09,
-        target: 2e-2,
-        start_film: 0.12,
-        thinning: None,
-    };
-    let mut problem = given.problem();
+    let mut problem = ball_on_glass().problem();
     let scales = problem.scales;
     let radius = 0.25;
     problem.plan.largest_cell = 2.4 * radius / 16.0;

@@ -487,7 +487,10 @@ impl Transient {
         let [first, second] = &self.spin;
         let instants = (0..=SAMPLES).map(|i| self.duration * f64::from(i) / f64::from(SAMPLES));
         let mean = |time: f64| 0.5 * (first.at(time) + second.at(time)).abs();
-        instants.map(mean).fold(0.0, f64::max)
+        // A peak may lie between them.
+        let kinks = self.spin.iter().flat_map(Course::kinks);
+        let kinks = kinks.filter(|time| *time <= self.duration);
+        instants.chain(kinks).map(mean).fold(0.0, f64::max)
     }
 
     /// By what all else is measured: the largest entrainment speed, load and radius that occur. Where bodies come near to each other from afar, the speed of oil that leaves

@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use ertel_rheology::shear::{ReeEyring, ShearLaw, ShearThinning};
 
-use super::{Films, Given, Params, line, mass_error, run, steady};
+use super::{Films, Given, Params, ball_on_glass, line, mass_error, run, steady};
 use crate::contact::gap::{Body, Form, GapTerm, Relief};
 use crate::contact::{Contact, Pose, Turn};
 use crate::transient::{Conditions, Course};
@@ -68,16 +68,7 @@ fn spin_that_begins_leads_to_the_steady_film() {
 fn a_dent_moves_on_the_circle_of_its_body() {
     let (omega, arrives) = (0.4, 1.6);
     let angle: f64 = omega * arrives;
-    let given = Given {
-        contact: Contact::circular(0.0125, 15.0),
-        reduced_modulus: 110e9,
-        viscosity: 0.25,
-        speed: 0.09,
-        target: 2e-2,
-        start_film: 0.12,
-        thinning: None,
-    };
-    let mut problem = given.problem();
+    let mut problem = ball_on_glass().problem();
     let radius = 0.25;
     problem.plan.largest_cell = 2.4 * radius / 16.0;
     problem.shape.gap.terms.push(GapTerm::Relief(Relief {

@@ -24,7 +24,7 @@ use crate::volumes::level::Level;
 use crate::volumes::step::{Equation, Inverse};
 use crate::volumes::system::{Linearised, State, System};
 
-/// How exactly ẋ is solved for. The first input on the coarsest grid of a roller takes 60 iterations, as its rounds make little of the film's errors there; what it has found serves the others.
+/// How exactly ẋ is solved for. The first inputs on the coarsest grid of a roller take more than 40 iterations; what they have found serves the others.
 const COUPLED: GmresParams = GmresParams {
     tolerance: 1e-5,
     max_iterations: 150,
@@ -40,7 +40,7 @@ const OF_WALLS: GmresParams = GmresParams {
 };
 
 /// Sweeps of the temperatures on patches and on lines: what they leave where the film flows in circles is left to Krylov's method. The inlets of lines, where it does, reach so far that two sweeps leave
-/// more than 150 directions of ẋ make up for; sixteen leave 20 to 150 of them, 60 no fewer.
+/// more than 150 directions of ẋ make up for; with sixteen, all inputs of a line together took 71 to 148 directions on a grid, with 60 sweeps 64 to 134.
 const SWEEPS: [usize; 2] = [2, 16];
 
 /// Step of differences along ẋ, over its largest part, in shares of warmth and of the largest rise of the temperature.
