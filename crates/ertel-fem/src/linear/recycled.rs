@@ -6,7 +6,10 @@
 //! ```
 //! For the first right side the iterates are those of GMRES.
 
-use super::gmres::{GmresError, GmresInfo, GmresParams, add, dot};
+use rayon::prelude::*;
+
+use super::dense::vectorised;
+use super::gmres::{GmresError, GmresInfo, GmresParams, add};
 
 /// Directions of a matrix and its products with them.
 #[derive(Default)]
@@ -99,6 +102,38 @@ impl Recycled {
         }
         self.shares = c;
     }
+}
+
+/// Sums that are kept apart: one after the other each would wait for the one before.
+const LANES: usize = 16;
+
+/// Numbers that are summed by a thread.
+const CHUNK: usize = 32_768;
+
+/// a·b.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let serial = |a: &[f64], b: &[f64]| vectorised(|| by_lanes(a, b));
+    if a.len() <= 2 * CHUNK {
+        return serial(a, b);
+    }
+    // In one order, whatever threads there are.
+    let sums: Vec<f64> = (a.par_chunks(CHUNK).zip(b.par_chunks(CHUNK)))
+        .map(|(a, b)| serial(a, b))
+        .collect();
+    sums.iter().sum()
+}
+
+#[inline(always)]
+fn by_lanes(a: &[f64], b: &[f64]) -> f64 {
+    let ((a, a_end), (b, b_end)) = (a.as_chunks::<LANES>(), b.as_chunks::<LANES>());
+    let mut sums = [0.0; LANES];
+    for (a, b) in a.iter().zip(b) {
+        for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
+            *sum += a * b;
+        }
+    }
+    let end: f64 = a_end.iter().zip(b_end).map(|(a, b)| a * b).sum();
+    sums.iter().sum::<f64>() + end
 }
 
 /// Takes its part along a unit vector off a vector; returns its share.

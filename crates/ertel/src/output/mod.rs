@@ -188,10 +188,22 @@ fn write_files(
         let temperatures = thermal.map(|t| &t.centreline);
         centreline::write_centreline(out, &solution.centreline, temperatures, half_width)
     })?;
-    folder.file("surface.vtu", |out| {
+    // What takes longest to make, at the same time.
+    let (tolerance, scale) = (Some(case.solver.tolerance), case.temperature_scale());
+    let surface = || -> io::Result<Vec<u8>> {
+        let mut bytes = Vec::new();
         let temperatures = thermal.map(|t| &t.surface);
-        vtu::write_surface(out, &solution.shape, &solution.surface, temperatures)
-    })?;
+        vtu::write_surface(&mut bytes, &solution.shape, &solution.surface, temperatures)?;
+        Ok(bytes)
+    };
+    let (page, (pictures, surface)) = rayon::join(
+        || html::report_page(case, solution, case.solver.tolerance),
+        || {
+            let pictures = || pictures::pictures_in(&case.title, solution, tolerance, scale);
+            rayon::join(pictures, surface)
+        },
+    );
+    folder.file("surface.vtu", |out| out.write_all(&surface?))?;
     if let Some(profiles) = thermal.map(|t| &t.profiles).filter(|p| !p.is_empty()) {
         folder.file("cross-film.csv", |out| {
             heat::write_profiles(out, profiles, half_width)
@@ -211,11 +223,8 @@ fn write_files(
         let bytes = netcdf::of_solution(&case.title, solution);
         folder.file("result.nc", |out| out.write_all(&bytes))?;
     }
-    folder.file(html::REPORT_PAGE, |out| {
-        out.write_all(html::report_page(case, solution, case.solver.tolerance).as_bytes())
-    })?;
-    let (tolerance, scale) = (Some(case.solver.tolerance), case.temperature_scale());
-    for picture in pictures::pictures_in(&case.title, solution, tolerance, scale) {
+    folder.file(html::REPORT_PAGE, |out| out.write_all(page.as_bytes()))?;
+    for picture in pictures {
         write_picture(folder, &picture, params.pictures)?;
     }
     if let Some(light) = &params.interferogram {

@@ -17,6 +17,7 @@
 //! | [`memory`] | what the bodies remember in time |
 //! | [`columns`] | the energy equation of the film over each node |
 //! | [`transport`] | what flows from node to node |
+//! | [`march`] | temperatures of the film by those of the walls, along the flow |
 //! | [`temperatures`] | Newton's method for film and surfaces |
 //! | [`warmth`] | what temperatures make of the film equation |
 //! | [`rounds`] | film and heat in turn, from grid to grid |
@@ -28,6 +29,7 @@
 pub mod axial;
 pub mod columns;
 pub mod figures;
+pub mod march;
 pub mod memory;
 pub mod output;
 pub mod padded;

@@ -14,6 +14,7 @@ use std::collections::BinaryHeap;
 use rayon::prelude::*;
 
 use super::columns::{Columns, FilmHeat};
+use super::march::March;
 use crate::film::MOST_NODES;
 use crate::forms::energy::Heights;
 use crate::volumes::contents::sides;
@@ -23,11 +24,15 @@ use crate::volumes::system::Storage;
 
 /// Mass that flows through the film of a grid, and the heat that it carries.
 pub struct Flow<'a> {
-    grid: &'a Grid,
+    pub(super) grid: &'a Grid,
     heights: &'a Heights,
-    columns: &'a Columns,
+    pub(super) columns: &'a Columns,
+    /// Of the temperature of each node across the film, that at all heights.
+    pub(super) raised: Vec<Heighted>,
+    /// Sides of the unknown nodes.
+    sides: Vec<[Side; 4]>,
     /// m through the faces behind each node along both directions, height by height.
-    through: [Vec<f64>; 2],
+    through: [Vec<Heighted>; 2],
     /// How temperatures change in time, where they do.
     stored: Option<&'a Storage>,
 }
@@ -38,11 +43,8 @@ pub struct Transport<'a> {
     /// Nodes, each behind those upstream of it where the flow goes in no circles: what flows across to one side at some heights and to the other one at others is followed by
     /// one order each.
     orders: [Vec<u32>; 2],
-    /// ∂R/∂T of each unknown node: `[row + f·column]`.
-    slopes: Vec<f64>,
-    /// Factors of its inner rows and columns, with their pivots.
-    factors: Vec<f64>,
-    pivots: Vec<u8>,
+    /// By which its temperatures are found.
+    march: March,
     /// R.
     residual: Vec<f64>,
     /// Convection ∫C ds, W/m².
@@ -50,16 +52,23 @@ pub struct Transport<'a> {
 }
 
 /// A side of a node.
+#[derive(Clone, Copy, Default)]
 struct Side {
-    direction: usize,
-    face: usize,
+    direction: u8,
+    face: u32,
+    /// 0 where there is none.
     weight: f64,
     /// The node beyond it, the next one, and the one behind the node itself.
-    next: [usize; 2],
-    behind: usize,
+    next: [u32; 2],
+    behind: u32,
     /// a of what flows in and of what flows out.
     ahead: [f64; 2],
 }
+
+/// Values at the heights over a node, filled up with zeros to whole vectors.
+pub type Heighted = [f64; 16];
+
+const _: () = assert!(MOST_NODES <= 16);
 
 fn sides_of(grid: &Grid, k: usize) -> [Side; 4] {
     let [nx, ny] = grid.n;
@@ -95,11 +104,11 @@ fn sides_of(grid: &Grid, k: usize) -> [Side; 4] {
         ([across(-1), across(-2)], across(1)),
     ];
     std::array::from_fn(|s| Side {
-        direction: own[s].direction,
-        face: own[s].face,
+        direction: own[s].direction as u8,
+        face: own[s].face as u32,
         weight: own[s].weight,
-        next: reach[s].0,
-        behind: reach[s].1,
+        next: reach[s].0.map(|k| k as u32),
+        behind: reach[s].1 as u32,
         ahead: ahead(s % 2 == 0, own[s].direction),
     })
 }
@@ -137,16 +146,30 @@ struct Convection {
 }
 
 /// Nodes that a thread takes at a time.
-const BATCH: usize = 256;
+pub(super) const BATCH: usize = 256;
 
 impl<'a> Flow<'a> {
     /// With the mass flow of the film equation through the faces.
     pub fn new(of: &FilmHeat<'a>, columns: &'a Columns, faces: &[Vec<Face>; 2]) -> Flow<'a> {
         let (grid, heights) = (of.grid, of.heights);
+        let [f, h] = columns.n;
+        let mut raised = vec![Heighted::default(); f];
+        for (m, raised) in raised.iter_mut().enumerate() {
+            for (l, value) in raised[..h].iter_mut().enumerate() {
+                *value = heights.shapes[l][m];
+            }
+        }
+        let all = (0..grid.n_nodes()).into_par_iter().with_min_len(BATCH);
+        let sides = all.map(|k| match grid.is_unknown(k % grid.n[0], k / grid.n[0]) {
+            true => sides_of(grid, k),
+            false => Default::default(),
+        });
         Flow {
             grid,
             heights,
             columns,
+            raised,
+            sides: sides.collect(),
             stored: of.stored,
             through: [0, 1].map(|d| through(grid, heights, columns, &faces[d], d)),
         }
@@ -176,28 +199,36 @@ impl<'a> Flow<'a> {
         residual
     }
 
-    fn is_unknown(&self, k: usize) -> bool {
+    /// Whether the temperatures over a node are to be found.
+    pub(super) fn is_unknown(&self, k: usize) -> bool {
         let nx = self.grid.n[0];
         self.grid.is_unknown(k % nx, k / nx)
     }
 
     /// Temperatures at all heights.
-    fn at_heights(&self, temperature: &[f64]) -> Vec<f64> {
-        let [f, h] = self.columns.n;
-        let mut all = vec![0.0; self.grid.n_nodes() * h];
-        (all.par_chunks_exact_mut(h)
-            .zip(temperature.par_chunks_exact(f)))
-        .with_min_len(BATCH)
-        .for_each(|(values, nodes)| self.raise(nodes, values));
-        all
+    fn at_heights(&self, temperature: &[f64]) -> Vec<Heighted> {
+        let f = self.columns.n[0];
+        let nodes = temperature.par_chunks_exact(f).with_min_len(BATCH);
+        nodes.map(|nodes| self.raise(nodes)).collect()
     }
 
     /// Temperatures at the heights over a node.
-    #[inline(always)]
-    fn raise(&self, nodes: &[f64], values: &mut [f64]) {
-        for (value, shapes) in values.iter_mut().zip(&self.heights.shapes) {
-            *value = nodes.iter().zip(shapes).map(|(t, s)| t * s).sum();
+    fn raise(&self, nodes: &[f64]) -> Heighted {
+        let mut values = Heighted::default();
+        for (t, raised) in nodes.iter().zip(&self.raised) {
+            for (value, shape) in values.iter_mut().zip(raised) {
+                *value += t * shape;
+            }
         }
+        values
+    }
+
+    /// ∂R/∂T of a row across the film by what arrives at a height: ∫ φ c ds.
+    pub(super) fn projection(&self, k: usize, height: usize, row: usize) -> f64 {
+        let h = self.columns.n[1];
+        self.heights.weights()[height]
+            * self.columns.capacity[k * h + height]
+            * self.heights.shapes[height][row]
     }
 
     /// Adds the convection of a node to its equation; returns it, W/m².
@@ -227,18 +258,14 @@ impl<'a> Flow<'a> {
         carried
     }
 
-    fn convection(&self, k: usize, own: &[f64], at_heights: &[f64]) -> Convection {
+    fn convection(&self, k: usize, own: &[f64], at_heights: &[Heighted]) -> Convection {
         let h = self.columns.n[1];
-        let mut from = [0.0; MOST_NODES];
+        let from = self.arriving(k, at_heights);
         let mut diagonal = [0.0; MOST_NODES];
-        self.arriving(k, at_heights, &mut from);
         let mut up = [0.0; MOST_NODES];
         let mut outflow = 0.0;
-        for side in sides_of(self.grid, k) {
-            if side.weight == 0.0 {
-                continue;
-            }
-            let flow = &self.through[side.direction][side.face * h..][..h];
+        for side in self.sides[k].iter().filter(|side| side.weight != 0.0) {
+            let flow = &self.through[usize::from(side.direction)][side.face as usize];
             for l in 0..h {
                 let out = side.weight * flow[l];
                 diagonal[l] += if out > 0.0 { side.ahead[1] * out } else { -out };
@@ -253,16 +280,15 @@ impl<'a> Flow<'a> {
             up[l] += (self.heights.points()[l] + 0.5) * outflow;
             let [first, _] = &self.heights.slopes[l];
             let slope: f64 = own.iter().zip(first).map(|(t, s)| t * s).sum();
-            value[l] = from[l] + diagonal[l] * at_heights[k * h + l] + up[l] * slope;
+            value[l] = from[l] + diagonal[l] * at_heights[k][l] + up[l] * slope;
         }
         if let Some(stored) = self.stored {
             let f = own.len();
-            let mut past = [0.0; MOST_NODES];
-            self.raise(&stored.past[k * f..][..f], &mut past[..h]);
+            let past = self.raise(&stored.past[k * f..][..f]);
             for l in 0..h {
                 let content = self.columns.content[k * h + l];
                 diagonal[l] += content * stored.rate;
-                value[l] += content * (stored.rate * at_heights[k * h + l] + past[l]);
+                value[l] += content * (stored.rate * at_heights[k][l] + past[l]);
             }
         }
         Convection {
@@ -274,25 +300,25 @@ impl<'a> Flow<'a> {
 
     /// Σ_f m_f T_f of the temperatures around a node, its own left out, at each height.
     #[inline(always)]
-    fn arriving(&self, k: usize, at_heights: &[f64], sums: &mut [f64; MOST_NODES]) {
-        let h = self.columns.n[1];
-        *sums = [0.0; MOST_NODES];
-        for side in sides_of(self.grid, k) {
+    pub(super) fn arriving(&self, k: usize, at_heights: &[Heighted]) -> Heighted {
+        let mut sums = Heighted::default();
+        for side in &self.sides[k] {
             if side.weight == 0.0 {
                 continue;
             }
-            let flow = &self.through[side.direction][side.face * h..][..h];
-            let [next, second] = side.next.map(|n| &at_heights[n * h..][..h]);
-            let behind = &at_heights[side.behind * h..][..h];
-            for l in 0..h {
+            let flow = &self.through[usize::from(side.direction)][side.face as usize];
+            let [next, second] = side.next.map(|n| &at_heights[n as usize]);
+            let behind = &at_heights[side.behind as usize];
+            let [inwards, outwards] = side.ahead;
+            for l in 0..sums.len() {
                 let out = side.weight * flow[l];
-                let [inwards, outwards] = side.ahead;
                 sums[l] += match out > 0.0 {
                     true => -outwards * out * behind[l],
                     false => out * ((1.0 + inwards) * next[l] - inwards * second[l]),
                 };
             }
         }
+        sums
     }
 }
 
@@ -306,40 +332,26 @@ impl<'a> Transport<'a> {
     ) -> Transport<'a> {
         let grid = of.grid;
         let [f, _] = columns.n;
-        let n = grid.n_nodes();
-        let inner = f - 2;
         let flow = Flow::new(of, columns, faces);
         let mut slopes = columns.slopes.clone();
-        let mut factors = vec![0.0; n * inner * inner];
-        let mut pivots = vec![0; n * inner];
         let mut residual = columns.rows.clone();
-        let mut carried = vec![0.0; n];
+        let mut carried = vec![0.0; grid.n_nodes()];
         let at_heights = flow.at_heights(temperature);
         let equations = (slopes.par_chunks_exact_mut(f * f))
-            .zip(factors.par_chunks_exact_mut(inner * inner))
-            .zip(pivots.par_chunks_exact_mut(inner))
             .zip(residual.par_chunks_exact_mut(f))
             .zip(&mut carried)
             .enumerate()
             .with_min_len(BATCH);
         equations.filter(|(k, _)| flow.is_unknown(*k)).for_each(
-            |(k, ((((slopes, factors), pivots), rows), carried))| {
+            |(k, ((slopes, rows), carried))| {
                 let convection = flow.convection(k, &temperature[k * f..][..f], &at_heights);
                 *carried = flow.add(k, &convection, rows, slopes);
-                for b in 0..inner {
-                    for a in 0..inner {
-                        factors[a * inner + b] = slopes[(b + 1) * f + a + 1];
-                    }
-                }
-                factorise(factors, pivots);
             },
         );
         Transport {
+            march: March::new(&flow, &slopes),
+            orders: [false, true].map(|from_last_row| downstream(&flow, faces, from_last_row)),
             flow,
-            orders: [false, true].map(|from_last_row| downstream(grid, faces, from_last_row)),
-            slopes,
-            factors,
-            pivots,
             residual,
             carried,
         }
@@ -363,34 +375,16 @@ impl<'a> Transport<'a> {
     /// Changes of the temperatures within the film for which R changes by `rows` there, and the heat into both bodies, by changes of the walls. Nodes are taken in both
     /// orders of the flow and against them in turn, as often as `sweeps` says.
     pub fn moved(&self, walls: [&[f64]; 2], rows: Option<&[f64]>, sweeps: Sweeps) -> Moved {
-        let [f, h] = self.flow.columns.n;
-        let n = self.flow.grid.n_nodes();
-        let mut temperature = vec![0.0; n * f];
-        let mut at_heights = vec![0.0; n * h];
+        let (flow, march) = (&self.flow, &self.march);
+        let by_rows = rows.map(|rows| march.by_rows(rows));
+        let mut marching = march.start(flow);
+        let of_walls = walls.map(|wall| wall.iter().fold(0.0_f64, |m, t| m.max(t.abs())));
         let mut done = 0;
         loop {
-            let mut largest = [0.0_f64; 2];
-            let mut visit = |k: usize| {
-                let mut from = [0.0; MOST_NODES];
-                self.flow.arriving(k, &at_heights, &mut from);
-                let mut nodes = [0.0; MOST_NODES];
-                self.inner(k, &from, [walls[0][k], walls[1][k]], rows, &mut nodes[..f]);
-                let own = &mut temperature[k * f..][..f];
-                for (old, new) in own.iter_mut().zip(nodes) {
-                    largest = [
-                        largest[0].max(new.abs()),
-                        largest[1].max((new - *old).abs()),
-                    ];
-                    *old = new;
-                }
-                self.flow.raise(own, &mut at_heights[k * h..][..h]);
-            };
-            let order = &self.orders[done % 2];
-            match done % 4 {
-                0 | 1 => order.iter().for_each(|k| visit(*k as usize)),
-                _ => order.iter().rev().for_each(|k| visit(*k as usize)),
-            }
-            let [size, change] = largest;
+            let order = self.orders[done % 2].as_slice();
+            let way = (order, done % 4 > 1);
+            let [size, change] = march.sweep(flow, way, walls, by_rows.as_deref(), &mut marching);
+            let size = of_walls.into_iter().fold(size, f64::max);
             match sweeps {
                 Sweeps::Count(count) if done + 1 >= count => break,
                 // The last one changed nothing.
@@ -402,69 +396,12 @@ impl<'a> Transport<'a> {
                 _ => done += 1,
             }
         }
-        let mut flux = [vec![0.0; n], vec![0.0; n]];
-        for k in self.unknown().iter().map(|k| *k as usize) {
-            let mut from = [0.0; MOST_NODES];
-            self.flow.arriving(k, &at_heights, &mut from);
-            let nodes = &temperature[k * f..][..f];
-            let slopes = &self.slopes[k * f * f..][..f * f];
-            for (b, row) in [0, f - 1].into_iter().enumerate() {
-                let own: f64 = (0..f).map(|m| slopes[m * f + row] * nodes[m]).sum();
-                flux[b][k] = -own - self.projected(k, &from, row);
-            }
-        }
+        let (temperature, flux) = march.outcome(flow, walls, &marching);
         Moved {
             temperature,
             flux,
             sweeps: done.max(1),
         }
-    }
-
-    /// ∫ φ_a c C ds of convection at each height.
-    #[inline(always)]
-    fn projected(&self, k: usize, from: &[f64; MOST_NODES], a: usize) -> f64 {
-        let h = self.flow.columns.n[1];
-        let capacity = &self.flow.columns.capacity[k * h..][..h];
-        (0..h)
-            .map(|l| {
-                self.flow.heights.weights()[l]
-                    * capacity[l]
-                    * self.flow.heights.shapes[l][a]
-                    * from[l]
-            })
-            .sum()
-    }
-
-    /// Solves the inner rows of a node.
-    #[inline(always)]
-    fn inner(
-        &self,
-        k: usize,
-        from: &[f64; MOST_NODES],
-        walls: [f64; 2],
-        rows: Option<&[f64]>,
-        nodes: &mut [f64],
-    ) {
-        let f = nodes.len();
-        let inner = f - 2;
-        let slopes = &self.slopes[k * f * f..][..f * f];
-        let mut right = [0.0; MOST_NODES];
-        for a in 0..inner {
-            let own = rows.map_or(0.0, |rows| rows[k * f + a + 1]);
-            right[a] = own
-                - self.projected(k, from, a + 1)
-                - slopes[a + 1] * walls[0]
-                - slopes[(f - 1) * f + a + 1] * walls[1];
-        }
-        let factors = &self.factors[k * inner * inner..][..inner * inner];
-        solve(
-            factors,
-            &self.pivots[k * inner..][..inner],
-            &mut right[..inner],
-        );
-        nodes[0] = walls[0];
-        nodes[f - 1] = walls[1];
-        nodes[1..f - 1].copy_from_slice(&right[..inner]);
     }
 }
 
@@ -475,12 +412,13 @@ fn through(
     columns: &Columns,
     faces: &[Face],
     direction: usize,
-) -> Vec<f64> {
+) -> Vec<Heighted> {
     let h = columns.n[1];
     let step = [1, grid.n[0]][direction];
     let n = grid.n_nodes();
-    let mut through = vec![0.0; n * h];
-    for (k, flow) in through.chunks_exact_mut(h).enumerate() {
+    let mut through = vec![Heighted::default(); n];
+    for (k, flow) in through.iter_mut().enumerate() {
+        let flow = &mut flow[..h];
         if k + step >= n {
             break;
         }
@@ -501,21 +439,20 @@ fn through(
 }
 
 /// Unknown nodes, each behind those that mass flows from, otherwise column by column; nodes in circles last.
-fn downstream(grid: &Grid, faces: &[Vec<Face>; 2], from_last_row: bool) -> Vec<u32> {
-    let [nx, ny] = grid.n;
-    let is_unknown = |k: usize| grid.is_unknown(k % nx, k / nx);
-    let out = |side: &Side| side.weight * faces[side.direction][side.face].flux;
+fn downstream(flow: &Flow, faces: &[Vec<Face>; 2], from_last_row: bool) -> Vec<u32> {
+    let [nx, ny] = flow.grid.n;
+    let out = |side: &Side| {
+        side.weight * faces[usize::from(side.direction)][side.face as usize].flux
+    };
     let place = |k: usize| {
         let j = k / nx;
         (k % nx, if from_last_row { ny - 1 - j } else { j }, k)
     };
-    let mut waiting = vec![0_u8; grid.n_nodes()];
+    let mut waiting = vec![0_u8; flow.grid.n_nodes()];
     let mut ready = BinaryHeap::new();
-    for k in (0..waiting.len()).filter(|k| is_unknown(*k)) {
-        waiting[k] = sides_of(grid, k)
-            .iter()
-            .filter(|side| out(side) < 0.0 && is_unknown(side.next[0]))
-            .count() as u8;
+    for k in (0..waiting.len()).filter(|k| flow.is_unknown(*k)) {
+        let waits = |side: &&Side| out(side) < 0.0 && flow.is_unknown(side.next[0] as usize);
+        waiting[k] = flow.sides[k].iter().filter(waits).count() as u8;
         if waiting[k] == 0 {
             ready.push(Reverse(place(k)));
         }
@@ -523,9 +460,9 @@ fn downstream(grid: &Grid, faces: &[Vec<Face>; 2], from_last_row: bool) -> Vec<u
     let mut order: Vec<u32> = Vec::new();
     while let Some(Reverse((_, _, k))) = ready.pop() {
         order.push(k as u32);
-        for side in sides_of(grid, k) {
-            let to = side.next[0];
-            if out(&side) > 0.0 && is_unknown(to) && waiting[to] > 0 {
+        for side in &flow.sides[k] {
+            let to = side.next[0] as usize;
+            if out(side) > 0.0 && flow.is_unknown(to) && waiting[to] > 0 {
                 waiting[to] -= 1;
                 if waiting[to] == 0 {
                     ready.push(Reverse(place(to)));
@@ -537,43 +474,4 @@ fn downstream(grid: &Grid, faces: &[Vec<Face>; 2], from_last_row: bool) -> Vec<u
     left.sort_by_key(|k| place(*k));
     order.extend(left.into_iter().map(|k| k as u32));
     order
-}
-
-/// Gaussian elimination with pivots, row by row.
-fn factorise(a: &mut [f64], pivots: &mut [u8]) {
-    let n = pivots.len();
-    for k in 0..n {
-        let pivot = (k..n)
-            .max_by(|i, j| a[i * n + k].abs().total_cmp(&a[j * n + k].abs()))
-            .unwrap_or(k);
-        pivots[k] = pivot as u8;
-        if pivot != k {
-            for c in 0..n {
-                a.swap(k * n + c, pivot * n + c);
-            }
-        }
-        let inverse = 1.0 / a[k * n + k];
-        for i in k + 1..n {
-            let factor = a[i * n + k] * inverse;
-            a[i * n + k] = factor;
-            for c in k + 1..n {
-                a[i * n + c] -= factor * a[k * n + c];
-            }
-        }
-    }
-}
-
-fn solve(a: &[f64], pivots: &[u8], b: &mut [f64]) {
-    let n = pivots.len();
-    for k in 0..n {
-        b.swap(k, pivots[k] as usize);
-    }
-    for i in 0..n {
-        let sum: f64 = (0..i).map(|c| a[i * n + c] * b[c]).sum();
-        b[i] -= sum;
-    }
-    for i in (0..n).rev() {
-        let sum: f64 = (i + 1..n).map(|c| a[i * n + c] * b[c]).sum();
-        b[i] = (b[i] - sum) / a[i * n + i];
-    }
 }

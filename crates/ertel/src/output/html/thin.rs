@@ -30,18 +30,27 @@ pub(super) fn thin(
     let mut mesh = Mesh::new(points, cells, fields);
     let mut fixed = mesh.edge();
     fixed.iter_mut().zip(stays).for_each(|(f, s)| *f |= *s);
+    // What could not go cannot until something around it has changed.
+    let mut stuck = fixed.clone();
     for _ in 0..MOST_ROUNDS {
         // Those beside one that went wait for the next round, so that all regions thin alike.
         let mut waits = vec![false; points.len()];
         let mut n_gone = 0;
-        for node in 0..points.len() as u32 {
-            if !waits[node as usize] && !fixed[node as usize] && mesh.remove(node) {
+        for node in 0..points.len() {
+            if waits[node] || stuck[node] {
+                continue;
+            }
+            stuck[node] = true;
+            if mesh.remove(node as u32) {
                 n_gone += 1;
-                let around = mesh.last_around.iter();
-                around.for_each(|n| waits[*n as usize] = true);
+                for around in &mesh.around {
+                    let around = *around as usize;
+                    waits[around] = true;
+                    stuck[around] = fixed[around];
+                }
             }
         }
-        if 100 * n_gone <= mesh.n_left() {
+        if 100 * n_gone <= mesh.n_left {
             break;
         }
     }
@@ -56,8 +65,14 @@ struct Mesh<'a> {
     of_node: Vec<Vec<u32>>,
     /// Nodes that went, by the cell that they lie in.
     inside: Vec<Vec<u32>>,
-    /// Nodes around the one that went last.
-    last_around: Vec<u32>,
+    /// Nodes that are left.
+    n_left: usize,
+    /// Nodes around the one that was looked at last.
+    around: Vec<u32>,
+    /// What is tried: its nodes that go, the new cells, and in which of them the nodes lie.
+    gone: Vec<u32>,
+    moved: Vec<[u32; 3]>,
+    places: Vec<usize>,
 }
 
 impl<'a> Mesh<'a> {
@@ -72,76 +87,71 @@ impl<'a> Mesh<'a> {
             cell.iter()
                 .for_each(|n| of_node[*n as usize].push(c as u32));
         }
+        let n_left = of_node.iter().filter(|own| !own.is_empty()).count();
         Mesh {
             points,
             fields,
             cells: cells.iter().map(|cell| Some(turned(*cell))).collect(),
             of_node,
             inside: vec![Vec::new(); cells.len()],
-            last_around: Vec::new(),
+            n_left,
+            around: Vec::new(),
+            gone: Vec::new(),
+            moved: Vec::new(),
+            places: Vec::new(),
         }
     }
 
-    fn n_left(&self) -> usize {
-        self.of_node.iter().filter(|own| !own.is_empty()).count()
-    }
-
     fn cell(&self, c: u32) -> [u32; 3] {
-        self.cells[c as usize].expect("cells of nodes are there")
+        cell(&self.cells, c)
     }
 
     /// Whether nodes lie on the edge of the mesh: the triangles around them do not close.
-    fn edge(&self) -> Vec<bool> {
-        let is_on_edge = |node: u32| {
-            let own = &self.of_node[node as usize];
-            let around = self.around(node);
-            own.is_empty() || around.len() != own.len()
-        };
-        (0..self.points.len() as u32).map(is_on_edge).collect()
-    }
-
-    /// The nodes around a node, each once.
-    fn around(&self, node: u32) -> Vec<u32> {
-        let own = self.of_node[node as usize].iter();
-        let mut around: Vec<u32> = (own.flat_map(|c| self.cell(*c)))
-            .filter(|n| *n != node)
-            .collect();
-        around.sort_unstable();
-        around.dedup();
-        around
+    fn edge(&mut self) -> Vec<bool> {
+        let mut is_on_edge = Vec::with_capacity(self.points.len());
+        for (node, own) in self.of_node.iter().enumerate() {
+            note_around(&self.cells, own, node as u32, &mut self.around);
+            is_on_edge.push(own.is_empty() || self.around.len() != own.len());
+        }
+        is_on_edge
     }
 
     /// Removes a node if some neighbour can take its place.
     fn remove(&mut self, node: u32) -> bool {
-        let own = self.of_node[node as usize].clone();
-        let mut gone: Vec<u32> = (own.iter())
-            .flat_map(|c| self.inside[*c as usize].iter().copied())
-            .collect();
-        gone.push(node);
-        let around = self.around(node);
-        for onto in &around {
-            let moved = (own.iter().map(|c| self.cell(*c)))
-                .filter(|cell| !cell.contains(onto))
-                .map(|cell| cell.map(|n| if n == node { *onto } else { n }));
-            let moved: Vec<[u32; 3]> = moved.collect();
-            if !moved.iter().all(|cell| self.is_sound(cell)) {
-                continue;
-            }
-            let Some(places) = (gone.iter())
-                .map(|n| self.place(*n, &moved))
-                .collect::<Option<Vec<usize>>>()
-            else {
-                continue;
-            };
-            self.replace(node, &own, &moved);
-            // New cells take the numbers of old ones, in order.
-            for (n, place) in gone.iter().zip(places) {
-                self.inside[own[place] as usize].push(*n);
-            }
-            self.last_around = around;
-            return true;
+        let own = std::mem::take(&mut self.of_node[node as usize]);
+        note_around(&self.cells, &own, node, &mut self.around);
+        let of = own.iter().flat_map(|c| &self.inside[*c as usize]);
+        self.gone.clear();
+        self.gone.extend(of);
+        self.gone.push(node);
+        let goes = (0..self.around.len()).any(|n| self.slides(node, &own, self.around[n]));
+        if goes {
+            self.replace(node, &own);
+        } else {
+            self.of_node[node as usize] = own;
         }
-        false
+        goes
+    }
+
+    /// Whether a node of some cells can slide onto another; the new cells are then noted.
+    fn slides(&mut self, node: u32, own: &[u32], onto: u32) -> bool {
+        self.moved.clear();
+        for c in own {
+            let cell = self.cell(*c);
+            if !cell.contains(&onto) {
+                let moved = cell.map(|n| if n == node { onto } else { n });
+                self.moved.push(moved);
+            }
+        }
+        if !self.moved.iter().all(|cell| self.is_sound(cell)) {
+            return false;
+        }
+        let mut places = std::mem::take(&mut self.places);
+        places.clear();
+        let found = self.gone.iter().map_while(|n| self.place(*n, &self.moved));
+        places.extend(found);
+        self.places = places;
+        self.places.len() == self.gone.len()
     }
 
     fn is_sound(&self, cell: &[u32; 3]) -> bool {
@@ -169,20 +179,38 @@ impl<'a> Mesh<'a> {
         self.fields.iter().all(is_near).then_some(place)
     }
 
-    fn replace(&mut self, node: u32, own: &[u32], moved: &[[u32; 3]]) {
+    /// The new cells in the place of the old ones of a node that goes.
+    fn replace(&mut self, node: u32, own: &[u32]) {
         for c in own {
-            for n in self.cell(*c) {
+            for n in self.cell(*c).into_iter().filter(|n| *n != node) {
                 self.of_node[n as usize].retain(|other| other != c);
             }
             self.cells[*c as usize] = None;
             self.inside[*c as usize].clear();
         }
-        for (c, cell) in own.iter().zip(moved) {
+        // New cells take the numbers of old ones, in order.
+        for (c, cell) in own.iter().zip(&self.moved) {
             self.cells[*c as usize] = Some(*cell);
             cell.iter().for_each(|n| self.of_node[*n as usize].push(*c));
         }
-        debug_assert!(self.of_node[node as usize].is_empty());
+        for (n, place) in self.gone.iter().zip(&self.places) {
+            self.inside[own[*place] as usize].push(*n);
+        }
+        self.n_left -= 1;
     }
+}
+
+fn cell(cells: &[Option<[u32; 3]>], c: u32) -> [u32; 3] {
+    cells[c as usize].expect("cells of nodes are there")
+}
+
+/// Notes the nodes around a node with its own cells, each once.
+fn note_around(cells: &[Option<[u32; 3]>], own: &[u32], node: u32, around: &mut Vec<u32>) {
+    around.clear();
+    let of = own.iter().flat_map(|c| cell(cells, *c));
+    around.extend(of.filter(|n| *n != node));
+    around.sort_unstable();
+    around.dedup();
 }
 
 /// Whether a point lies in a triangle or on its edge.
