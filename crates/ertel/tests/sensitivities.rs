@@ -182,8 +182,8 @@ fn shear_thinning_circle() {
     along_directions(&format!("{SHEAR_THINNING}{contact}"), 21, 1e-5);
 }
 
-/// A circle with heat by finite volumes against differences of whole solves on grids four times as fine, all inputs at once with weights of their own. The edges are given: those that follow from
-/// the film would move with the inputs, and rolling friction with them.
+/// A circle with heat by finite volumes against differences of whole solves on grids four times as fine: all inputs at once with weights of their own, then the temperature alone, with which
+/// bodies and lubricant come. The edges are given: those that follow from the film would move with the inputs, and rolling friction with them.
 #[test]
 fn heated_circle() {
     let path = Path::new("../../cases/glycerol-thermal.toml");
@@ -205,33 +205,42 @@ fn heated_circle() {
         let is_told = found.figures.iter().any(|own| own.figure == figure);
         assert!(is_told, "{}", figure.name());
     }
-    // So narrow that the minimum stays at its node.
-    let step = 1e-3;
-    let weight = |i: usize| 2.0 * ((i + 1) as f64 * 0.618_034).fract() - 1.0;
-    let at = |step: f64| {
-        let inputs = found.inputs.iter().enumerate();
-        let values: BTreeMap<String, f64> = inputs
-            .map(|(i, input)| (input.key.clone(), input.value * (1.0 + step * weight(i))))
-            .collect();
-        let mut there = base.with_values(values).unwrap();
-        there.output.sensitivities = SensitivityDemand::Off;
-        solve(&there)
-    };
-    let sides = [at(-step), at(step)];
-    for figure in &found.figures {
-        let [below, above] =
-            (sides.each_ref()).map(|s| s.measured.figures.value(figure.figure).unwrap());
-        let difference = (above - below) / (2.0 * step);
-        let terms = (found.inputs.iter().zip(&figure.derivatives)).enumerate();
-        let terms: Vec<f64> = terms
-            .map(|(i, (input, by))| weight(i) * by * input.value)
-            .collect();
-        let sum: f64 = terms.iter().sum();
-        let size = terms.iter().fold(0.0_f64, |m, term| m.max(term.abs()));
-        let error = (sum - difference).abs() / size;
-        println!("{} {sum} {difference} {error:.1e}", figure.figure.name());
-        // Seen: 0.6 %, of the derivatives on grids of four times the cells.
-        assert!(error < 0.01, "{}: {error}", figure.figure.name());
+    let all: Vec<f64> = (0..found.inputs.len())
+        .map(|i| 2.0 * ((i + 1) as f64 * 0.618_034).fract() - 1.0)
+        .collect();
+    let of_temperature = (found.inputs.iter()).map(|input| match input.key.as_str() {
+        "temperature" => 1.0,
+        _ => 0.0,
+    });
+    // Steps so narrow that the minimum stays at its node; per cent of the temperature are kelvins.
+    for (step, weights) in [(1e-3, all), (2e-4, of_temperature.collect::<Vec<f64>>())] {
+        assert!(weights.iter().any(|weight| *weight != 0.0));
+        let at = |step: f64| {
+            let inputs = found.inputs.iter().zip(&weights);
+            let values: BTreeMap<String, f64> = inputs
+                .filter(|(_, weight)| **weight != 0.0)
+                .map(|(input, weight)| (input.key.clone(), input.value * (1.0 + step * weight)))
+                .collect();
+            let mut there = base.with_values(values).unwrap();
+            there.output.sensitivities = SensitivityDemand::Off;
+            solve(&there)
+        };
+        let sides = [at(-step), at(step)];
+        for figure in &found.figures {
+            let [below, above] =
+                (sides.each_ref()).map(|s| s.measured.figures.value(figure.figure).unwrap());
+            let difference = (above - below) / (2.0 * step);
+            let terms = found.inputs.iter().zip(&figure.derivatives).zip(&weights);
+            let terms: Vec<f64> = terms
+                .map(|((input, by), weight)| weight * by * input.value)
+                .collect();
+            let sum: f64 = terms.iter().sum();
+            let size = terms.iter().fold(0.0_f64, |m, term| m.max(term.abs()));
+            let error = (sum - difference).abs() / size;
+            println!("{} {sum} {difference} {error:.1e}", figure.figure.name());
+            // Seen: 0.6 %, of the derivatives on grids of four times the cells.
+            assert!(error < 0.01, "{}: {error}", figure.figure.name());
+        }
     }
 }
 

@@ -28,6 +28,7 @@ use super::system::{Linearised, State, System};
 use crate::contact::Inlet;
 use crate::engine::Problem;
 use crate::engine::sensitivity::{Derivatives, NoDerivative, Perturbed};
+use crate::forms::energy::Heat;
 use crate::solution::{Figure, Figures};
 
 /// Figures that have derivatives; of the pressure its smooth maximum: at a ridge, derivatives are those of the cells. That of the minimum on the
@@ -147,16 +148,11 @@ impl<Plan: Sync> Tangents<'_, Plan> {
             return;
         };
         let is_first = std::ptr::eq(level, &self.levels[0]);
-        let own = WarmSide {
-            rounds,
-            system: level.system.clone(),
-            state: level.state.clone(),
-            bodies: warm.bodies.clone(),
-            temperatures: warm.temperatures.clone(),
-        };
+        let heat = rounds.heat;
+        let own = WarmSide::own(rounds, level, warm);
         let inputs = sides.iter_mut().zip(&*moving).map(|(side, moves)| {
             let side = side.as_mut().ok().filter(|_| *moves)?;
-            side.next_warm((level, warm), params)
+            side.next_warm((level, warm), heat, params)
         });
         let solved = tangents::solve(
             (&own, warm),
@@ -246,10 +242,15 @@ impl<'a, Plan> Side<'a, Plan> {
     }
 
     /// The same with heat.
-    fn next_warm(&mut self, own: (&Level, &Warm), params: Params) -> Option<WarmSide<'a>> {
+    fn next_warm(
+        &mut self,
+        own: (&Level, &Warm),
+        heat: &Heat,
+        params: Params,
+    ) -> Option<WarmSide<'a>> {
         let rounds = Rounds::new(self.problem, params)?;
         let film = self.next(own.0);
-        Some(WarmSide::new(rounds, film, self.levels.last(), own))
+        Some(WarmSide::new(rounds, film, self.levels.last(), own, heat))
     }
 }
 

@@ -13,7 +13,7 @@ use super::columns::{Columns, FilmHeat, Films};
 use super::source::MovingBody;
 use super::spreading::Spreading;
 use super::transport::{Moved, Sweeps, Transport};
-use crate::film::TemperatureProfile;
+use crate::film::{MOST_NODES, Nodal, TemperatureProfile};
 use crate::forms::energy::{Heat, Heights};
 use crate::volumes::faces::Face;
 use crate::volumes::grid::Grid;
@@ -332,14 +332,20 @@ pub(super) fn missing(
     })
 }
 
-/// Temperatures with which lubricant and bodies come, at all nodes.
+/// Temperatures with which lubricant and bodies come, across the film, K.
+pub fn column(heat: &Heat, f: usize) -> Nodal {
+    let mut column = [0.0; MOST_NODES];
+    column[..f].fill(heat.inlet_temperature);
+    for (wall, body) in [0, f - 1].into_iter().zip(&heat.bodies) {
+        column[wall] = body.bulk_temperature;
+    }
+    column
+}
+
+/// The same at all nodes.
 pub fn unheated(grid: &Grid, heat: &Heat, f: usize) -> Temperatures {
-    let [first, second] = [0, 1].map(|b: usize| heat.bodies[b].bulk_temperature);
-    let mut column = vec![heat.inlet_temperature; f];
-    column[0] = first;
-    column[f - 1] = second;
     Temperatures {
-        film: column.repeat(grid.n_nodes()),
+        film: column(heat, f)[..f].repeat(grid.n_nodes()),
         flux: [0, 1].map(|_| vec![0.0; grid.n_nodes()]),
     }
 }

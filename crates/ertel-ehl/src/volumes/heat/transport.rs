@@ -441,9 +441,8 @@ fn through(
 /// Unknown nodes, each behind those that mass flows from, otherwise column by column; nodes in circles last.
 fn downstream(flow: &Flow, faces: &[Vec<Face>; 2], from_last_row: bool) -> Vec<u32> {
     let [nx, ny] = flow.grid.n;
-    let out = |side: &Side| {
-        side.weight * faces[usize::from(side.direction)][side.face as usize].flux
-    };
+    let out =
+        |side: &Side| side.weight * faces[usize::from(side.direction)][side.face as usize].flux;
     let place = |k: usize| {
         let j = k / nx;
         (k % nx, if from_last_row { ny - 1 - j } else { j }, k)

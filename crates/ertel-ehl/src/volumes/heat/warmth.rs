@@ -36,6 +36,14 @@ impl Warmth {
     /// Numbers that it consists of.
     pub const PARTS: usize = 6;
 
+    /// At another mean temperature, by its distance, K.
+    pub fn warmer(&self, by: f64) -> Warmth {
+        Warmth {
+            temperature: self.temperature + by,
+            ..*self
+        }
+    }
+
     /// Moved by its parts times a size; temperatures count in units of `rise`, K.
     #[must_use]
     pub fn plus(&self, parts: &[f64], size: f64, rise: f64) -> Warmth {
