@@ -145,7 +145,11 @@ const CHUNK: usize = 32_768;
 
 /// a·b.
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let serial = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+    dot_by(a, b, |a, b| a.iter().zip(b).map(|(x, y)| x * y).sum())
+}
+
+/// a·b, of parts by a rule of their own, in one order whatever threads there are.
+pub(super) fn dot_by(a: &[f64], b: &[f64], serial: impl Fn(&[f64], &[f64]) -> f64 + Sync) -> f64 {
     if a.len() <= 2 * CHUNK {
         return serial(a, b);
     }

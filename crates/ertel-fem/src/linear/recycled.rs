@@ -6,10 +6,8 @@
 //! ```
 //! For the first right side the iterates are those of GMRES.
 
-use rayon::prelude::*;
-
 use super::dense::vectorised;
-use super::gmres::{GmresError, GmresInfo, GmresParams, add};
+use super::gmres::{GmresError, GmresInfo, GmresParams, add, dot_by};
 
 /// Directions of a matrix and its products with them.
 #[derive(Default)]
@@ -107,20 +105,9 @@ impl Recycled {
 /// Sums that are kept apart: one after the other each would wait for the one before.
 const LANES: usize = 16;
 
-/// Numbers that are summed by a thread.
-const CHUNK: usize = 32_768;
-
 /// a·b.
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let serial = |a: &[f64], b: &[f64]| vectorised(|| by_lanes(a, b));
-    if a.len() <= 2 * CHUNK {
-        return serial(a, b);
-    }
-    // In one order, whatever threads there are.
-    let sums: Vec<f64> = (a.par_chunks(CHUNK).zip(b.par_chunks(CHUNK)))
-        .map(|(a, b)| serial(a, b))
-        .collect();
-    sums.iter().sum()
+    dot_by(a, b, |a, b| vectorised(|| by_lanes(a, b)))
 }
 
 #[inline(always)]

@@ -10,7 +10,7 @@ use ertel_fem::kernel;
 use ertel_fem::linear::dense::vectorised;
 use rayon::prelude::*;
 
-use super::transport::{BATCH, Flow, Heighted};
+use super::transport::{AtHeights, BATCH, Flow};
 
 /// What the nodes within the film make of what arrives and of the walls, over each node of a grid.
 pub struct March {
@@ -34,7 +34,7 @@ pub struct Marching {
     /// Within the film.
     inner: Vec<f64>,
     /// At all heights.
-    at_heights: Vec<Heighted>,
+    at_heights: Vec<AtHeights>,
 }
 
 impl March {
@@ -98,7 +98,7 @@ impl March {
         let n = flow.grid.n_nodes();
         Marching {
             inner: vec![0.0; n * self.width],
-            at_heights: vec![Heighted::default(); n],
+            at_heights: vec![AtHeights::default(); n],
         }
     }
 
@@ -122,44 +122,37 @@ impl March {
     pub fn sweep(
         &self,
         flow: &Flow,
+        way: (&[u32], bool),
+        walls: [&[f64]; 2],
+        by_rows: Option<&[f64]>,
+        marching: &mut Marching,
+    ) -> [f64; 2] {
+        match self.width {
+            4 => self.sweep_of::<4>(flow, way, walls, by_rows, marching),
+            8 => self.sweep_of::<8>(flow, way, walls, by_rows, marching),
+            _ => self.sweep_of::<12>(flow, way, walls, by_rows, marching),
+        }
+    }
+
+    /// The same where nodes are filled up to a width.
+    fn sweep_of<const W: usize>(
+        &self,
+        flow: &Flow,
         (order, against): (&[u32], bool),
         walls: [&[f64]; 2],
         by_rows: Option<&[f64]>,
         marching: &mut Marching,
     ) -> [f64; 2] {
-        let (march, Marching { inner, at_heights }) = (self, marching);
-        match self.width {
-            4 => vectorised(Sweep::<4> {
-                march,
-                flow,
-                order,
-                against,
-                walls,
-                by_rows,
-                inner,
-                at_heights,
-            }),
-            8 => vectorised(Sweep::<8> {
-                march,
-                flow,
-                order,
-                against,
-                walls,
-                by_rows,
-                inner,
-                at_heights,
-            }),
-            _ => vectorised(Sweep::<12> {
-                march,
-                flow,
-                order,
-                against,
-                walls,
-                by_rows,
-                inner,
-                at_heights,
-            }),
-        }
+        vectorised(Sweep::<W> {
+            march: self,
+            flow,
+            order,
+            against,
+            walls,
+            by_rows,
+            inner: &mut marching.inner,
+            at_heights: &mut marching.at_heights,
+        })
     }
 
     /// Temperatures node by node, and the heat into both bodies, W/m².
@@ -207,7 +200,7 @@ kernel!(Sweep ['a, const W: usize] ['a, W] (
     walls: [&'a [f64]; 2],
     by_rows: Option<&'a [f64]>,
     inner: &'a mut [f64],
-    at_heights: &'a mut [Heighted],
+    at_heights: &'a mut [AtHeights],
 ) -> [f64; 2] {
     let h = march.heights;
     let by_arriving = march.by_arriving.as_chunks::<W>().0;

@@ -28,11 +28,11 @@ pub struct Flow<'a> {
     heights: &'a Heights,
     pub(super) columns: &'a Columns,
     /// Of the temperature of each node across the film, that at all heights.
-    pub(super) raised: Vec<Heighted>,
+    pub(super) raised: Vec<AtHeights>,
     /// Sides of the unknown nodes.
     sides: Vec<[Side; 4]>,
     /// m through the faces behind each node along both directions, height by height.
-    through: [Vec<Heighted>; 2],
+    through: [Vec<AtHeights>; 2],
     /// How temperatures change in time, where they do.
     stored: Option<&'a Storage>,
 }
@@ -66,7 +66,7 @@ struct Side {
 }
 
 /// Values at the heights over a node, filled up with zeros to whole vectors.
-pub type Heighted = [f64; 16];
+pub type AtHeights = [f64; 16];
 
 const _: () = assert!(MOST_NODES <= 16);
 
@@ -153,7 +153,7 @@ impl<'a> Flow<'a> {
     pub fn new(of: &FilmHeat<'a>, columns: &'a Columns, faces: &[Vec<Face>; 2]) -> Flow<'a> {
         let (grid, heights) = (of.grid, of.heights);
         let [f, h] = columns.n;
-        let mut raised = vec![Heighted::default(); f];
+        let mut raised = vec![AtHeights::default(); f];
         for (m, raised) in raised.iter_mut().enumerate() {
             for (l, value) in raised[..h].iter_mut().enumerate() {
                 *value = heights.shapes[l][m];
@@ -206,15 +206,15 @@ impl<'a> Flow<'a> {
     }
 
     /// Temperatures at all heights.
-    fn at_heights(&self, temperature: &[f64]) -> Vec<Heighted> {
+    fn at_heights(&self, temperature: &[f64]) -> Vec<AtHeights> {
         let f = self.columns.n[0];
         let nodes = temperature.par_chunks_exact(f).with_min_len(BATCH);
         nodes.map(|nodes| self.raise(nodes)).collect()
     }
 
     /// Temperatures at the heights over a node.
-    fn raise(&self, nodes: &[f64]) -> Heighted {
-        let mut values = Heighted::default();
+    fn raise(&self, nodes: &[f64]) -> AtHeights {
+        let mut values = AtHeights::default();
         for (t, raised) in nodes.iter().zip(&self.raised) {
             for (value, shape) in values.iter_mut().zip(raised) {
                 *value += t * shape;
@@ -258,7 +258,7 @@ impl<'a> Flow<'a> {
         carried
     }
 
-    fn convection(&self, k: usize, own: &[f64], at_heights: &[Heighted]) -> Convection {
+    fn convection(&self, k: usize, own: &[f64], at_heights: &[AtHeights]) -> Convection {
         let h = self.columns.n[1];
         let from = self.arriving(k, at_heights);
         let mut diagonal = [0.0; MOST_NODES];
@@ -300,8 +300,8 @@ impl<'a> Flow<'a> {
 
     /// Σ_f m_f T_f of the temperatures around a node, its own left out, at each height.
     #[inline(always)]
-    pub(super) fn arriving(&self, k: usize, at_heights: &[Heighted]) -> Heighted {
-        let mut sums = Heighted::default();
+    pub(super) fn arriving(&self, k: usize, at_heights: &[AtHeights]) -> AtHeights {
+        let mut sums = AtHeights::default();
         for side in &self.sides[k] {
             if side.weight == 0.0 {
                 continue;
@@ -412,11 +412,11 @@ fn through(
     columns: &Columns,
     faces: &[Face],
     direction: usize,
-) -> Vec<Heighted> {
+) -> Vec<AtHeights> {
     let h = columns.n[1];
     let step = [1, grid.n[0]][direction];
     let n = grid.n_nodes();
-    let mut through = vec![Heighted::default(); n];
+    let mut through = vec![AtHeights::default(); n];
     for (k, flow) in through.iter_mut().enumerate() {
         let flow = &mut flow[..h];
         if k + step >= n {
