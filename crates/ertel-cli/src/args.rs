@@ -57,6 +57,8 @@ pub enum Command {
     Fluids(FluidsArgs),
     /// List the solids of the database, or show one of them
     Solids(SolidsArgs),
+    /// Explain the code of a warning: meaning, limit, what to do
+    Explain(ExplainArgs),
     /// Write a case file to start from: a bearing, a gear, a rig, a cam
     Init(InitArgs),
     /// Print the JSON schema of case or study files, for editors
@@ -475,6 +477,14 @@ pub enum FluidsCommand {
         #[arg(long)]
         force: bool,
     },
+}
+
+/// `ertel explain`.
+#[derive(Debug, Args)]
+pub struct ExplainArgs {
+    /// The code in brackets behind a warning, such as `friction`; without it all codes are listed
+    #[arg(value_name = "CODE")]
+    pub code: Option<String>,
 }
 
 /// `ertel solids`.

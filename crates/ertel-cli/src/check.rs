@@ -30,7 +30,7 @@ pub fn run(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<(), Fail
     let found = Checked::of(case);
     // What estimates doubt, beside the input; of the points of a curve they say nothing.
     let doubts = found.estimate.warnings.iter().filter(|warning| {
-        let is_own = warning.kind != WarningKind::Other && !case.warnings.contains(warning);
+        let is_own = warning.kind != WarningKind::EstimateScope && !case.warnings.contains(warning);
         is_own && case.curve.is_none()
     });
     if events.is_on() {
@@ -66,12 +66,12 @@ pub fn run(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<(), Fail
         true => name.clone(),
         false => files.join(", "),
     };
-    print::stdout(&format!(
-        "{text}\nThe solve\n{}\n{name} is a valid case; nothing was solved or written\n",
+    print::report(&format!(
+        "{text}\nThe solve\n{}\n{name} is valid (check only)\n",
         rows(&[
             ("files read", files),
             ("contacts to solve", found.points(case)),
-            ("time, about", found.time()),
+            ("estimated time", found.time()),
             ("results would go to", job.folder.display().to_string()),
         ])
     ))
@@ -137,7 +137,7 @@ impl Checked {
     fn points(&self, case: &Case) -> String {
         match &case.curve {
             None if self.n_points > 1 => {
-                format!("{}, those of the machine that differ", self.n_points)
+                format!("{} distinct contacts", self.n_points)
             }
             None => "1".to_owned(),
             Some(curve) => format!("{}, over {}", self.n_points, curve.quantity.path),
@@ -146,14 +146,12 @@ impl Checked {
 
     fn time(&self) -> String {
         let time = match self.cpu_seconds {
-            s if s < 1.0 => "a second".to_owned(),
+            s if s < 1.0 => "1 s".to_owned(),
             s if s < 100.0 => format!("{} s", ertel::words::digits(s, 1)),
             s if s < 6000.0 => format!("{} min", ertel::words::digits(s / 60.0, 2)),
             s => format!("{} h", ertel::words::digits(s / 3600.0, 2)),
         };
-        format!(
-            "{time} of one core (an order of magnitude; very thin films and high pressures take tens of times as long)"
-        )
+        format!("{time} on one core (rough)")
     }
 }
 
@@ -213,7 +211,7 @@ pub fn tell(job: &Job) -> Result<(), Failure> {
         film.central_formula,
         ertel::words::length(film.central),
     ));
-    print::stderr(&format!("time, about: {}", found.time()));
+    print::stderr(&format!("estimated time {}", found.time()));
     print::stderr(&format!("results will go to {}", job.folder.display()));
     Ok(())
 }

@@ -17,7 +17,7 @@ pub fn run(arguments: &EstimateArgs) -> Result<(), Failure> {
     let case = Given::read(&arguments.case, &arguments.set)?.case;
     let (echo, figures) = (case.echo(), estimate::estimate(&case));
     if !arguments.json {
-        return print::stdout(&output::estimate_report(&echo, &figures));
+        return print::report(&output::estimate_report(&echo, &figures));
     }
     let text = output::estimate_json(&echo, &figures)
         .map(|json| format!("{json:#}\n"))

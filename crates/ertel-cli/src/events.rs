@@ -57,19 +57,15 @@ impl Events {
 
     /// Writes what to know about the input or the result.
     pub fn warn<'a>(&self, warnings: impl IntoIterator<Item = &'a Warning>) {
-        for warning in warnings {
-            let event = if warning.kind.is_note() {
-                "note"
-            } else {
-                "warning"
-            };
+        for warning in warnings.into_iter().filter(|w| !w.is_silenced) {
+            let event = warning.kind.severity().word();
             self.emit(event, json!({ "kind": warning.kind, "text": warning.text }));
         }
     }
 
     /// The same of points, counted from 1.
     pub fn warn_of_points(&self, merged: &[Merged]) {
-        for merged in merged {
+        for merged in merged.iter().filter(|merged| !merged.worst.is_silenced) {
             let points: Vec<usize> = merged.points.iter().map(|i| i + 1).collect();
             self.emit(
                 "warning",

@@ -35,7 +35,7 @@ const N_POINTS: usize = 201;
 /// An unknown name, a bad temperature, a picture or stdout that cannot be written.
 pub fn run(arguments: &FluidsArgs) -> Result<(), Failure> {
     match &arguments.command {
-        None | Some(FluidsCommand::List) => print::stdout(&list()?),
+        None | Some(FluidsCommand::List) => print::report(&list()?),
         Some(FluidsCommand::Show {
             name,
             temperature,
@@ -51,7 +51,7 @@ pub fn run(arguments: &FluidsArgs) -> Result<(), Failure> {
             if let Some(path) = plot {
                 write_plot(path, &fluid, temperature)?;
             }
-            print::stdout(&show(&fluid, temperature))
+            print::report(&show(&fluid, temperature))
         }
     }
 }

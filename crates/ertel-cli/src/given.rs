@@ -4,8 +4,8 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use ertel::case::Case;
-use ertel_input::Document;
 use ertel_input::file::LARGEST_DOCUMENT;
+use ertel_input::{Document, InputError};
 
 use crate::failure::Failure;
 
@@ -38,7 +38,7 @@ impl Given {
                 case,
             });
         }
-        let document = Document::read(path)?;
+        let document = Document::read(path).map_err(|error| with_ending(path, error))?;
         let folder = path.parent().unwrap_or(Path::new(""));
         let case = Case::from_text_with(document.file(), document.text(), folder, settings)?;
         Ok(Self {
@@ -60,6 +60,15 @@ impl Given {
         let mut files = self.case.files(folder.unwrap_or(Path::new("")));
         files.extend(self.path.clone());
         files
+    }
+}
+
+/// Of a file that is not there and whose name lacks the ending: the one next to it that has it.
+fn with_ending(path: &Path, error: InputError) -> InputError {
+    let other = path.with_extension("toml");
+    match path.extension().is_none() && !path.exists() && other.is_file() {
+        true => error.with_help(format!("did you mean {}?", other.display())),
+        false => error,
     }
 }
 

@@ -12,6 +12,7 @@ mod colour;
 mod compare;
 mod estimate;
 mod events;
+mod explain;
 mod failure;
 mod fit;
 mod fluids;
@@ -34,6 +35,7 @@ mod table;
 mod transient;
 mod validate;
 mod view;
+mod wrap;
 
 use std::process::ExitCode;
 
@@ -54,6 +56,7 @@ fn main() -> ExitCode {
         Command::Fit(arguments) => fit::run(&arguments),
         Command::Fluids(arguments) => fluids::run(&arguments),
         Command::Solids(arguments) => solids::run(&arguments),
+        Command::Explain(arguments) => explain::run(&arguments),
         Command::Init(arguments) => init::run(&arguments),
         Command::Schema(arguments) => schema::run(&arguments),
         Command::Completions(arguments) => manual::completions(&arguments),

@@ -7,6 +7,7 @@ use ertel_input::escaped;
 
 use crate::colour;
 use crate::failure::Failure;
+use crate::wrap::wrapped;
 
 /// Writes `text` to stdout; control characters that it quotes are shown, not obeyed.
 ///
@@ -21,6 +22,18 @@ pub fn stdout(text: &str) -> Result<(), Failure> {
             Err(Failure::Other(format!("cannot write to stdout: {error}")))
         }
         _ => Ok(()),
+    }
+}
+
+/// As [`stdout`], of text for people: on a terminal, lines are broken at its width.
+///
+/// # Errors
+///
+/// As [`stdout`].
+pub fn report(text: &str) -> Result<(), Failure> {
+    match console::Term::stdout().size_checked() {
+        Some((_, width)) if width > 20 => stdout(&wrapped(text, usize::from(width))),
+        _ => stdout(text),
     }
 }
 

@@ -9,7 +9,7 @@ use ertel::run::transient::{InstantObserver, Reached};
 use ertel::solution::IterationRecord;
 use ertel::solve::Observer;
 use ertel::study::{CurveObserver, PointSolution};
-use ertel::warning::Warning;
+use ertel::warning::{Warning, WarningKind};
 use ertel::words::{digits, length};
 use ertel_input::escaped;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -131,23 +131,42 @@ impl Observer for Progress<'_> {
                 "displacement_unknowns": n_displacement,
             }),
         );
-        self.level = format!("{}stage {}/{n_levels}", self.point, level + 1);
+        // Refinement decides how many there are beyond those of the path.
+        let of = match level + 1 < n_levels {
+            true => format!("/{n_levels}"),
+            false => String::new(),
+        };
+        self.level = format!("{}stage {}{of}", self.point, level + 1);
         self.show(format!(
             "{}: {n_pressure} pressure and {n_displacement} displacement unknowns",
             self.level
         ));
     }
 
+    fn grid(&mut self, grid: usize, n_pressure: usize) {
+        self.emit(
+            "stage",
+            json!({
+                "stage": grid + 1,
+                "stages": grid + 1,
+                "pressure_unknowns": n_pressure,
+                "displacement_unknowns": 0,
+            }),
+        );
+        self.level = format!("{}grid {}", self.point, grid + 1);
+        self.show(format!("{}: {n_pressure} pressure unknowns", self.level));
+    }
+
     fn iteration(&mut self, record: &IterationRecord) {
         self.emit("iteration", json!(record));
         self.show(format!(
-            "{}, Newton {:>2}: residual {:.1e}, pressure update {:.1e}, step {:.2}, central film {}",
+            "{}, Newton {:>2}: film {}, residual {:.1e}, update {:.1e}, step {:.2}",
             self.level,
             record.iteration,
+            length(record.film_central),
             record.residual,
             record.update,
             record.step,
-            length(record.film_central)
         ));
     }
 
@@ -201,7 +220,7 @@ impl InstantObserver for Progress<'_> {
     fn checkpoint(&mut self, checkpoint: Checkpoint) {
         if let Some(failure) = self.checkpoints.write(&checkpoint) {
             let text = format!("the checkpoint cannot be written: {failure}; the run goes on");
-            self.warn(&Warning::from(text));
+            self.warn(&Warning::new(WarningKind::Checkpoint, text));
         }
     }
 }

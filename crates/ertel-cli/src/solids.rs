@@ -22,7 +22,7 @@ pub fn run(arguments: &SolidsArgs) -> Result<(), Failure> {
         None | Some(SolidsCommand::List) => list()?,
         Some(SolidsCommand::Show { name }) => show(name)?,
     };
-    print::stdout(&text)
+    print::report(&text)
 }
 
 fn list() -> Result<String, Failure> {

@@ -56,7 +56,7 @@ fn run_all(arguments: &SolveArgs, events: &Events) -> Result<(), Failure> {
     for Job { given, .. } in &jobs {
         if arguments.check || arguments.quiet {
             let told = input_warnings(&given.case);
-            warn((told.iter()).filter(|warning| arguments.check || !warning.kind.is_note()));
+            warn((told.iter()).filter(|w| w.is_shown() || arguments.check && w.is_shown_note()));
         }
     }
     if arguments.check {
@@ -178,7 +178,7 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
         Ok(())
     } else if arguments.quiet {
         let known = solution.warnings.iter().filter(known);
-        warn(known.filter(|warning| !warning.kind.is_note()));
+        warn(known.filter(|warning| warning.is_shown()));
         Ok(())
     } else {
         let text = output::report(&echo, &solution, Some(folder));
@@ -186,7 +186,7 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
             true => check::effort(&solution, folder),
             false => String::new(),
         };
-        print::stdout(&(text + &more))
+        print::report(&(text + &more))
     };
     if let Some(samples) = &samples {
         monte_carlo::run(samples, &Solved::Contact(&solution), arguments)?;
@@ -397,22 +397,18 @@ pub fn input_warnings(case: &Case) -> Vec<Warning> {
     };
     let points = curve.points.iter().enumerate();
     let warnings = points.flat_map(|(i, p)| {
-        let told = p.case.warnings.iter().filter(|w| !w.kind.is_note());
+        let told = p.case.warnings.iter().filter(|w| w.is_shown());
         told.map(move |w| (i, w))
     });
     (by_kind(warnings).iter())
-        .map(|merged| Warning::from(merged.line(curve.points.len())))
+        .map(|merged| merged.with_text(merged.line(curve.points.len())))
         .collect()
 }
 
 pub fn warn<'a>(warnings: impl IntoIterator<Item = &'a Warning>) {
     for warning in warnings {
-        let what = if warning.kind.is_note() {
-            "note"
-        } else {
-            "warning"
-        };
-        print::stderr(&format!("{what}: {warning}"));
+        let what = warning.kind.severity().word();
+        print::stderr(&format!("{what}: {}", warning.coded()));
     }
 }
 
@@ -475,6 +471,7 @@ impl From<SolveError> for Failure {
             | SolveError::NotCoupled { .. }
             | SolveError::Thinned { .. }
             | SolveError::AllFailed { .. }
+            | SolveError::BothFailed { .. }
             | SolveError::Heat(_)
             | SolveError::Krylov(_)
             | SolveError::Factorisation(_) => {

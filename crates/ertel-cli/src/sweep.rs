@@ -292,7 +292,8 @@ fn remarks_up_to(summary: &SweepSummary, most: usize) -> String {
         text += &format!("  ! point {} ({label}) failed: {reason}\n", index + 1);
     }
     for merged in summary.warnings.iter().take(most) {
-        text += &format!("  ! {}\n", merged.line(summary.n_points));
+        let line = merged.with_text(merged.line(summary.n_points));
+        text += &format!("  ! {}\n", line.coded());
     }
     let more =
         summary.failures.len().saturating_sub(most) + summary.warnings.len().saturating_sub(most);

@@ -58,16 +58,28 @@ fn page_of(path: &Path) -> PathBuf {
 
 fn read(page: &Path) -> Result<String, Failure> {
     read_text(page, LARGEST_OWN).map_err(|error| {
-        let folder = page.parent().unwrap_or(page).display();
         Failure::Argument(match error {
-            error if error.is_missing() => format!(
-                "{}: no such file\n  = help: result folders contain it; solve the case of {folder} again",
-                page.display()
-            ),
+            error if error.is_missing() => missing(page),
             FileError::Encoding { .. } => refused_text(page, "it is not text"),
             error => format!("{} {error}", page.display()),
         })
     })
+}
+
+/// The folder of results that is not there, or its page.
+fn missing(page: &Path) -> String {
+    let folder = page.parent().filter(|folder| folder.is_dir());
+    match folder.filter(|_| page.ends_with(html::REPORT_PAGE)) {
+        Some(folder) => format!(
+            "{}: no such file\n  = help: result folders contain it; solve the case of {} again",
+            page.display(),
+            folder.display()
+        ),
+        None => format!(
+            "{}: no such result folder\n  = help: `ertel solve` writes one, by default results/<name of the case file>",
+            page.display()
+        ),
+    }
 }
 
 fn refused_text(page: &Path, reason: &str) -> String {

@@ -185,7 +185,7 @@ fn points_that_fail_have_their_reason() {
     let output = ertel(&folder, &["sweep", "study.toml", "--dry-run"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(
-        stderr(&output).contains("none of the 1 entries of the array"),
+        stderr(&output).contains("surface has 1 entries, counted from 1"),
         "{}",
         stderr(&output)
     );

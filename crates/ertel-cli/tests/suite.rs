@@ -34,3 +34,4 @@ mod unwritable;
 mod user_files;
 mod validate;
 mod view;
+mod warnings;

@@ -84,7 +84,7 @@ fn points_that_are_not_resolved_are_counted_and_their_warnings_merged() {
         "{report}"
     );
     assert!(
-        warnings[3].contains("all 3 points, shown for point"),
+        warnings[3].contains("all 3 points, worst at point"),
         "{report}"
     );
     assert!(

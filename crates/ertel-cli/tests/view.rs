@@ -53,6 +53,7 @@ fn results_are_shown_and_files_of_users_kept() {
         ),
         (vec!["view", "one", "-o", "empty"], "it is a folder"),
         (vec!["view", "empty"], "empty/report.html: no such file"),
+        (vec!["view", "nothere"], "nothere: no such result folder"),
         (vec!["view", "nowhere"], "nowhere"),
         (vec!["view", "mine.html"], "no page of results"),
         (vec!["view"], "RESULT"),

@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 
 use crate::contact::ContactKind;
+use crate::warning::WarningKind;
 
 pub use thermal::ThermalParams;
 
@@ -317,6 +318,8 @@ pub struct OutputParams {
     pub interferogram: Option<Interferometer>,
     /// Which derivatives of the figures by inputs are computed.
     pub sensitivities: SensitivityDemand,
+    /// Kinds of warnings that are counted but not shown.
+    pub silence: Vec<WarningKind>,
 }
 
 /// As derived, without what is not asked for and came later: keys of journals are made of this text, and those that there are stay valid.
@@ -331,6 +334,8 @@ impl std::fmt::Debug for OutputParams {
             animation,
             interferogram,
             sensitivities,
+            // Changes no result.
+            silence: _,
         } = self;
         let mut text = f.debug_struct("OutputParams");
         text.field("folder", folder)

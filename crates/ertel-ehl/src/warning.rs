@@ -1,103 +1,15 @@
 //! What a user should know about a case or its results, by kind, so that many points say it once.
 
+mod kind;
+
+use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Deref;
 
 use ertel_rheology::provenance::RangeWarning;
 use serde::{Deserialize, Serialize};
 
-/// What a warning is about. Warnings of one kind differ only in their figures, except for [`WarningKind::Other`] and
-/// [`WarningKind::UnusualInput`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum WarningKind {
-    /// Something that has no kind of its own.
-    Other,
-    /// How long what changes at the inlet edge takes to the contact.
-    OnItsWay,
-    /// A value of the case far from those of such contacts.
-    UnusualInput,
-    /// Surfaces that move in opposite directions.
-    OppositeMotion,
-    /// A contact too wide for the parabola of Hertz theory.
-    WideContact,
-    /// A contact area that reaches beyond the bodies.
-    WideArea,
-    /// The same where friction hardly feels what lies so far away.
-    WideAreaUnfelt,
-    /// Pressures beyond the lubricant's data.
-    PressureRange,
-    /// A temperature that was changed, of which the laws of the lubricant know nothing.
-    TemperatureIgnored,
-    /// Pressures beyond those that are stated for the lubricant's law in general: hardly any contact stays below.
-    LawRange,
-    /// Pressures beyond what the bodies bear.
-    Strength,
-    /// Temperatures beyond the lubricant's data, at the inlet.
-    TemperatureRange,
-    /// The same in the film where it is hottest.
-    HottestFilm,
-    /// The same in the film where it is coldest.
-    ColdestFilm,
-    /// A film that is colder before the contact than all that flows in.
-    ColdInlet,
-    /// Heat that is lost or gained on the way.
-    HeatBalance,
-    /// A film too thin for a continuum.
-    ThinFilm,
-    /// A film that is not small beside the radius.
-    ThickFilm,
-    /// A film that roughness pierces.
-    Roughness,
-    /// Asperities that carry so much that the film of smooth surfaces is not theirs.
-    AsperityLoad,
-    /// Asperities that cannot carry the load however thin the film.
-    AsperityLimit,
-    /// Numbers of asperities unlike those of measured surfaces.
-    AsperityData,
-    /// Friction that no lubricant transmits.
-    Friction,
-    /// A film that a law thins whose constants are estimated.
-    EstimatedThinning,
-    /// A shear stress of rolling beyond what lubricants bear, where film and pressure hardly feel it.
-    RollingStress,
-    /// Heat that an isothermal contact leaves out.
-    HeatLeftOut,
-    /// Teeth that mesh badly.
-    Gears,
-    /// An error bar of the central film beyond the target.
-    CentralFilmError,
-    /// An error bar of the minimum film beyond the target.
-    MinimumFilmError,
-    /// Films without an error bar.
-    NoErrorBar,
-    /// A largest pressure that the mesh does not resolve.
-    Spike,
-    /// Another method than finite elements, which did not converge.
-    Method,
-    /// Newton's method or elements that end short of what was asked for.
-    Convergence,
-    /// An outlet edge before the end of the film.
-    OutletEdge,
-    /// An inlet edge that starves the contact.
-    InletEdge,
-    /// Inertia of the lubricant.
-    Inertia,
-}
-
-impl WarningKind {
-    /// Whether it is worth knowing, but no reason to doubt a result: told quietly.
-    pub fn is_note(self) -> bool {
-        matches!(
-            self,
-            WarningKind::LawRange
-                | WarningKind::RollingStress
-                | WarningKind::WideAreaUnfelt
-                | WarningKind::Method
-                | WarningKind::OnItsWay
-        )
-    }
-}
+pub use kind::{Explanation, Severity, WarningKind};
 
 /// What a user should know, in a sentence or two.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -106,8 +18,11 @@ pub struct Warning {
     pub kind: WarningKind,
     /// The sentence.
     pub text: String,
-    /// How far a bound is exceeded, to tell the worst of one kind.
+    /// How far a bound is exceeded, to find the worst of one kind.
     pub excess: f64,
+    /// Whether the case does not want to see it.
+    #[serde(default)]
+    pub is_silenced: bool,
 }
 
 impl Warning {
@@ -117,6 +32,7 @@ impl Warning {
             kind,
             text: text.into(),
             excess: 0.0,
+            is_silenced: false,
         }
     }
 
@@ -128,18 +44,46 @@ impl Warning {
         }
     }
 
-    /// Whether one line can say both.
+    /// Whether it is shown as a warning: no note, and not silenced.
+    pub fn is_shown(&self) -> bool {
+        !self.kind.is_note() && !self.is_silenced
+    }
+
+    /// The same where a record keeps it: `silence` are the kinds that its study silences now.
+    pub fn is_shown_with(&self, silence: &[WarningKind]) -> bool {
+        !self.kind.is_note() && !self.kind.is_silenced_by(silence)
+    }
+
+    /// Whether it is shown as a note.
+    pub fn is_shown_note(&self) -> bool {
+        self.kind.is_note() && !self.is_silenced
+    }
+
+    /// The sentence and the code behind it, for reports: `the film … [thin-film]`.
+    pub fn coded(&self) -> String {
+        format!("{} [{}]", self.text, self.kind)
+    }
+
+    /// Whether one line can show both.
     fn is_like(&self, other: &Warning) -> bool {
-        // Warnings about different keys.
-        let has_own_words = matches!(self.kind, WarningKind::Other | WarningKind::UnusualInput);
-        self.kind == other.kind && (!has_own_words || self.text == other.text)
+        self.kind == other.kind && (!self.kind.has_own_words() || self.text == other.text)
     }
 }
 
-impl From<String> for Warning {
-    fn from(text: String) -> Warning {
-        Warning::new(WarningKind::Other, text)
+/// Marks those of the given kinds as silenced, unless they may not be.
+pub fn silence(warnings: &mut [Warning], kinds: &[WarningKind]) {
+    for warning in warnings {
+        warning.is_silenced = warning.kind.is_silenced_by(kinds);
     }
+}
+
+/// How many warnings of each kind are silenced, by code.
+pub fn silenced(warnings: &[Warning]) -> BTreeMap<&'static str, usize> {
+    let mut counts = BTreeMap::new();
+    for warning in warnings.iter().filter(|w| w.is_silenced) {
+        *counts.entry(warning.kind.code()).or_default() += 1;
+    }
+    counts
 }
 
 impl From<&RangeWarning> for Warning {
@@ -181,14 +125,23 @@ impl fmt::Display for Warning {
 
 /// The sentences alone, without notes.
 pub fn texts(warnings: &[Warning]) -> Vec<&str> {
-    let told = warnings.iter().filter(|w| !w.kind.is_note());
-    told.map(|w| &**w).collect()
+    (warnings.iter().filter(|w| w.is_shown()))
+        .map(|w| &**w)
+        .collect()
 }
 
 /// Those of notes.
 pub fn notes(warnings: &[Warning]) -> Vec<&str> {
-    let notes = warnings.iter().filter(|w| w.kind.is_note());
-    notes.map(|w| &**w).collect()
+    (warnings.iter().filter(|w| w.is_shown_note()))
+        .map(|w| &**w)
+        .collect()
+}
+
+/// The codes of [`texts`].
+pub fn codes(warnings: &[Warning]) -> Vec<WarningKind> {
+    (warnings.iter().filter(|w| w.is_shown()))
+        .map(|w| w.kind)
+        .collect()
 }
 
 /// Warnings of one kind at several points.
@@ -230,6 +183,14 @@ pub fn by_kind<'a>(warnings: impl IntoIterator<Item = (usize, &'a Warning)>) -> 
 }
 
 impl Merged {
+    /// A warning of this kind with another text, silenced as the worst is.
+    pub fn with_text(&self, text: String) -> Warning {
+        Warning {
+            text,
+            ..self.worst.clone()
+        }
+    }
+
     /// In one line, points counted from 1: `points 2 to 5: the film …`; `of` is how many points there are.
     pub fn line(&self, of: usize) -> String {
         let place = match self.points[..] {
@@ -240,25 +201,13 @@ impl Merged {
         self.with_worst(&place, &format!("point {}", self.worst_point + 1))
     }
 
-    /// The same of contacts by their names: `ball 0, inner ring and 3 more contacts: the film …`.
+    /// The same of contacts by their names: `2 of 9 contacts, worst at ball 0, inner ring: the film …`.
     pub fn line_of<'a>(&self, of: usize, name: impl Fn(usize) -> &'a str) -> String {
         let worst = name(self.worst_point);
-        let text = &self.worst.text;
         match self.points.len() {
-            1 => format!("{worst}: {text}"),
+            1 => self.with_worst(worst, worst),
             n if n == of => self.with_worst(&all(of, "contacts"), worst),
-            n => {
-                let others = match n - 1 {
-                    1 => "1 more contact".to_owned(),
-                    more => format!("{more} more contacts"),
-                };
-                let alike = if self.alike {
-                    ""
-                } else {
-                    ", shown for the first"
-                };
-                format!("{worst} and {others}{alike}: {text}")
-            }
+            n => self.with_worst(&format!("{n} of {of} contacts"), worst),
         }
     }
 
@@ -266,7 +215,7 @@ impl Merged {
         let text = &self.worst.text;
         match self.alike || self.points.len() == 1 {
             true => format!("{place}: {text}"),
-            false => format!("{place}, shown for {worst}: {text}"),
+            false => format!("{place}, worst at {worst}: {text}"),
         }
     }
 }
@@ -315,7 +264,7 @@ mod tests {
 
     #[test]
     fn one_kind_is_one_line_with_the_worst() {
-        let other = Warning::from("no title".to_owned());
+        let other = Warning::new(WarningKind::NoEffect, "no title");
         let films = [9.0, 7.0, 8.0].map(thin);
         let all = [
             (0, &films[0]),
@@ -329,55 +278,65 @@ mod tests {
         assert_eq!(
             lines,
             [
-                "points 1 to 3, shown for point 2: film 7 nm",
+                "points 1 to 3, worst at point 2: film 7 nm",
                 "points 2, 5: no title"
             ]
         );
         let few: Vec<String> = by_kind(all).iter().map(|m| m.line(3)).collect();
         assert!(
-            few[0].starts_with("all 3 points, shown for point 2"),
+            few[0].starts_with("all 3 points, worst at point 2"),
             "{few:?}"
         );
         let two = [(0, &films[0]), (1, &films[1])];
         assert_eq!(
             by_kind(two)[0].line(2),
-            "both points, shown for point 2: film 7 nm"
+            "both points, worst at point 2: film 7 nm"
         );
     }
 
-    /// Contacts have names, that of the worst first.
+    /// Contacts have names: that of the worst is shown.
     #[test]
-    fn contacts_are_told_by_name() {
+    fn contacts_are_named() {
         let films = [9.0, 7.0, 8.0].map(thin);
         let merged = by_kind(films.iter().enumerate());
         let name = |i: usize| ["inner ring", "outer ring", "rib"][i];
         assert_eq!(
             merged[0].line_of(9, name),
-            "outer ring and 2 more contacts, shown for the first: film 7 nm"
+            "3 of 9 contacts, worst at outer ring: film 7 nm"
         );
         assert_eq!(
             merged[0].line_of(3, name),
-            "all 3 contacts, shown for outer ring: film 7 nm"
+            "all 3 contacts, worst at outer ring: film 7 nm"
         );
         let alike = [thin(9.0), thin(9.0)];
         let merged = by_kind(alike.iter().enumerate());
-        assert_eq!(
-            merged[0].line_of(9, name),
-            "inner ring and 1 more contact: film 9 nm"
-        );
+        assert_eq!(merged[0].line_of(9, name), "2 of 9 contacts: film 9 nm");
         let alone = by_kind([(2, &films[0])]);
         assert_eq!(alone[0].line_of(9, name), "rib: film 9 nm");
     }
 
-    /// What has no kind is told apart by its words.
+    /// A kind about different keys is one warning only where the texts are equal.
     #[test]
-    fn other_warnings_keep_their_words() {
-        let warnings = ["a", "b", "a"].map(|text| Warning::from(text.to_owned()));
+    fn own_words_are_kept() {
+        let warnings = ["a", "b", "a"].map(|text| Warning::new(WarningKind::NoEffect, text));
         let lines: Vec<String> = by_kind(warnings.iter().enumerate().map(|(i, w)| (2 * i, w)))
             .iter()
             .map(|m| m.line(9))
             .collect();
         assert_eq!(lines, ["points 1, 5: a", "point 3: b"]);
+    }
+
+    /// Silenced warnings are counted, and what is not to be used is shown.
+    #[test]
+    fn silenced_warnings_are_counted() {
+        let friction = Warning::new(WarningKind::Friction, "0.3");
+        let mut all = [thin(9.0), thin(8.0), friction];
+        silence(&mut all, &[WarningKind::ThinFilm, WarningKind::Friction]);
+        assert_eq!(texts(&all), ["0.3"]);
+        assert_eq!(codes(&all), [WarningKind::Friction]);
+        assert_eq!(silenced(&all), BTreeMap::from([("thin-film", 2)]));
+        silence(&mut all, &[]);
+        assert_eq!(texts(&all).len(), 3);
     }
 
     #[test]

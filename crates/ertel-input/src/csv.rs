@@ -434,7 +434,7 @@ impl CsvTable {
                 .replace('/', "_per_")
                 .replace('^', "");
             format!(
-                "the column `{cell}` has no unit; {units}, as in `{}_{si}`, or tell it: `--column \"{name}={cell}:{}\"`",
+                "the column `{cell}` has no unit; {units}, as in `{}_{si}`, or specify it: `--column \"{name}={cell}:{}\"`",
                 name.replace(' ', "_"),
                 dimension.si_unit()
             )

@@ -183,13 +183,18 @@ impl Document {
                 let n = nodes.len();
                 let place = tree::place_of(key).filter(|place| *place < n);
                 let Some(place) = place else {
+                    let at = key.as_ptr() as usize - path.as_ptr() as usize;
+                    let (list, rest) = path.split_at(at);
+                    let list = list.trim_end_matches('.');
+                    let problem = match tree::place_of(key) {
+                        Some(_) => format!("{list} has {n} entries, counted from 1"),
+                        None => format!("{list} is a list: write {list}.1.{rest}"),
+                    };
                     return Err(InputError::at(
                         &self.source,
                         key_span.clone(),
                         path,
-                        format!(
-                            "`{path}` cannot be set: `{key}` is none of the {n} entries of the array, which are counted from 1"
-                        ),
+                        format!("`{path}` cannot be set: {problem}"),
                     ));
                 };
                 let Value::Array(nodes) = &mut table.value else {

@@ -96,7 +96,7 @@ impl NativeCase {
     /// What the user should know about the input.
     #[getter]
     fn warnings(&self) -> Vec<String> {
-        let told = self.case.warnings.iter().filter(|w| !w.kind.is_note());
+        let told = self.case.warnings.iter().filter(|w| w.is_shown());
         told.map(ToString::to_string).collect()
     }
 

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use ertel::fit::{self, Data, FilmForm, FilmKind, Heading, LawName, Params, Property, Reading};
 use ertel::solution::{Field, Figure};
+use ertel::warning::WarningKind;
 use ertel_input::file::read_table;
 use ertel_quantity::Dimension;
 use ertel_rheology::viscosity::PressureLaw;
@@ -11,6 +12,20 @@ use ertel_rheology::{DensityLaw, Isotherms, database};
 use pyo3::prelude::*;
 
 use crate::errors::{self, CaseError};
+
+/// Meaning, limit and remedy of the code of a warning.
+#[pyfunction]
+pub fn explanation(code: &str) -> PyResult<[&'static str; 3]> {
+    let kind = WarningKind::with_code(code).ok_or_else(|| {
+        let all: Vec<&str> = WarningKind::ALL.iter().map(|kind| kind.code()).collect();
+        CaseError::new_err(format!(
+            "`{code}` is not a code of warnings; the codes are {}",
+            all.join(", ")
+        ))
+    })?;
+    let e = kind.explanation();
+    Ok([e.meaning, e.limit, e.remedy])
+}
 
 /// Names of the lubricants (`kind = "fluids"`) or solids of the database, own ones first.
 #[pyfunction]

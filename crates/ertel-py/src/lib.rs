@@ -38,6 +38,7 @@ fn _ertel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(study::sweep, module)?)?;
     module.add_function(wrap_pyfunction!(study::merge, module)?)?;
     module.add_function(wrap_pyfunction!(compare::compare, module)?)?;
+    module.add_function(wrap_pyfunction!(data::explanation, module)?)?;
     module.add_function(wrap_pyfunction!(data::names, module)?)?;
     module.add_function(wrap_pyfunction!(data::viscosity, module)?)?;
     module.add_function(wrap_pyfunction!(data::interpolated, module)?)?;

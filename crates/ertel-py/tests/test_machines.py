@@ -117,6 +117,8 @@ def test_figures(machine: ertel.MachineSolution) -> None:
     assert "film_minimum" in dir(machine)
     assert not machine.failed and machine.failures == []
     assert all(isinstance(warning, str) for warning in machine.warnings)
+    assert len(machine.warning_codes) == len(machine.warnings)
+    assert all("meaning" in ertel.explain(code) for code in machine.warning_codes)
     assert "friction torque" in machine.report and "ball 0, inner ring" in machine.report
     assert "10 contacts" in repr(machine) and "<table>" in machine._repr_html_()
 

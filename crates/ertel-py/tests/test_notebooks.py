@@ -49,7 +49,7 @@ def test_outputs_are_kept_and_small(path: Path) -> None:
     assert len(text) < MOST_OF_A_NOTEBOOK
     assert not any(f"{place}/" in text for place in ("/tmp", "/home", "/root", "/work", str(FOLDER))), "a path of the machine that ran it"
     # What a tutorial shows can be true: no films that friction would burn, no traction that no lubricant has.
-    assert "friction warms it by" not in text and "larger than measured for any lubricant" not in text
+    assert "friction heats the film by" not in text and "larger than measured for any lubricant" not in text
     for output in (output for cell in cells for output in cell.outputs):
         assert output.output_type != "error"
         assert output.get("name") != "stderr", output.get("text")

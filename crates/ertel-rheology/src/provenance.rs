@@ -135,14 +135,22 @@ impl fmt::Display for TemperatureRange {
     }
 }
 
+/// `pressure` beyond `limit`, Pa, of a fluid or of its law in general.
+fn beyond(fluid: &str, [pressure, limit]: [f64; 2], basis: &str, of_law: bool) -> String {
+    let [pressure, limit] = [pressure, limit].map(|p| p / 1e9);
+    match of_law {
+        true => format!("viscosity law extrapolated above {limit:.2} GPa ({basis})"),
+        false => format!(
+            "{fluid}: the pressure reaches {pressure:.3} GPa, its data hold up to {limit:.3} GPa ({basis})"
+        ),
+    }
+}
+
 /// A state outside the range for which the data of a fluid hold.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum RangeWarning {
     /// The pressure goes above the range.
-    #[error(
-        "{fluid}: the pressure reaches {:.3} GPa, its data hold up to {:.3} GPa ({basis})",
-        .pressure / 1e9, .limit / 1e9
-    )]
+    #[error("{}", beyond(.fluid, [*.pressure, *.limit], .basis, *.of_law))]
     PressureAbove {
         /// Name of the fluid.
         fluid: String,

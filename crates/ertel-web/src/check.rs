@@ -15,7 +15,10 @@ use crate::failure::{Failure, answer};
 /// error. Takes milliseconds.
 pub fn check(text: &str) -> Value {
     answer(checked(text).map(|case| {
-        let warnings: Vec<String> = case.warnings.iter().map(ToString::to_string).collect();
+        let warnings: Vec<String> = (case.warnings.iter())
+            .filter(|w| !w.is_silenced)
+            .map(ToString::to_string)
+            .collect();
         let points = case.curve.as_ref().map(|curve| curve.points.len());
         json!({ "warnings": warnings, "points": points })
     }))

@@ -16,6 +16,11 @@ pub trait Observer: Send + Sync {
     ) {
     }
 
+    /// A new grid of finite volumes begins, counted from 0.
+    fn grid(&mut self, grid: usize, n_pressure: usize) {
+        self.level(grid, grid + 1, n_pressure, 0);
+    }
+
     /// A Newton iteration ended.
     fn iteration(&mut self, _record: &IterationRecord) {}
 

@@ -215,7 +215,7 @@ pub fn warnings(
     if orders.contains(&1) {
         // Measured on a roller: 3 and 4 of the differences that the bars are made of.
         warnings.push(Warning::new(
-            WarningKind::Other,
+            WarningKind::FirstOrder,
             "first-order elements err by more than their error bars: use [mesh] pressure_order 2 or \
              more and elastic_order 2",
         ));

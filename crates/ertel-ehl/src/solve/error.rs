@@ -138,6 +138,16 @@ pub enum SolveError {
         /// What was tried then: the quantities that were brought to those of the case step by step.
         tried: Vec<&'static str>,
     },
+    /// Neither of both methods converged.
+    #[error("{first}; nor by {method}: {second}")]
+    BothFailed {
+        /// Why the first method failed.
+        first: Box<SolveError>,
+        /// The second method in words.
+        method: &'static str,
+        /// Why it failed.
+        second: Box<SolveError>,
+    },
     /// The solve failed where stress thins the fluid in the inlet far more than it does with oils.
     #[error(
         "{error}; [lubricant.shear_thinning] leaves about {:.2} % of the Newtonian film, by formula: shear stresses in the inlet lie far \
@@ -222,6 +232,11 @@ impl SolveError {
             ),
             SolveError::TooThin { help, .. } => Some(help),
             SolveError::AllFailed { first, .. } => first.advice(),
+            // Advice of a grid is the other method, which was tried.
+            SolveError::BothFailed { first, second, .. } => [first, second]
+                .into_iter()
+                .find(|error| !matches!(***error, SolveError::GridNotConverged { .. }))
+                .and_then(|error| error.advice()),
             SolveError::Thinned { .. } => Some(
                 "a look at the constants of [lubricant.shear_thinning] and their units (stresses of oils are 1 to 20 MPa; a second \
                  plateau mu_2 keeps blended oils from thinning without end), or less load or sliding to begin with",
@@ -288,6 +303,22 @@ mod tests {
             change: 0.1,
             contraction,
         }
+    }
+
+    /// The reasons of both methods are shown, and no method that was tried is advised.
+    #[test]
+    fn both_methods_are_named() {
+        let both = SolveError::BothFailed {
+            first: Box::new(stopped(Stopped::Circling)),
+            method: "finite volumes",
+            second: Box::new(not_coupled(2.0)),
+        };
+        let text = both.to_string();
+        assert!(
+            text.contains("; nor by finite volumes: no convergence"),
+            "{text}"
+        );
+        assert_eq!(both.advice(), Some(Stopped::Circling.advice()));
     }
 
     #[test]

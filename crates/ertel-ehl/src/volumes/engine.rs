@@ -258,7 +258,7 @@ impl Engine for FiniteVolumes {
             if unknowns > most && n >= LEAST_GRIDS {
                 break;
             }
-            observer.level(n, n + 1, unknowns, grid.n_nodes());
+            observer.grid(n, unknowns);
             let deflection = convolution(problem, &grid);
             let (mut system, mut state) = match found.levels.last_mut() {
                 None => {

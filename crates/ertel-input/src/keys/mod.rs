@@ -20,7 +20,7 @@ pub use lubricant::{
     CONDUCTIVITIES, DENSITIES, HEAT_CAPACITIES, LUBRICANT, SHEAR_LAWS, VISCOSITIES,
 };
 pub use machine::MACHINES;
-pub use settings::{COMPARE, INTERFEROGRAM, MESH, OUTPUT, SOLVER, THERMAL};
+pub use settings::{CODES, COMPARE, INTERFEROGRAM, MESH, OUTPUT, SOLVER, THERMAL};
 pub use told::{plain, table, table_of_laws};
 
 use crate::Bounds;

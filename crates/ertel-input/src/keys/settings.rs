@@ -9,6 +9,50 @@ use super::rows;
 use super::{LENGTH, TEMPERATURE};
 use crate::usual::{COATINGS, LIGHT};
 
+/// Codes of warnings that may be silenced; a test holds them against the registry of warnings.
+pub const CODES: &[&str] = &[
+    "unusual-input",
+    "no-effect",
+    "temperature-ignored",
+    "opposite-motion",
+    "wide-contact",
+    "strength",
+    "asperity-data",
+    "measured-profile",
+    "roller-ends",
+    "gears",
+    "pressure-range",
+    "law-range",
+    "temperature-range",
+    "hottest-film",
+    "coldest-film",
+    "estimated-thinning",
+    "thin-film",
+    "roughness",
+    "asperity-load",
+    "asperity-limit",
+    "wide-area",
+    "heat-left-out",
+    "inertia",
+    "estimate-scope",
+    "rolling-stress",
+    "body-depth",
+    "central-film-error",
+    "minimum-film-error",
+    "no-error-bar",
+    "spike",
+    "method",
+    "convergence",
+    "first-order",
+    "sensitivities",
+    "on-its-way",
+    "oil-layer-late",
+    "checkpoint",
+    "uneven-roller",
+    "missing-data",
+    "oil-temperature",
+];
+
 rows! {
     /// `[thermal]`.
     pub THERMAL {
@@ -101,6 +145,8 @@ rows! {
             the length of rollers; `false`: none";
         interferogram: Table(INTERFEROGRAM) => r"a table: draw the film of a point contact as an [interferogram](#interferograms),
             `interferogram.png` and `interferogram.svg`";
+        silence: Choices(CODES) => r#"codes of warnings and notes that are counted in JSON but not shown, such as `["law-range"]` ([codes](warnings.md)). Warnings
+            of figures that are not to be used cannot be silenced"#;
     }
     /// `[output.interferogram]`.
     pub INTERFEROGRAM {

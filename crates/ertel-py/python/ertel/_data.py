@@ -14,6 +14,17 @@ from . import _ertel
 from ._ertel import CaseError, OutputError
 
 
+def explain(code: str) -> dict[str, str]:
+    """What the code of a warning means: ``meaning``, ``limit`` with its source, ``remedy``.
+
+    Raises
+    ------
+    CaseError
+        An unknown code; the message lists all.
+    """
+    return dict(zip(("meaning", "limit", "remedy"), _ertel.explanation(code)))
+
+
 def fluids() -> list[str]:
     """Names of the lubricants, own ones first."""
     return _ertel.names("fluids")

@@ -151,6 +151,11 @@ class MachineSolution(Tabulated):
         return self._document["warnings"]
 
     @property
+    def warning_codes(self) -> list[str]:
+        """The codes of :attr:`warnings`, one each; :func:`ertel.explain` explains them. Empty for results of older versions."""
+        return list(self._document.get("warning_codes", []))
+
+    @property
     def failures(self) -> list[tuple[int, str]]:
         """Place and reason of the contacts without solution; those that are alike once."""
         contacts = enumerate(self.contacts)

@@ -98,6 +98,11 @@ class Result(Stored):
         return self._document["warnings"]
 
     @property
+    def warning_codes(self) -> list[str]:
+        """The codes of :attr:`warnings`, one each; :func:`ertel.explain` explains them. Empty for results of older versions."""
+        return list(self._document.get("warning_codes", []))
+
+    @property
     def film_central(self) -> Quantity:
         """Film thickness in the centre of the contact, m."""
         return self._known("film_central")

@@ -232,6 +232,11 @@ class Transient(Tabulated):
         return list(self._document["warnings"])
 
     @property
+    def warning_codes(self) -> list[str]:
+        """The codes of :attr:`warnings`, one each; :func:`ertel.explain` explains them. Empty for results of older versions."""
+        return list(self._document.get("warning_codes", []))
+
+    @property
     def time(self) -> Floats:
         """Times of the instants, s."""
         return np.array([instant.time for instant in self._instants])

@@ -84,7 +84,7 @@ impl BaseOil {
                 1.725e6,
                 [0.1, 0.15],
                 "kreuz_pao, PAO 4, 10, 40, 100; everitt_ehl, PAO B; larsson_andersson2000 for pressure and temperature",
-                "five polyalphaolefins there have 1.67 to 1.77 MJ/(m^3.K), feup_gear reckons with 1.95",
+                "five polyalphaolefins there have 1.67 to 1.77 MJ/(m^3.K), feup_gear uses 1.95",
             ),
             reference_temperature: CELSIUS_40,
             beta_0: 6.5e-4,
@@ -99,7 +99,7 @@ impl BaseOil {
                 conductivity: estimate(
                     0.137,
                     [0.3, 0.12],
-                    "larsson_andersson2000, paraffinic mineral oil, as read in habchi_tehl",
+                    "larsson_andersson2000, paraffinic mineral oil",
                     "eight mineral oils and correlations have 0.096 to 0.152 W/(m.K) (docs/theory/rheology.md)",
                 ),
                 d_1: 1.72e-9,
@@ -107,7 +107,7 @@ impl BaseOil {
                 volumetric_heat: estimate(
                     1.71e6,
                     [0.11, 0.16],
-                    "larsson_andersson2000, paraffinic mineral oil, as read in habchi_tehl",
+                    "larsson_andersson2000, paraffinic mineral oil",
                     "seven mineral oils and correlations have 0.90 to 1.16 times as much at 40 degC (docs/theory/rheology.md)",
                 ),
                 reference_temperature: 295.0,
@@ -122,7 +122,7 @@ impl BaseOil {
                     0.153,
                     [0.13, 0.12],
                     "baomaokuan_bearing, MIL-L-7808 and MIL-L-23699",
-                    "both ester turbine oils there have 0.145 and 0.161 W/(m.K) at 40 degC, feup_gear reckons with 0.134; pressure as \
+                    "both ester turbine oils there have 0.145 and 0.161 W/(m.K) at 40 degC, feup_gear uses 0.134; pressure as \
                      for a PAO",
                 ),
                 volumetric_heat: estimate(
@@ -140,14 +140,14 @@ impl BaseOil {
                     [0.3, 0.3],
                     "none, midway of the other kinds",
                     "no measured conductivity of a polyalkylene glycol was found; the range holds the 0.115 W/(m.K) that feup_gear \
-                     reckons with",
+                     uses",
                 ),
                 volumetric_heat: estimate(
                     2.08e6,
                     [0.2, 0.2],
                     "none, 2000 J/(kg.K), as of other oils, times the density of a polyalkylene glycol",
                     "no measured heat capacity of a polyalkylene glycol was found; the range holds the 2.40 MJ/(m^3.K) that feup_gear \
-                     reckons with",
+                     uses",
                 ),
                 beta_0: 8.5e-4,
                 ..as_pao

@@ -38,9 +38,9 @@ impl BaseOil {
             value,
             below: 0.6,
             above: 1.0,
-            source: "traction_program, 2 to 10 MPa, typically 5 for a mineral oil",
+            source: "johnson_tevaarwerk1977, Eyring stresses of a few MPa",
             spread: Spread::Even,
-            basis: "what is said there of Eyring stresses in general; kreuz_pao has 4 MPa for polyalphaolefins",
+            basis: "traction programs use 2 to 10 MPa, typically 5 for a mineral oil; kreuz_pao has 4 MPa for polyalphaolefins",
         };
         let limit = |value, [below, above]: [f64; 2], source, basis| Estimate {
             value,
@@ -57,7 +57,7 @@ impl BaseOil {
                     0.056,
                     [0.3, 0.5],
                     "feup_gear, full film of a thrust ball bearing in mineral oil",
-                    "a mineral oil of habchi_tehl (Shell T9) has 0.083, programs of bearings reckon with 0.04",
+                    "Shell T9 has 0.083 (Habchi 2018, Finite Element Modeling of Elastohydrodynamic Lubrication Problems); bearing programs use 0.04",
                 ),
             },
             Self::Pao => ShearEstimate {

@@ -97,12 +97,16 @@ fn validity(fluids: &[Fluid]) -> Option<ValidityRange> {
         ranges.reduce(|(a, b), (c, d)| (a.max(c), b.min(d)))
     };
     let (pressure, temperature) = (common(&|v| v.pressure), common(&|v| v.temperature));
-    known.first()?;
+    let first = known.first()?;
+    let of_law = known.iter().all(|range| range.of_law);
     Some(ValidityRange {
         pressure: pressure.filter(|(low, high)| low <= high),
         temperature: temperature.filter(|(low, high)| low <= high),
-        source: "what the data of all parts of the blend cover".to_owned(),
-        of_law: known.iter().all(|range| range.of_law),
+        source: match of_law {
+            true => first.source.clone(),
+            false => "what the data of all parts of the blend cover".to_owned(),
+        },
+        of_law,
     })
 }
 

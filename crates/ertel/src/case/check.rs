@@ -255,7 +255,7 @@ pub fn mesh_of_bodies(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, In
         .map(|key| format!("mesh.{key}"))
         .collect();
     if !given.is_empty() {
-        warnings.push(Warning::from(format!(
+        warnings.push(Warning::new(WarningKind::NoEffect, format!(
             "the bodies are half-spaces, on which {} {} no effect: solver.elasticity = \"equivalent\" makes {} count",
             given.join(", "),
             if given.len() == 1 { "has" } else { "have" },
@@ -264,7 +264,7 @@ pub fn mesh_of_bodies(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, In
     }
     let pressure = case.mesh.pressure_order;
     if let Some(order) = order.filter(|order| *order < pressure) {
-        warnings.push(Warning::from(format!(
+        warnings.push(Warning::new(WarningKind::NoEffect, format!(
             "mesh.elastic_order = {order} is below mesh.pressure_order = {pressure}: deflections of half-spaces \
              have the order of the pressure"
         )));
@@ -436,7 +436,8 @@ pub(super) fn inputs_of_machine(case: &Case) -> Option<Warning> {
         }
         None => return None,
     };
-    Some(Warning::from(format!(
-        "{what}: of a whole machine neither is computed; vary its inputs in a study"
-    )))
+    Some(Warning::new(
+        WarningKind::NoEffect,
+        format!("{what}: of a whole machine neither is computed; vary its inputs in a study"),
+    ))
 }

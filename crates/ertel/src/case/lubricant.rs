@@ -43,6 +43,8 @@ pub struct Lubricant {
     pub shear_thinning: Option<ShearThinning>,
     /// Law of the thermal conductivity, if known.
     pub thermal_conductivity: Option<ConductivityLaw>,
+    /// Conductivity at ambient pressure by the kind of the base oil, W/(m K), if that is known: for estimates of cases without heat.
+    pub typical_conductivity: Option<f64>,
     /// Law of the heat capacity, if known.
     pub heat_capacity: Option<HeatCapacityLaw>,
     /// Temperatures that the data cover, each with what it rests on.
@@ -249,6 +251,9 @@ fn check(
         viscosity: fluid.viscosity,
         shear_thinning: fluid.shear_thinning,
         thermal_conductivity: fluid.thermal_conductivity,
+        typical_conductivity: fluid
+            .base_oil
+            .map(|base_oil| base_oil.heat().conductivity.value),
         heat_capacity: fluid.heat_capacity,
         temperature_ranges,
         estimates,
@@ -334,6 +339,5 @@ fn glass(lubricant: &Lubricant, pressure: f64) -> Option<Warning> {
         law.name(),
         logarithm / std::f64::consts::LN_10
     );
-    (logarithm > LN_GLASS)
-        .then(|| Warning::beyond(WarningKind::PressureRange, logarithm / LN_GLASS, text))
+    (logarithm > LN_GLASS).then(|| Warning::beyond(WarningKind::Glass, logarithm / LN_GLASS, text))
 }

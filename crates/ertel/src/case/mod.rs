@@ -73,7 +73,7 @@ use crate::params::{
     ElasticModel, LinearSolver, MeshParams, OutputParams, SolverParams, ThermalParams,
 };
 
-use crate::warning::Warning;
+use crate::warning::{Warning, WarningKind, silence};
 use bodies::Bodies;
 pub use bodies::Body;
 pub use builder::{CaseBuilder, Setting};
@@ -191,7 +191,7 @@ impl Case {
         let draws_none = (case.curve.as_ref()).is_some_and(|curve| !curve.folders);
         if draws_none && case.output.interferogram.is_some() {
             let text = "[output.interferogram] is drawn in the folders of the points alone: [curve] folders = true";
-            case.warnings.push(Warning::from(text.to_owned()));
+            case.warn([Warning::new(WarningKind::NoEffect, text)]);
         }
         if case.curve.is_none() {
             case.read_contacts(document, folder, &BTreeMap::new())?;
@@ -377,8 +377,14 @@ impl Case {
             .map(|input| input.key.as_str())
             .collect();
         let ignored = (case.lubricant).temperature_ignored(uncertain, "has an uncertainty");
-        case.warnings.extend(ignored);
+        case.warn(ignored);
         Ok(case)
+    }
+
+    /// Adds what the user should know; what the case silences is marked.
+    fn warn(&mut self, more: impl IntoIterator<Item = Warning>) {
+        self.warnings.extend(more);
+        silence(&mut self.warnings, &self.output.silence);
     }
 
     /// The shear thinning to reckon with: none for a Newtonian lubricant, and none with `solver.newtonian`.

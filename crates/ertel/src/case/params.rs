@@ -10,6 +10,7 @@ use crate::params::{
     DEFAULT_TARGET_ERROR, ElasticModel, Formulation, LinearSolver, MeshParams, MeshPreset, Method,
     OutputParams, PenaltyScaling, PictureFormats, SolverParams,
 };
+use crate::warning::WarningKind;
 
 /// Replaces `field` if the file says so.
 pub(super) fn set<T>(field: &mut T, value: Option<T>) {
@@ -306,6 +307,31 @@ pub fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputError> {
     Ok(solver)
 }
 
+/// Kinds of warnings by their codes.
+fn read_silence(table: &Table<'_>, codes: &[&str]) -> Result<Vec<WarningKind>, InputError> {
+    let kind = |code: &&str| {
+        let kind = WarningKind::with_code(code).ok_or_else(|| unknown_code(table, code))?;
+        match kind.may_be_silenced() {
+            true => Ok(kind),
+            false => Err(table
+                .error("silence", format!("`{code}` cannot be silenced"))
+                .with_help(
+                    "it marks figures that are not to be used; `ertel explain` shows what to do",
+                )),
+        }
+    };
+    codes.iter().map(kind).collect()
+}
+
+fn unknown_code(table: &Table<'_>, code: &str) -> InputError {
+    let all = WarningKind::ALL
+        .iter()
+        .filter(|kind| kind.may_be_silenced());
+    let all: Vec<&str> = all.map(|kind| kind.code()).collect();
+    (table.error("silence", format!("`{code}` is not a code of warnings")))
+        .with_help(format!("the codes are {}", all.join(", ")))
+}
+
 pub(super) fn read_output(
     mut table: Table<'_>,
     solver: &SolverParams,
@@ -358,6 +384,9 @@ pub(super) fn read_output(
             true => SensitivityDemand::All,
             false => SensitivityDemand::Off,
         };
+    }
+    if let Some(codes) = table.optional_strs("silence")? {
+        output.silence = read_silence(&table, &codes)?;
     }
     if output.body_field {
         needs_body(&table, solver, "body_field", "`body_field = true`")?;

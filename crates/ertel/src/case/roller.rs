@@ -388,7 +388,8 @@ pub(super) fn warnings(contact: &Contact, hertz: &Hertz, reduced_modulus: f64) -
         Profile::Table(table) => table.treatment.as_ref(),
         _ => None,
     });
-    let treated = treatment.map(|treatment| Warning::from(told(treatment)));
+    let treated =
+        treatment.map(|treatment| Warning::new(WarningKind::MeasuredProfile, told(treatment)));
     treated
         .into_iter()
         .chain(warning(contact, hertz, reduced_modulus))
@@ -405,7 +406,7 @@ fn warning(contact: &Contact, hertz: &Hertz, reduced_modulus: f64) -> Option<War
                  half-spaces are stiffer than real bodies",
                 100.0 * share
             );
-            Some(Warning::beyond(WarningKind::Other, 1.0 / share, text))
+            Some(Warning::beyond(WarningKind::RollerEnds, 1.0 / share, text))
         }
         Relief::Share(_) | Relief::StandsOnEnd => None,
     }

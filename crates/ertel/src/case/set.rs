@@ -44,7 +44,7 @@ impl Case {
         let keys = settings.iter().filter_map(|s| s.split('=').next());
         let how = format!("is set ({NAME})");
         let ignored = read.lubricant.temperature_ignored(keys, &how);
-        read.warnings.extend(ignored);
+        read.warn(ignored);
         match read.given == case.given {
             true => Ok(read),
             false => Err(document.root().error_here(format!(

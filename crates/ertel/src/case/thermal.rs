@@ -275,13 +275,13 @@ pub(super) fn check(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, Inpu
     let mut warnings = Vec::new();
     if !case.lubricant.viscosity.depends_on_temperature() {
         warnings.push(Warning::new(
-            WarningKind::Other,
+            WarningKind::TemperatureIgnored,
             "the viscosity law does not depend on temperature: heat will not thin the lubricant",
         ));
     }
     if !case.lubricant.density.depends_on_temperature() {
         warnings.push(Warning::new(
-            WarningKind::Other,
+            WarningKind::TemperatureIgnored,
             "the density law does not depend on temperature: no heating or cooling by compression, no expansion",
         ));
     }

@@ -17,7 +17,7 @@ use super::{Case, approach};
 use crate::contact::{Contact, ContactKind, Hertz, Motion, Supply};
 use crate::params::{ElasticModel, Method, SensitivityDemand};
 use crate::transient::{Approach, Cavities, Course, Speeds, Start};
-use crate::warning::Warning;
+use crate::warning::{Warning, WarningKind};
 use crate::words::digits;
 
 /// How a contact changes in time, SI.
@@ -335,8 +335,9 @@ pub(super) fn warnings(case: &Case) -> Vec<Warning> {
     let ignored = (case.lubricant).temperature_ignored(keys, "changes in time");
     let is_rough = case.transient.is_some() && case.roughness.is_some();
     let rough = is_rough.then(|| {
-        Warning::from(
-            "the roughness counts for nothing in time: films over it give the lambda ratio at each instant".to_owned(),
+        Warning::new(
+            WarningKind::NoEffect,
+            "the roughness has no effect in time: films over it give the lambda ratio at each instant",
         )
     });
     ignored.into_iter().chain(rough).collect()

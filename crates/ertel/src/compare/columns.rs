@@ -170,7 +170,7 @@ pub(super) fn open_name(table: &CsvTable, column: &Column) -> Option<String> {
     let title = excerpt(table.header().cell(column.index));
     let what = match column.name {
         "film central" => {
-            "the central film; if it is the minimum film, tell so: `--column film_minimum=...`"
+            "the central film; if it is the minimum film, use `--column film_minimum=...`"
         }
         "slide to roll ratio" => {
             "the slide-to-roll ratio (u_body_2 - u_body_1)/u of the mean speed u"

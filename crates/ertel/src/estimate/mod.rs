@@ -22,7 +22,7 @@ use crate::reference::{Asymptotes, FilmFormula, film_formulas};
 use crate::run::{estimated_film, groups};
 use crate::solution::{FormulaFilm, Neglected};
 use crate::solution::{Separation, roughness_warning};
-use crate::warning::{Warning, WarningKind};
+use crate::warning::{Warning, WarningKind, silence};
 
 /// Estimates of a case, SI.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -207,6 +207,7 @@ pub fn estimate(case: &Case) -> CaseEstimate {
     };
     let new = warnings(case, &estimate);
     estimate.warnings.extend(new);
+    silence(&mut estimate.warnings, &case.output.silence);
     estimate
 }
 
@@ -295,20 +296,20 @@ fn warnings(case: &Case, estimate: &CaseEstimate) -> Vec<Warning> {
     let mut warnings = Vec::new();
     if case.curve.is_some() {
         warnings.push(Warning::new(
-            WarningKind::Other,
+            WarningKind::EstimateScope,
             "the estimates are of the case itself, not of the points of its [curve]",
         ));
     }
     if case.supply.is_limited() {
         warnings.push(Warning::new(
-            WarningKind::Other,
+            WarningKind::EstimateScope,
             "[inlet] limits the oil that reaches the contact; all film formulas and estimates are those of a flooded one, and \
              films may be thinner: `ertel solve` computes them",
         ));
     }
     if estimate.newtonian_only {
         warnings.push(Warning::new(
-            WarningKind::Other,
+            WarningKind::EstimateScope,
             "shear thinning is not in these formulas, which take the low-shear viscosity: films may be thinner",
         ));
     }

@@ -395,3 +395,17 @@ fn the_recommended_factor_is_applied() {
     assert!(fast.thermal.recommended.is_none_or(|h| !h.in_range));
     assert!(warns(&fast, "thins the film"), "{:?}", fast.thermal);
 }
+
+/// An oil of known kind has the conductivity of its kind, 0.137 W/(m K) of mineral oils, in a case without heat, too: L_T = μ β u²/k.
+#[test]
+fn heat_of_the_inlet_by_the_kind_of_oil() {
+    let (head, _) = STEEL.split_once("density").unwrap();
+    let text = format!("{head}iso_vg = 68\nbase_oil = \"mineral\"\n");
+    let case = Case::from_document(&Document::parse("case.toml", text).unwrap(), Path::new(""));
+    let case = case.unwrap();
+    let thermal = estimate(&case).thermal;
+    let viscosity = case.lubricant.ambient_viscosity();
+    let loading = viscosity * thermal.temperature_coefficient * 0.8 * 0.8 / 0.137;
+    assert_relative_eq!(thermal.loading.unwrap(), loading, max_relative = 1e-9);
+    assert!(thermal.recommended.is_some() && thermal.missing.is_none());
+}

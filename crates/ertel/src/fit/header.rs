@@ -108,7 +108,7 @@ impl<'a> Header<'a> {
         {
             let cell = excerpt(table.header().cell(other));
             let problem = format!(
-                "there is no column `pressure`, but `{cell}` has a unit of pressure: if it is the pressure of the states, tell it: \
+                "there is no column `pressure`, but `{cell}` has a unit of pressure: if it is the pressure of the states, specify it: \
                  `--column \"pressure=#{}\"`; otherwise leave the column out",
                 other + 1
             );

@@ -54,7 +54,7 @@ pub(super) fn figures(
     };
     figures.push(figure(
         "element_load_maximum",
-        "largest load of an element",
+        "maximum rolling-element load",
         load,
         "N",
     ));
@@ -112,7 +112,7 @@ fn heaviest_slice(
             false => String::new(),
         };
         warnings.push(Warning::new(
-            WarningKind::Other,
+            WarningKind::UnevenRoller,
             format!(
                 "rollers are solved as lines under their mean load per length, but the heaviest slice of the roller under the largest pressure carries {} times \
                  that{tilt}: give `roller_contacts = \"finite\"`",
@@ -163,7 +163,7 @@ fn friction(
         "power lost by rolling",
         rolling,
         "W",
-        "rolling: what both walls of the films resist at equal speeds",
+        "rolling: rolling friction of the films",
     );
     let elements = &mechanics.distribution.elements;
     let spins = elements
@@ -277,7 +277,7 @@ fn friction(
         let own = case.lubricant.temperature;
         if (value - own).abs() > SAME {
             warnings.push(Warning::new(
-                WarningKind::Other,
+                WarningKind::OilTemperature,
                 format!(
                     "the heat of the contacts leads to {:.1} °C by the thermal resistance, but the lubricant is taken at {:.1} °C: solve once more at a \
                      temperature between",

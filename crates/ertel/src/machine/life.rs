@@ -41,7 +41,7 @@ pub(super) fn figures(
     let mut out = Collected::default();
     if let Err(error) = collect(case, mechanics, &mut out) {
         warnings.push(Warning::new(
-            WarningKind::Other,
+            WarningKind::RatingRange,
             format!("the rating life ends here: {error}"),
         ));
     }
@@ -312,7 +312,7 @@ fn collect(
     else {
         if inputs.contamination.is_none() {
             out.warnings.push(Warning::new(
-                WarningKind::Other,
+                WarningKind::MissingData,
                 "no modified rating life: give `cleanliness`, or `contamination_factor` e_C from 0 to 1 (ISO 281, annex A)",
             ));
         }
@@ -411,12 +411,11 @@ fn lives_of(
     speed: f64,
     source: &'static str,
 ) {
-    let words = match name {
-        "basic_rating_life" => "basic rating life L_10",
-        "reference_rating_life" => "reference rating life L_10r",
-        _ => "modified rating life L_nmr",
+    let (words, of_time) = match name {
+        "basic_rating_life" => ("basic rating life L_10", "  L_10h"),
+        "reference_rating_life" => ("reference rating life L_10r", "  L_10rh"),
+        _ => ("modified rating life L_nmr", "  L_nmrh"),
     };
-    let of_time = "  the same in time";
     out.add(
         Section::Life,
         (name, words),

@@ -17,6 +17,7 @@ use crate::case::{Case, Mechanics};
 pub use crate::point::{MachineFigure, MachineFigures, Section};
 use crate::point::{MachineSolution, PointSolution};
 use crate::solution::{Estimate, Figure};
+use crate::warning::silence;
 
 /// The figures of a machine; those that are sums over its contacts only where all of them are solved.
 pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
@@ -29,6 +30,7 @@ pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
         Mechanics::Gears(gears) => all.extend(gears::figures(case, gears, solved)),
         Mechanics::Cam(cam) => all.extend(cam::figures(cam, solved)),
     }
+    silence(&mut warnings, &case.output.silence);
     MachineFigures { all, warnings }
 }
 
@@ -98,7 +100,7 @@ fn films(solved: &MachineSolution) -> Vec<MachineFigure> {
     [
         figure("film_central", "smallest central film", "m", central),
         figure("film_minimum", "smallest film", "m", film),
-        figure("lambda_minimum", "smallest film over roughness", "", lambda),
+        figure("lambda_minimum", "λ (minimum film / σ)", "", lambda),
     ]
     .into_iter()
     .flatten()

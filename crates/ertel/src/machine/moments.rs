@@ -53,7 +53,7 @@ pub(super) fn add(
                     "SKF: a mineral oil, without seals and churning; its sliding part alone stands for the rib, its rolling part for cage and oil as well"
                 }
                 false => {
-                    "SKF: a mineral oil, without seals and churning; its rolling part stands for cage and oil as well"
+                    "SKF: a mineral oil, without seals and churning; the rolling part includes cage and oil"
                 }
             },
         );

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::warning::{Warning, notes, texts};
+use crate::warning::Warning;
 
 /// Width of the column of names.
 pub(super) const NAME_WIDTH: usize = 34;
@@ -77,18 +77,17 @@ impl Lines {
 
     /// Warnings under a heading of their own, if there are any; then notes.
     pub fn warnings(&mut self, warnings: &[Warning]) {
-        let told = texts(warnings);
-        if !told.is_empty() {
+        let shown = shown_warnings(warnings);
+        if !shown.is_empty() {
             self.heading("Warnings");
-            let told = told.into_iter().map(str::to_owned).collect();
-            self.blocks.push(Block::Warnings(told));
+            self.blocks.push(Block::Warnings(shown));
         }
-        let notes = notes(warnings);
+        let notes: Vec<&Warning> = warnings.iter().filter(|w| w.is_shown_note()).collect();
         if !notes.is_empty() {
             self.heading("Notes");
         }
-        for text in notes {
-            self.note(text);
+        for note in notes {
+            self.note(&note.coded());
         }
     }
 
@@ -101,6 +100,12 @@ impl Lines {
         }
         text
     }
+}
+
+/// The sentences of warnings with their codes.
+pub(super) fn shown_warnings(warnings: &[Warning]) -> Vec<String> {
+    let shown = warnings.iter().filter(|w| w.is_shown());
+    shown.map(Warning::coded).collect()
 }
 
 impl Block {
@@ -143,6 +148,7 @@ impl Table {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::warning::WarningKind;
 
     #[test]
     fn blocks_as_text() {
@@ -156,10 +162,10 @@ mod tests {
             widths: vec![(3, 0), (4, 1), (4, 0)],
         });
         out.note("source");
-        out.warnings(&[Warning::from("look".to_owned())]);
+        out.warnings(&[Warning::new(WarningKind::NoEffect, "look")]);
         let row = format!("  film{}1 nm\n", " ".repeat(NAME_WIDTH - 4));
         let expected = format!(
-            "A ball\n──────\n\nResults\n{row}     a    b\n  x  too wide 2\n  · source\n\nWarnings\n  ! look\n"
+            "A ball\n──────\n\nResults\n{row}     a    b\n  x  too wide 2\n  · source\n\nWarnings\n  ! look [no-effect]\n"
         );
         assert_eq!(out.text(), expected);
     }

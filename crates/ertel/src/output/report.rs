@@ -464,6 +464,7 @@ pub(super) fn percent_or_power(share: f64) -> String {
 mod tests {
     use super::super::sample;
     use super::*;
+    use crate::warning::{Warning, WarningKind};
 
     #[test]
     fn round_off_is_no_figure() {
@@ -485,7 +486,10 @@ mod tests {
         let (case, mut solution) = sample::circle().clone();
         sample::set(&mut solution, Figure::FilmCentral, 245e-9, 0.8e-9);
         solution.formulas[0].central = Some(264.1e-9);
-        solution.warnings = vec!["the pressure leaves the range".to_owned().into()];
+        solution.warnings = vec![Warning::new(
+            WarningKind::PressureRange,
+            "the pressure leaves the range",
+        )];
         let text = report(&case, &solution, Some(Path::new("results/ball")));
         for expected in [
             "body 1 0.475 m/s, body 2 0.525 m/s",

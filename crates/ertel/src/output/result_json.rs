@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use crate::case::CaseEcho;
 use crate::run::NUMERICS;
 use crate::solution::{Figure, Located, Section, Solution};
-use crate::warning::{notes, texts};
+use crate::warning::{codes, notes, silenced, texts};
 
 /// Value of the key `format` by which a result is recognised.
 pub const FORMAT: &str = "ertel-result";
@@ -52,6 +52,8 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
         "formulas": formulas,
         "unresolved": solution.unresolved,
         "warnings": texts(&solution.warnings),
+        "warning_codes": codes(&solution.warnings),
+        "silenced": silenced(&solution.warnings),
         "notes": notes(&solution.warnings),
         "left_out": solution.left_out,
         "body_1_speed": case.motion.body_1_speed(),

@@ -523,6 +523,7 @@ mod tests {
             format: String::new(),
             ertel_version: String::new(),
             title: String::new(),
+            silence: Vec::new(),
             columns: vec![
                 "contact.load_N_per_m".to_owned(),
                 "lubricant.temperature_K".to_owned(),

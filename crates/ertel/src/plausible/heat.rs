@@ -36,7 +36,10 @@ pub fn inlet_heat(case: &Case) -> InletHeat {
     let beta = 0.0 - first_derivative(logarithm, lubricant.temperature).1;
     let loading = if beta.is_nan() || beta <= 0.0 {
         Err("the viscosity law does not fall with temperature")
-    } else if let Some(conductivity) = lubricant.ambient_conductivity() {
+    } else if let Some(conductivity) = lubricant
+        .ambient_conductivity()
+        .or(lubricant.typical_conductivity)
+    {
         let viscosity = lubricant.ambient_viscosity();
         Ok(thermal_loading(
             viscosity,

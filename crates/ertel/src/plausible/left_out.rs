@@ -62,28 +62,26 @@ pub fn heat_warning(heat: &NeglectedHeat) -> Option<Warning> {
     let mut parts = Vec::new();
     if factor < SMALLEST_FACTOR {
         parts.push(format!(
-            "the heat of shear in the inlet thins the film by about {} %",
+            "shear in the inlet thins the film by {} %",
             digits(100.0 * (1.0 - factor), 2)
         ));
     }
     if heat.temperature_rise > LARGEST_RISE {
+        let more = if heat.is_lower_bound { " or more" } else { "" };
         parts.push(format!(
-            "friction warms it by {} {} K, which lowers friction",
-            about(heat),
+            "friction heats the film by {} K{more}; losses are too high",
             digits(heat.temperature_rise, 2)
         ));
     }
     if parts.is_empty() {
         return None;
     }
-    let text = format!(
-        "the contact is computed without heat, but {}: [thermal] includes it",
-        parts.join(", and ")
-    );
+    let text = format!("isothermal, yet {}; add [thermal]", parts.join(" and "));
     let excess = (SMALLEST_FACTOR / factor).max(heat.temperature_rise / LARGEST_RISE);
     Some(Warning::beyond(WarningKind::HeatLeftOut, excess, text))
 }
 
+/// The rise in the line of a report.
 fn about(heat: &NeglectedHeat) -> &'static str {
     match heat.is_lower_bound {
         true => "at least about",
@@ -166,10 +164,10 @@ mod tests {
     fn heat_at_the_limits() {
         assert_eq!(heat_warning(&heat(0.901, 9.99)), None);
         let thin = heat_warning(&heat(0.889, 9.99)).unwrap();
-        assert!(thin.contains("thins the film by about 11 %"), "{thin}");
-        assert!(!thin.contains("friction warms"), "{thin}");
+        assert!(thin.contains("thins the film by 11 %"), "{thin}");
+        assert!(!thin.contains("friction heats"), "{thin}");
         let warm = heat_warning(&heat(0.901, 10.1)).unwrap();
-        assert!(warm.contains("friction warms it by about 10 K"), "{warm}");
+        assert!(warm.contains("friction heats the film by 10 K"), "{warm}");
         assert!(!warm.contains("thins the film"), "{warm}");
     }
 

@@ -185,8 +185,8 @@ pub fn thick_film(film: &str, thickness: f64, radius: f64) -> Option<Warning> {
     Some(Warning::beyond(WarningKind::ThickFilm, ratio, text))
 }
 
-/// A film thinned by `shear_thinning = { law = "estimate" }`. Its limiting stress at ambient pressure is a guess, and bounds the pressure that the inlet builds
-/// up: with it a thicker oil may have a thinner film.
+/// A film thinned by `shear_thinning = { law = "estimate" }`. Its limiting stress at ambient pressure is a guess, and bounds the pressure that the inlet
+/// builds up.
 fn estimated_thinning(case: &Case, solution: &Solution) -> Option<Warning> {
     let estimates = &case.lubricant.estimates;
     let of_shear = |key: &str| key.starts_with("shear_thinning.");
@@ -208,9 +208,8 @@ fn estimated_thinning(case: &Case, solution: &Solution) -> Option<Warning> {
         return None;
     }
     let text = format!(
-        "the estimated shear thinning ([lubricant] shear_thinning, law = \"estimate\") makes the {name} film {} % {}: {}, and {} without it; its constants \
-         come from friction under high pressure and are not known to hold in the inlet, where the film forms, so that even a thicker oil may seem to have a \
-         thinner film; give a measured law, or compare films with [solver] newtonian = true",
+        "the estimated shear-thinning law makes the {name} film {} % {}: {}, without it {}; its constants come from traction at high pressure and are not \
+         verified for the inlet, where the film forms; give a measured law, or compute films with [solver] newtonian = true",
         digits(100.0 * share.abs(), 2),
         if share > 0.0 { "thinner" } else { "thicker" },
         length(film),

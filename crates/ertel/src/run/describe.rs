@@ -13,7 +13,7 @@ use crate::solution::{
     Unresolved,
 };
 use crate::solve::SolveError;
-use crate::warning::Warning;
+use crate::warning::{Warning, WarningKind};
 
 /// What an engine found, SI.
 pub(super) struct Found {
@@ -75,7 +75,6 @@ pub(super) fn describe<Plan>(
         &problem.shape,
         &extents,
         scales.length,
-        &measured.figures,
     ));
     warnings.extend(found.warnings);
     let mixed = case.roughness.map(|rms_height| {
@@ -169,7 +168,9 @@ pub(super) fn note_sensitivities(
             let text = format!(
                 "sensitivities and the uncertainty from the inputs could not be computed: {error}"
             );
-            solution.warnings.push(Warning::from(text));
+            solution
+                .warnings
+                .push(Warning::new(WarningKind::Sensitivities, text));
             return Ok(());
         }
     };
@@ -180,10 +181,13 @@ pub(super) fn note_sensitivities(
         .iter()
         .filter(|input| is_uncertain(&input.key))
     {
-        solution.warnings.push(Warning::from(format!(
-            "the uncertainty of the figures leaves out that of {}: {}",
-            input.key, input.reason
-        )));
+        solution.warnings.push(Warning::new(
+            WarningKind::Sensitivities,
+            format!(
+                "the uncertainty of the figures leaves out that of {}: {}",
+                input.key, input.reason
+            ),
+        ));
     }
     solution.uncertainty = Uncertainties::first_order(&found, case.correlations());
     solution.sensitivities = Some(found);

@@ -27,7 +27,7 @@ pub use crate::problem::{estimated_film, groups, predicted_film, problem};
 use crate::solution::{HeatRound, IterationRecord, Solution};
 use crate::solve::sequence;
 use crate::solve::{Observer, SolveError};
-use crate::warning::{Warning, WarningKind};
+use crate::warning::{Warning, WarningKind, silence};
 
 /// Version of the numerics: raised whenever the figures of some case move by more than rounding, so that points of studies that
 /// were solved before are solved anew.
@@ -85,6 +85,7 @@ pub fn solve_from(
         if let Some((full, _)) = &flooded {
             solution.beside_flooded(full);
         }
+        silence(&mut solution.warnings, &case.output.silence);
         let start = Start {
             own: own.map(Box::new),
             flooded: flooded.and_then(|(_, start)| start).map(Box::new),
@@ -156,7 +157,11 @@ fn solve_here(
             Ok((solution, start))
         }
         Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
-        Err(_) => Err(error),
+        Err(second) => Err(SolveError::BothFailed {
+            first: Box::new(error),
+            method: first.other().words(),
+            second: Box::new(second),
+        }),
     }
 }
 
@@ -239,6 +244,10 @@ impl Observer for Recorder<'_> {
     fn level(&mut self, level: usize, n_levels: usize, n_pressure: usize, n_displacement: usize) {
         self.observer
             .level(level, n_levels, n_pressure, n_displacement);
+    }
+
+    fn grid(&mut self, grid: usize, n_pressure: usize) {
+        self.observer.grid(grid, n_pressure);
     }
 
     fn iteration(&mut self, record: &IterationRecord) {

@@ -30,7 +30,7 @@ use crate::volumes::fields::profile;
 use crate::volumes::film::PatchedFilm;
 use crate::volumes::patches::widest;
 use crate::volumes::roller_zone::with_rows_by_film;
-use crate::warning::{Warning, WarningKind};
+use crate::warning::{Warning, WarningKind, silence};
 use crate::words::{digits, length, pressure};
 
 /// Follows a case through time.
@@ -324,6 +324,7 @@ fn solve_here(
     found
         .warnings
         .extend(plausible::in_time(case, friction, film));
+    silence(&mut found.warnings, &case.output.silence);
     found.wall_seconds += clock.elapsed().as_secs_f64();
     found
 }
@@ -534,7 +535,10 @@ fn on_its_way(transient: &Transient, distance: f64) -> Option<Warning> {
     );
     changes.then(|| match seconds < transient.duration {
         true => Warning::new(WarningKind::OnItsWay, text),
-        false => Warning::from(format!("{text}, longer than the duration")),
+        false => Warning::new(
+            WarningKind::OilLayerLate,
+            format!("{text}, longer than the duration"),
+        ),
     })
 }
 
@@ -547,7 +551,7 @@ fn too_hard(case: &Case, found: &TransientSolution) -> Option<Warning> {
     contact.load = (found.instants.iter()).fold(0.0, |m, instant| instant.film_force.max(m));
     let hertz = Hertz::new(&contact, case.reduced_modulus());
     (found.moves() && hertz.pressure > HARDEST).then(|| {
-        Warning::from(format!(
+        Warning::new(WarningKind::PressureRange, format!(
             "the film force comes to a Hertz pressure of {}, beyond 5 GPa: laws of the lubricant do not hold there",
             pressure(hertz.pressure)
         ))
@@ -588,7 +592,7 @@ fn warnings(found: &TransientSolution) -> Vec<Warning> {
         .fold(0.0, f64::max);
     // A first instant is that of the steady contact.
     if worst > MASS_ERROR {
-        warnings.push(Warning::from(format!(
+        warnings.push(Warning::new(WarningKind::MassBalance, format!(
             "the film gains or loses up to {} % of what passes the centre in a step: see the column `mass_error`",
             digits(100.0 * worst, 2)
         )));

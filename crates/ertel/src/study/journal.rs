@@ -335,7 +335,7 @@ mod tests {
     use ertel_input::Document;
 
     use super::*;
-    use crate::warning::Warning;
+    use crate::warning::{Warning, WarningKind};
 
     const ROLLER: &str = r#"
         [contact]
@@ -365,7 +365,9 @@ mod tests {
         let key = PointKey::new(&case);
         let mut other = case.clone();
         other.title = "a roller".to_owned();
-        other.warnings.push(Warning::from("words".to_owned()));
+        other
+            .warnings
+            .push(Warning::new(WarningKind::NoEffect, "words"));
         other.output.pictures.png = true;
         assert_eq!(PointKey::new(&other), key);
         for [from, to] in [

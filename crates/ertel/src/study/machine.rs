@@ -229,6 +229,10 @@ impl Observer for MachineObserver<'_> {
         (self.observer).level(level, n_levels, n_pressure, n_displacement);
     }
 
+    fn grid(&mut self, grid: usize, n_pressure: usize) {
+        self.observer.grid(grid, n_pressure);
+    }
+
     fn iteration(&mut self, record: &IterationRecord) {
         self.observer.iteration(record);
     }

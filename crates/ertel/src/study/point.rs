@@ -250,6 +250,10 @@ impl Observer for Instants<'_> {
         self.0.level(level, n_levels, n_pressure, n_displacement);
     }
 
+    fn grid(&mut self, grid: usize, n_pressure: usize) {
+        self.0.grid(grid, n_pressure);
+    }
+
     fn iteration(&mut self, record: &IterationRecord) {
         self.0.iteration(record);
     }

@@ -14,6 +14,7 @@ use crate::case::study::{AxisValue, Study};
 use crate::files::{text_field, write_whole};
 use crate::params::PictureFormats;
 use crate::solution::{Estimate, Figure};
+use crate::warning::WarningKind;
 
 /// Name of the table in the folder of a study.
 pub const TABLE: &str = "results.csv";
@@ -37,6 +38,9 @@ pub struct StudyEcho {
     pub units: Vec<String>,
     /// Formats of its pictures: those that the base case asks for.
     pub pictures: PictureFormats,
+    /// Kinds of warnings that the base case silences.
+    #[serde(default)]
+    pub silence: Vec<WarningKind>,
     /// Key and values of each point.
     pub points: Vec<(PointKey, Vec<String>)>,
 }
@@ -54,6 +58,8 @@ impl StudyEcho {
             title: study.title.clone(),
             columns: study.columns.iter().map(|c| c.header.clone()).collect(),
             units: study.columns.iter().map(|c| c.unit.clone()).collect(),
+            silence: (study.points.first())
+                .map_or_else(Vec::new, |p| p.case.output.silence.clone()),
             pictures: (study.points.first())
                 .map_or_else(PictureFormats::default, |p| p.case.output.pictures),
             points: (study.points.iter())

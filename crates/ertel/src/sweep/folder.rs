@@ -150,10 +150,12 @@ pub(super) fn write_results(
     let warnings = by_kind(finished.flat_map(|(i, r)| {
         r.warnings
             .iter()
-            .filter(|w| !w.kind.is_note())
+            .filter(|w| w.is_shown_with(&echo.silence))
             .map(move |w| (i, w))
     }));
-    let warnings = (warnings.iter().map(|merged| merged.line(echo.points.len()))).collect();
+    let warnings = (warnings.iter())
+        .map(|merged| merged.with_text(merged.line(echo.points.len())).coded())
+        .collect();
     let page = study_page(&echo.title, &table, echo.columns.len(), warnings);
     write(TABLE, table)?;
     write(REPORT_PAGE, page)?;

@@ -265,7 +265,7 @@ pub fn sweep_part(
         }
         summary.n_unresolved += usize::from(record.is_unresolved());
         summary.unresolved.add(|column| record.field(column));
-        let told = record.warnings.iter().filter(|w| !w.kind.is_note());
+        let told = (record.warnings.iter()).filter(|w| w.is_shown_with(&echo.silence));
         warnings.extend(told.map(|w| (i, w)));
     }
     summary.warnings = by_kind(warnings);

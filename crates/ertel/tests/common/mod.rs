@@ -60,6 +60,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
             viscosity: ViscosityLaw::roelands(0.04, 22e-9).unwrap(),
             shear_thinning: None,
             thermal_conductivity: None,
+            typical_conductivity: None,
             heat_capacity: None,
             temperature_ranges: Vec::new(),
             estimates: Vec::new(),

@@ -1,6 +1,7 @@
 //! The tables of the reference pages are those of the keys.
 
 use ertel::solution::Figure;
+use ertel::warning::{Severity, WarningKind};
 use ertel_input::keys::{self, Row, table, table_of_laws};
 
 use super::pages::generated;
@@ -55,6 +56,30 @@ fn the_table_of_machines_has_every_figure() {
         .collect();
     assert!(names.len() > 40, "{names:?}");
     assert_eq!(listed, names);
+}
+
+/// The page of warnings, and the codes that the schema knows, are the registry.
+#[test]
+fn the_page_of_warnings_is_the_registry() {
+    let mut text = String::from("| code | meaning | limit | what to do |\n|---|---|---|---|\n");
+    for kind in WarningKind::ALL {
+        let mark = match kind.severity() {
+            Severity::Note => " (note)",
+            Severity::Caution => "",
+            Severity::Unusable => " (!)",
+        };
+        let e = kind.explanation();
+        text.push_str(&format!(
+            "| `{kind}`{mark} | {} | {} | {} |\n",
+            e.meaning, e.limit, e.remedy
+        ));
+    }
+    generated("docs/reference/warnings.md", "warnings", &text);
+    let all = WarningKind::ALL
+        .iter()
+        .filter(|kind| kind.may_be_silenced());
+    let codes: Vec<&str> = all.map(|kind| kind.code()).collect();
+    assert_eq!(keys::CODES, codes);
 }
 
 #[test]

@@ -44,7 +44,7 @@ fn warning(body: usize, reach: f64, rise: f64, depth: f64) -> Option<Warning> {
          its surface by {rise:.1} K goes with that depth, and so do film and traction. No error bar covers this; set depth to where the \
          temperature is known"
     );
-    Some(Warning::new(WarningKind::Other, text))
+    Some(Warning::new(WarningKind::BodyDepth, text))
 }
 
 #[cfg(test)]

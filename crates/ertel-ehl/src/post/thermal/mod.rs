@@ -137,7 +137,7 @@ pub fn warnings(
                 "no profile across the film at [{x}, {y}] ([thermal] profiles): the contact area goes from {inlet} to \
                  {outlet} along the motion, and to ±{side} across it"
             );
-            warnings.push(Warning::new(WarningKind::Other, text));
+            warnings.push(Warning::new(WarningKind::NoEffect, text));
         }
     }
     warnings

@@ -160,7 +160,7 @@ impl super::Entry {
 }
 
 const CWRU: &str = "bearing data of the Case Western Reserve University Bearing Data Center";
-const TABLES: &str = "public tables of bearing frequencies, two of which agree";
+const TABLES: &str = "from published bearing frequencies";
 /// Series, bore code, ball diameter and pitch diameter, mm, number of balls.
 const PUBLISHED: [(Series, u8, f64, f64, usize, &str); 4] = [
     // 0.2656 in, 1.122 in; 0.3126 in, 1.537 in
@@ -175,7 +175,7 @@ const PITCH_RULE: &str = "d_m = (d + D)/2";
 const NUMBER_RULE: &str =
     "Z = 0.6 π d_m/D_w, rounded: what goes in between rings that are moved aside";
 const FULL_NUMBER_RULE: &str = "Z = 0.8 π d_m/D_w, rounded: elements and bars of a cage";
-const GROOVE_RULE: &str = "f_i = 0.52, f_o = 0.53: the largest that ratings of ISO 281 go with";
+const GROOVE_RULE: &str = "f_i = 0.52, f_o = 0.53: largest value allowed by ISO 281";
 const CLEARANCE_RULE: &str = "middle of the class of ISO 5753-1 before mounting";
 const NO_CLASS_RULE: &str = "no clearance: the class has no values for this bearing";
 const RACEWAYS: &str = "raceway diameters F and E in Schaeffler, Rolling Bearings, HR 1, 2006";

@@ -114,8 +114,7 @@ pub(super) fn read(
         validity: ValidityRange {
             pressure: Some((0.0, 3000.0 * 101_325.0)),
             temperature: Some((CELSIUS_20, 423.15)),
-            source: "not given with the oil; what Roelands, Vlugter and Waterman (1963) state for the law"
-                .to_owned(),
+            source: "Roelands et al. 1963".to_owned(),
             of_law: true,
         },
         provenance: data,

@@ -325,7 +325,7 @@ fn single(
     rows.number("cam speed ω", told.speed, "rad/s");
     if let Some(whole) = &whole {
         let name = whole.contacts[whole.governing].name.clone();
-        rows.text("governing contact", name);
+        rows.text("most loaded contact", name);
     }
     for (name, text) in of_turn {
         rows.text(name, text);
@@ -434,18 +434,24 @@ fn unsolved(
         rows.push(("too slow for a steady film, not solved", text));
     }
     let mut warnings = Vec::new();
-    let mut warn = |text: String| warnings.push(Warning::new(WarningKind::Other, text));
+    let mut warn = |kind, text: String| warnings.push(Warning::new(kind, text));
     let lost = ranges(turn, |point| point.contact_lost);
     if !lost.is_empty() {
-        warn(format!("the follower leaves the cam: {lost}"));
+        warn(
+            WarningKind::ContactLost,
+            format!("the follower leaves the cam: {lost}"),
+        );
     }
     let others = ranges(turn, |point| {
         is_unsolved(point) && !point.contact_lost && !is_contact(point)
     });
     if !others.is_empty() {
-        warn(format!(
-            "not solved, as Hertz theory does not cover these radii, or pressures are outside 1 kPa to 5 GPa: {others}"
-        ));
+        warn(
+            WarningKind::NotSolved,
+            format!(
+                "not solved, as Hertz theory does not cover these radii, or pressures are outside 1 kPa to 5 GPa: {others}"
+            ),
+        );
     }
     (rows, warnings)
 }

@@ -167,7 +167,7 @@ impl StudyPoint {
         let mut case = read().map_err(|error| error.with_help(told(&label)))?;
         let keys = settings.iter().map(|s| s.key.as_str());
         let ignored = case.lubricant.temperature_ignored(keys, "varies");
-        case.warnings.extend(ignored);
+        case.warn(ignored);
         let values = settings.iter().map(|s| s.value.clone()).collect();
         let point = StudyPoint {
             values,

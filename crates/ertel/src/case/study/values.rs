@@ -177,10 +177,10 @@ pub(in crate::case) fn range(
     }
     if is_log && from * to <= 0.0 {
         let key = if from == 0.0 { "from" } else { "to" };
-        let problem = "equal ratios lead neither from zero, nor to zero, nor across it";
+        let problem = "a logarithmic range cannot include zero";
         return Err(table
             .error(key, problem)
-            .with_help("spacing = \"linear\" does"));
+            .with_help("spacing = \"linear\" can"));
     }
     let span = node.entry("points").map_or(0..0, |e| e.node.span.clone());
     let unit = dimension.si_unit();

@@ -13,7 +13,7 @@ use super::{Case, finite_volumes_refuse};
 use crate::contact::Supply;
 use crate::contact::gap::{Body, Form};
 use crate::params::{ElasticModel, Method, SensitivityDemand};
-use crate::warning::Warning;
+use crate::warning::{Warning, WarningKind};
 use crate::words::length;
 pub use map::SurfaceEcho;
 
@@ -203,9 +203,9 @@ pub(super) fn check(case: &Case, root: &mut Table<'_>) -> Result<Vec<Warning>, I
     let is_rough = case.roughness.is_some();
     Ok(is_rough
         .then(|| {
-            Warning::from(
-                "the roughness counts for nothing beside [[surface]] but for the lambda ratio and the asperities: heights that both have count twice there"
-                    .to_owned(),
+            Warning::new(
+                WarningKind::NoEffect,
+                "the roughness has no effect with [[surface]] except on the lambda ratio and the asperities: heights in both count twice there",
             )
         })
         .into_iter()

@@ -8,7 +8,7 @@ use super::super::transient::over_time_json;
 use crate::case::CaseEcho;
 use crate::run::NUMERICS;
 use crate::study::{CurveSolution, Outcome, PointSolution};
-use crate::warning::texts;
+use crate::warning::{codes, silenced, texts};
 
 /// Value of the key `format` by which the results of a curve are recognised.
 pub const CURVE_FORMAT: &str = "ertel-curve";
@@ -18,6 +18,11 @@ pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<
     let points = (curve.points.iter().enumerate())
         .map(|(i, point)| point_json(i, point))
         .collect::<serde_json::Result<Vec<Value>>>()?;
+    let warnings: Vec<_> = curve
+        .points
+        .iter()
+        .flat_map(PointSolution::warnings)
+        .collect();
     Ok(json!({
         "format": CURVE_FORMAT,
         "format_version": FORMAT_VERSION,
@@ -33,6 +38,7 @@ pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<
         "n_failed": curve.n_failed(),
         "complete": !curve.is_partial(),
         "wall_seconds": curve.wall_seconds,
+        "silenced": silenced(&warnings),
         "points": points,
         "case": { "given": case.given, "si": serde_json::to_value(case)? },
         "units": units((curve.points.first()).is_some_and(|p| p.case.contact.kind.is_line())),
@@ -56,6 +62,7 @@ pub fn point_json(index: usize, point: &PointSolution) -> serde_json::Result<Val
             "n_failed": machine.solution.n_failed(),
             "unresolved": point.is_unresolved(),
             "warnings": texts(&warnings),
+            "warning_codes": codes(&warnings),
         });
         if let Some(reason) = point.outcome.reason() {
             json["reason"] = json!(reason);
@@ -95,6 +102,7 @@ pub fn point_json(index: usize, point: &PointSolution) -> serde_json::Result<Val
             json["stats"] = serde_json::to_value(&s.stats)?;
             json["unresolved"] = serde_json::to_value(&s.unresolved)?;
             json["warnings"] = json!(texts(&s.warnings));
+            json["warning_codes"] = json!(codes(&s.warnings));
         }
         // Told above.
         Outcome::InTime(_) => {}
@@ -124,6 +132,7 @@ fn json_in_time(index: usize, point: &PointSolution) -> serde_json::Result<Value
         json["newton_iterations"] = json!(run.newton_iterations);
         json["unresolved"] = json!(run.unresolved);
         json["warnings"] = json!(texts(&run.warnings));
+        json["warning_codes"] = json!(codes(&run.warnings));
     }
     if let Some(reason) = point.outcome.reason() {
         json["reason"] = json!(reason);

@@ -210,11 +210,12 @@ fn write_remarks(text: &mut String, curve: &CurveSolution) {
     }
     let all: Vec<_> = curve.points.iter().map(PointSolution::warnings).collect();
     let warnings = all.iter().enumerate().flat_map(|(i, of)| {
-        let told = of.iter().filter(|w| !w.kind.is_note());
+        let told = of.iter().filter(|w| w.is_shown());
         told.map(move |w| (i, w))
     });
     for merged in by_kind(warnings) {
-        let _ = writeln!(text, "\n  ! {}", merged.line(curve.points.len()));
+        let line = merged.with_text(merged.line(curve.points.len()));
+        let _ = writeln!(text, "\n  ! {}", line.coded());
     }
     if let Some(line) = UnresolvedFigures::of_curve(curve).line(curve.points.len()) {
         let _ = writeln!(text, "\n  · {line}");

@@ -17,10 +17,8 @@ use serde_json::{Value, json};
 pub use data::{DATA_FORMAT, DATA_VERSION};
 
 use super::compare::{comparison_picture, failures, write_figures as write_compared};
-use super::lines::{Block, Lines};
-use super::machine::{
-    machine_pictures, table_of_pressed, warning_texts, write_figures, write_idle,
-};
+use super::lines::{Block, Lines, shown_warnings};
+use super::machine::{machine_pictures, table_of_pressed, warnings, write_figures, write_idle};
 use super::pictures::Picture;
 use super::report::{write_case, write_contact, write_effort, write_formulas, write_results};
 use super::transient::{transient_table, write_results as write_transient};
@@ -31,7 +29,6 @@ use crate::machine::MachineFigures;
 use crate::run::transient::TransientSolution;
 use crate::solution::Solution;
 use crate::study::{CurveSolution, MachineSolution};
-use crate::warning::texts;
 use crate::words::{digits, pressure};
 
 /// Name of the page in a folder of results.
@@ -160,9 +157,7 @@ pub fn report_page(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Stri
         },
         "Case",
     );
-    let warnings: Vec<String> = (texts(&solution.warnings).into_iter())
-        .map(str::to_owned)
-        .collect();
+    let warnings = shown_warnings(&solution.warnings);
     let data = json!({
         "version": DATA_VERSION,
         "results": [data::data(case, solution, tolerance)],
@@ -240,7 +235,7 @@ pub fn machine_page(
     page(Page {
         title: &case.title,
         subtitle: whole.title.clone(),
-        warnings: warning_texts(machine, figures),
+        warnings: shown_warnings(&warnings(machine, figures)),
         results,
         inputs: part(|out| write_case(out, case), "Governing contact"),
         case_file: case.case_file.as_deref(),
@@ -262,9 +257,7 @@ pub fn transient_page(case: &CaseEcho, found: &TransientSolution, pictures: &[Pi
     page(Page {
         title: &case.title,
         subtitle: format!("{} instants", found.instants.len()),
-        warnings: (texts(&found.warnings).into_iter())
-            .map(str::to_owned)
-            .collect(),
+        warnings: shown_warnings(&found.warnings),
         results: part(
             |out| write_transient(out, found, case.contact.kind),
             "Results",
@@ -485,6 +478,7 @@ mod tests {
     use super::super::sample;
     use super::*;
     use crate::solution::Figure;
+    use crate::warning::{Warning, WarningKind};
 
     /// Titles and case files are text, whatever they hold, and the data end no script.
     #[test]
@@ -521,7 +515,10 @@ mod tests {
         let (case, mut solution) = sample::circle().clone();
         sample::set(&mut solution, Figure::FilmCentral, 245e-9, 0.8e-9);
         solution.formulas[0].central = Some(264.1e-9);
-        solution.warnings = vec!["the pressure leaves the range".to_owned().into()];
+        solution.warnings = vec![Warning::new(
+            WarningKind::PressureRange,
+            "the pressure leaves the range",
+        )];
         let page = report_page(&case, &solution, 1e-6);
         for expected in ["245.0 ± 0.8 nm", "264.1 nm (+7.8 %)", "the pressure leaves"] {
             assert!(page.contains(expected), "{expected}");

@@ -4,11 +4,12 @@ use serde_json::{Map, Value, json};
 
 use super::super::curve::point_json;
 use super::super::result_json::{FORMAT_VERSION, units};
-use super::warning_texts;
+use super::warnings;
 use crate::case::{CaseEcho, RINGS};
 use crate::machine::MachineFigures;
 use crate::run::NUMERICS;
 use crate::study::MachineSolution;
+use crate::warning::{codes, silenced, texts};
 
 /// Value of the key `format` by which the results of a machine are recognised.
 pub const MACHINE_FORMAT: &str = "ertel-machine";
@@ -23,7 +24,7 @@ pub fn machine_json(
     figures: &MachineFigures,
 ) -> serde_json::Result<Value> {
     let whole = &machine.machine;
-    let warnings = warning_texts(machine, figures);
+    let warnings = warnings(machine, figures);
     let figures = machine_figures_json(figures);
     let contacts = (whole.contacts.iter().enumerate())
         .map(|(i, contact)| {
@@ -65,7 +66,9 @@ pub fn machine_json(
         "n_failed": machine.n_failed(),
         "complete": !machine.is_partial(),
         "wall_seconds": machine.wall_seconds,
-        "warnings": warnings,
+        "warnings": texts(&warnings),
+        "warning_codes": codes(&warnings),
+        "silenced": silenced(&warnings),
         "contacts": contacts,
         "case": { "given": case.given, "si": serde_json::to_value(case)? },
         "units": units(whole.is_line),

@@ -11,7 +11,7 @@ pub use json::{MACHINE_FORMAT, machine_json};
 pub(super) use over::{DRAWN, DRAWN_IN_TIME, Drawn, TOLD, TOLD_IN_TIME};
 pub(super) use picture::pictures as machine_pictures;
 pub use report::machine_report;
-pub(super) use report::{shown, warning_texts, write_figures, write_idle};
+pub(super) use report::{shown, warnings, write_figures, write_idle};
 pub use table::machine_table;
 pub(super) use table::table_of_pressed;
 

@@ -211,16 +211,18 @@ fn marked(text: String, solution: &Solution) -> String {
 
 /// How many contacts have no films, and why.
 pub(in crate::output) fn write_idle(out: &mut Lines, machine: &MachineSolution) {
-    let contacts = &machine.machine.contacts;
-    match contacts
-        .iter()
-        .filter(|contact| contact.like.is_none())
-        .count()
-    {
+    let whole = &machine.machine;
+    let n = whole.contacts.iter().filter(|c| c.like.is_none()).count();
+    match n {
         0 => {}
+        // Both contacts of a rolling element.
+        n if whole.has_sides() && n % 2 == 0 => out.note(&format!(
+            "{} rolling elements are outside the load zone",
+            n / 2
+        )),
         n => out.note(&format!(
-            "{n} of {} contacts are not solved: nothing presses there, or inertia alone",
-            contacts.len()
+            "{n} of {} contacts carry no load and are not solved",
+            whole.contacts.len()
         )),
     }
 }
@@ -240,16 +242,19 @@ fn power(solution: &Solution, is_line: bool) -> String {
 }
 
 /// Failures, and warnings of the contacts, those of one kind together.
-fn warnings(machine: &MachineSolution, figures: &MachineFigures) -> Vec<Warning> {
+pub(in crate::output) fn warnings(
+    machine: &MachineSolution,
+    figures: &MachineFigures,
+) -> Vec<Warning> {
     let mut failures = figures.warnings.clone();
     let mut told = Vec::new();
     let n = machine.n_contacts();
     for (place, point) in machine.solved() {
         match &point.outcome {
-            Outcome::Failed(reason) => failures.push(Warning::from(format!(
-                "{} failed: {reason}",
-                machine.machine.contacts[place].name
-            ))),
+            Outcome::Failed(reason) => failures.push(Warning::new(
+                WarningKind::NotSolved,
+                format!("{} failed: {reason}", machine.machine.contacts[place].name),
+            )),
             Outcome::Solved(s) => told.extend(s.warnings.iter().map(|w| (place, w))),
             // Contacts of a whole machine are steady.
             Outcome::InTime(_) => {}
@@ -257,18 +262,6 @@ fn warnings(machine: &MachineSolution, figures: &MachineFigures) -> Vec<Warning>
     }
     let merged = by_kind(told);
     let name = |place: usize| machine.machine.contacts[place].name.as_str();
-    failures.extend((merged.iter()).map(|m| Warning::new(m.worst.kind, m.line_of(n, name))));
+    failures.extend((merged.iter()).map(|m| m.with_text(m.line_of(n, name))));
     failures
-}
-
-/// The warnings as sentences, for pages.
-pub(in crate::output) fn warning_texts(
-    machine: &MachineSolution,
-    figures: &MachineFigures,
-) -> Vec<String> {
-    let all = warnings(machine, figures);
-    all.iter()
-        .filter(|w| !w.kind.is_note())
-        .map(|w| w.text.clone())
-        .collect()
 }

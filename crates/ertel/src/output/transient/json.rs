@@ -9,7 +9,7 @@ use crate::run::NUMERICS;
 use crate::run::over_time::{TimeFigure, over_time};
 use crate::run::transient::TransientSolution;
 use crate::solution::Figure;
-use crate::warning::texts;
+use crate::warning::{codes, silenced, texts};
 
 /// Value of the key `format` by which the results of a case in time are recognised.
 pub const TRANSIENT_FORMAT: &str = "ertel-transient";
@@ -115,6 +115,8 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
         "newton_iterations": found.info.newton_iterations,
         "wall_seconds": found.wall_seconds,
         "warnings": texts(&found.warnings),
+        "warning_codes": codes(&found.warnings),
+        "silenced": silenced(&found.warnings),
         "instants": instants,
         "profiles": profiles,
         "case": { "given": case.given, "si": serde_json::to_value(case)? },

@@ -143,8 +143,8 @@ pub(in crate::output) fn write_results(
         rows,
     });
     out.note(match moves {
-        true => "velocity of approach, and force of the film; error bars hold what the grids may err by at that instant, and the tolerance of the steps",
-        false => "entrainment speed; error bars hold what the grids may err by at that instant, and the tolerance of the steps",
+        true => "velocity of approach, film force; ±: grid error and time-step tolerance; no ± where fewer than three grids are available",
+        false => "entrainment speed; ±: grid error and time-step tolerance; no ± where fewer than three grids are available",
     });
     out.heading("Effort");
     let mass = instants

@@ -134,7 +134,7 @@ pub(super) fn read(table: &mut Table<'_>, given: Given<'_>) -> Result<Machine, I
     let mut rows = Rows::default();
     super::tell(&mut rows, kind, gearing, given.stage, &operation);
     rows.text("load sharing", load::name(sharing));
-    rows.text("governing contact", contacts[governing].name.clone());
+    rows.text("most loaded contact", contacts[governing].name.clone());
     let place = (point.position, point.load_per_length);
     super::tell_contact(&mut rows, kind, pair, &operation, place);
     let mut warnings = gearing.warnings.clone();
@@ -258,7 +258,7 @@ fn unsolved(path: &[PathPoint], contacts: &[MachineContact]) -> Option<Warning> 
         .collect();
     (!names.is_empty()).then(|| {
         Warning::new(
-            WarningKind::Gears,
+            WarningKind::NotSolved,
             format!(
                 "not solved, as Hertz theory does not cover radii this small or pressures outside 1 kPa to 5 GPa: {}",
                 names.join("; ")

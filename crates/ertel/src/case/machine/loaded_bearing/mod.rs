@@ -102,7 +102,7 @@ pub(super) fn read(
     let mut warnings = Vec::new();
     if steel.density.is_none() {
         warnings.push(Warning::new(
-            WarningKind::Other,
+            WarningKind::MissingData,
             "the centrifugal force of the elements is left out: [bodies] gives no density of body_2",
         ));
     }
@@ -435,7 +435,7 @@ fn tell(rows: &mut Rows, found: &Distribution, (governing, word): (Place, &str))
         rows.number("gyroscopic moment", 1e3 * of.gyroscopic_moment, "N mm");
     }
     let contact = at(found, governing);
-    rows.text("governing contact", name(governing, word));
+    rows.text("most loaded contact", name(governing, word));
     rows.number("  its load", contact.load, "N");
     rows.text("  its Hertz pressure", pressure(contact.pressure));
     rows.number("  its contact angle", contact.angle.to_degrees(), "deg");

@@ -86,7 +86,7 @@ fn against_a_separate_program() {
     let (pitch, contact) = named(&case, "C, pitch point");
     assert_eq!(whole(&case).governing, pitch);
     assert_relative_eq!(case.contact.load, contact.load, max_relative = 1e-12);
-    assert_eq!(row(&case, "governing contact"), "C, pitch point");
+    assert_eq!(row(&case, "most loaded contact"), "C, pitch point");
     assert!(whole(&case).title.contains("16 and 24 teeth"));
     let Mechanics::Gears(gears) = &whole(&case).mechanics else {
         panic!("gears")

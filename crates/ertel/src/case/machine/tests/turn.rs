@@ -73,7 +73,7 @@ fn contacts_of_a_turn() {
     let governing = &whole(&case).contacts[whole(&case).governing];
     let pressures = whole(&case).contacts.iter().map(|c| c.hertz_pressure);
     assert_eq!(pressures.fold(0.0, f64::max), governing.hertz_pressure);
-    assert_eq!(row(&case, "governing contact"), governing.name);
+    assert_eq!(row(&case, "most loaded contact"), governing.name);
     assert_relative_eq!(
         case.hertz().pressure,
         governing.hertz_pressure,
