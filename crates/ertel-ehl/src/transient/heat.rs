@@ -18,10 +18,10 @@ use crate::volumes::heat::memory::{Below, Carried, Memory, Over};
 use crate::volumes::heat::rounds::{InTime, Rounds};
 use crate::volumes::heat::spreading::Spreading;
 use crate::volumes::heat::temperatures::{
-    Bodies, Temperatures, moving_body, unheated, within_edges,
+    Bodies, Temperatures, moving_body, unheated,
 };
 use crate::volumes::heat::{Params, Warm};
-use crate::volumes::level::{Level, Sampled, beside};
+use crate::volumes::level::{Level, Sampled, outside};
 use crate::volumes::system::Storage;
 
 /// A grid's heat at the newest instants.
@@ -112,10 +112,10 @@ impl GridHeat {
         let (temperatures, own, beside) = match &level.warm {
             Some(warm) => {
                 let flux = &warm.temperatures.flux;
-                let own = [0, 1].map(|b: usize| below[b].settled(&within_edges(grid, &flux[b])));
+                let own = [0, 1].map(|b: usize| below[b].settled(&grid.within_edges(&flux[b])));
                 let beside = level.patch.map(|patch| {
                     [0, 1].map(|b: usize| {
-                        below[b].settled(&within_edges(grid, &beside(grid, patch, &flux[b])))
+                        below[b].settled(&grid.within_edges(&outside(grid, patch, &flux[b])))
                     })
                 });
                 (warm.temperatures.clone(), own, beside)
@@ -236,7 +236,7 @@ impl GridHeat {
         } = begun;
         let flux = &warm.temperatures.flux;
         let remembered = |b: usize, carried: Carried, flux: &[f64]| {
-            overs[b].remembered(carried, &within_edges(grid, flux))
+            overs[b].remembered(carried, &grid.within_edges(flux))
         };
         let own = [
             remembered(0, first, &flux[0]),
@@ -244,7 +244,7 @@ impl GridHeat {
         ];
         let beside = patch.zip(self.beside.as_ref()).map(|(patch, before)| {
             [0, 1].map(|b: usize| {
-                let arriving = beside(grid, patch, &flux[b]);
+                let arriving = outside(grid, patch, &flux[b]);
                 let all = remembered(b, overs[b].carried(&before[b]), &arriving);
                 let rise = self.below[b].rise(&all);
                 (given[b].iter_mut().zip(rise)).for_each(|(t, rise)| *t += rise);

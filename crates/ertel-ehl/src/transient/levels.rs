@@ -19,7 +19,7 @@ use crate::volumes::engine::{TOLD, newton_params, pattern};
 use crate::volumes::heat::rounds::Rounds;
 use crate::volumes::level::{Level, convolution, first_system, refined};
 use crate::volumes::newton::{NewtonInfo, newton};
-use crate::volumes::patches::{first_cell, grid as patch};
+use crate::volumes::patches::{first_cells, grid as patch};
 use crate::volumes::preconditioner::Pattern;
 use crate::volumes::system::{State, Storage, System};
 
@@ -421,7 +421,7 @@ pub fn apart(problem: &Problem<Plan>, gap: f64) -> Vec<Level> {
     let finest = (CELL_OVER_ROOT * plan.target_error.sqrt()).min(plan.largest_cell);
     let least = plan.least_grids[usize::from(problem.shape.is_line())];
     let mut levels: Vec<Level> = Vec::new();
-    let mut h = first_cell(problem);
+    let [mut h, _] = first_cells(problem);
     while levels.len() < plan.most_grids {
         let grid = patch(problem, h, levels.first().map(|level| &level.system.grid));
         if grid.n_nodes() > plan.max_unknowns && levels.len() >= TOLD {

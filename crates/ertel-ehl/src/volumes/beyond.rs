@@ -28,6 +28,9 @@ pub struct Beyond {
 const POINTS: usize = 48;
 const RAYS: usize = 128;
 
+/// Rounding of an edge, relative.
+const ROUNDING: f64 = 1e-6;
+
 /// Distance from the origin to the end of a box in a direction.
 fn exit([x, y]: [[f64; 2]; 2], [cos, sin]: [f64; 2]) -> f64 {
     let along = |[low, high]: [f64; 2], slope: f64| match slope {
@@ -46,14 +49,17 @@ impl Beyond {
             return None;
         }
         let boxes = [grid.bounds(), bounds(problem)];
-        // Edges lie on lines of twice the cells.
-        let cells = 2.0 * grid.spacing[0];
         let [inside, whole] = boxes.map(|bounds| bounds[0][0].abs().max(bounds[1][1]));
-        (inside + cells < whole).then(|| Beyond {
+        (inside * (1.0 + ROUNDING) < whole).then(|| Beyond::around(problem, grid, boxes[1]))
+    }
+
+    /// Between the edges of a grid and a box.
+    pub fn around<Plan>(problem: &Problem<Plan>, grid: &Grid, whole: [[f64; 2]; 2]) -> Beyond {
+        Beyond {
             lambda: problem.scales.lambda,
             far: FarPressure::new(&problem.shape.gap),
-            boxes,
-        })
+            boxes: [grid.bounds(), whole],
+        }
     }
 
     /// P and its slopes in a film of this height.
@@ -73,7 +79,8 @@ impl Beyond {
         }
     }
 
-    fn give(&self, shape: &Shape, system: &mut System, state: &mut State) {
+    /// Gives the edges of a grid the pressures there, and takes the load outside off that of the grid.
+    pub fn give(&self, shape: &Shape, system: &mut System, state: &mut State) {
         let films = system.films(state);
         for (k, [i, j]) in system.grid.nodes().enumerate() {
             if !system.grid.is_unknown(i, j) {

@@ -35,11 +35,14 @@ impl Composite {
         let grid = &levels[l].system.grid;
         let next = (l + 1 < levels.len()).then(|| &levels[l + 1].system.grid);
         let patch = levels[l].patch.filter(|_| next.is_some());
-        // The number of the finer node at twice the distance from the corner of the patch, plus an offset.
+        // The number of the finer node at twice the distance from the corner of the patch, plus an offset; nodes outside the contact area come before it.
         let on_patch = |i: usize, j: usize, offset: [usize; 2]| -> Option<u32> {
             let ([[x0, x1], [y0, y1]], next) = patch.zip(next)?;
             let inside = (x0..=x1).contains(&i) && (y0..=y1).contains(&j);
-            inside.then(|| finer[next.index(2 * (i - x0) + offset[0], 2 * (j - y0) + offset[1])])
+            let [x, y] = next.walls.map(|[before, _]| usize::from(before));
+            inside.then(|| {
+                finer[next.index(2 * (i - x0) + x + offset[0], 2 * (j - y0) + y + offset[1])]
+            })
         };
         let mut numbers = vec![NONE; grid.n_nodes()];
         for [i, j] in grid.nodes() {
@@ -56,7 +59,8 @@ impl Composite {
         if grid.is_line() {
             let is_inside = |i: usize| on_patch(i, 0, [0; 2]).is_some();
             let own = (1..grid.n[0]).filter(|i| !(is_inside(i - 1) && is_inside(*i)));
-            (self.cells).extend(own.map(|i| [numbers[i - 1], numbers[i], 0]));
+            let segments = own.map(|i| [numbers[i - 1], numbers[i], 0]);
+            (self.cells).extend(segments.filter(|ends| !ends.contains(&NONE)));
             return numbers;
         }
         for [i, j] in grid.nodes() {
@@ -79,7 +83,7 @@ impl Composite {
                     around.extend(on_patch(low[0], low[1], offset));
                 }
             }
-            // Beyond the end of a roller there is nothing.
+            // Outside the contact area, and beyond the end of a roller, there is nothing.
             if around.contains(&NONE) {
                 continue;
             }

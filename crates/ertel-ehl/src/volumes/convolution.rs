@@ -278,7 +278,7 @@ mod tests {
             turn: Turn::NONE,
             roller: None,
         };
-        Grid::covering([[-1.5, 1.25], [-1.5, 1.5]], h, half, &zone)
+        Grid::covering([[-1.5, 1.25], [-1.5, 1.5]], [h; 2], half, &zone)
     }
 
     /// Hertz's pressure √(1 − r²) deflects half-spaces by C π/4 (2 − r²) within the circle (Johnson 1985, eq. 3.41a); the error falls with

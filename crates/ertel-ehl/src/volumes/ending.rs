@@ -1,9 +1,10 @@
 //! When Newton's method ends on a grid: when what the next step would change is far below what the figures are told to.
 //!
 //! ```text
-//!   left of x after a step:  |δ_n| min(1, |δ_n|/|δ_(n−1)|)        x: ln H of the nodes with pressure, P
+//!   left of x after a step:  |δ_n| min(1, |δ_n|/|δ_(n−1)|)        x: ln H of the nodes with pressure, P, ∫|P| dA
 //! ```
-//! Films settle two or three iterations before the pressures by the ridge, which no grid resolves: those are told with bars of a tenth of p_h.
+//! Films settle two or three iterations before the pressures by the ridge, which no grid resolves: those have bars of a tenth of p_h. Pressures far from a thick film are
+//! small, but carry much of the load: that of all changes together counts as well.
 
 use super::grid::Grid;
 use super::system::{Linearised, State, System};
@@ -17,6 +18,8 @@ pub struct Ends {
     pub pressure: f64,
     /// Of the balance of the whole film, over what passes through its centre.
     pub balance: f64,
+    /// Of the load that pressures change by, relative.
+    pub load: f64,
 }
 
 impl Ends {
@@ -28,6 +31,7 @@ impl Ends {
             film,
             pressure: PRESSURE * film,
             balance: film,
+            load: LOAD * film,
         }
     }
 }
@@ -36,6 +40,9 @@ impl Ends {
 /// where the grids tell it with bars of 0.1 p_h.
 const SHARE: f64 = 0.5;
 const PRESSURE: f64 = 30.0;
+
+/// Share of what is left of the films that is left of the load: a film in the isoviscous rigid regime, the thickest, is inversely proportional to it.
+const LOAD: f64 = 0.1;
 
 /// Ends by the films of targets as small and as large as can be.
 const LEAST_END: f64 = 1e-5;
@@ -48,6 +55,7 @@ pub struct Progress {
     films: Vec<f64>,
     film: [f64; 2],
     pressure: [f64; 2],
+    load: [f64; 2],
 }
 
 /// Share of the central film that others count as at least: coarse grids have films about zero.
@@ -57,9 +65,10 @@ const LEAST_FILM: f64 = 0.1;
 const LEAST_SHARE: f64 = 0.02;
 
 impl Progress {
-    /// Notes the largest change of a pressure in a step.
-    pub fn note_step(&mut self, change: f64) {
+    /// Notes the largest change of a pressure in a step, and the load of all changes over that of the pressures.
+    pub fn note_step(&mut self, change: f64, load: f64) {
         self.pressure = [change, self.pressure[0]];
+        self.load = [load, self.load[0]];
     }
 
     /// Notes the films after a step.
@@ -76,9 +85,9 @@ impl Progress {
         self.films.extend(at.nodes.iter().map(|node| node.film));
     }
 
-    /// What is left of the films and of the pressures.
-    pub fn left(&self) -> [f64; 2] {
-        [self.film, self.pressure].map(|[last, before]| {
+    /// What is left of the films, of the pressures, and of the load that changes.
+    pub fn left(&self) -> [f64; 3] {
+        [self.film, self.pressure, self.load].map(|[last, before]| {
             let share = if before > 0.0 { last / before } else { 1.0 };
             last * share.clamp(LEAST_SHARE, 1.0)
         })

@@ -5,6 +5,7 @@ use ertel_fem::platform::Instant;
 
 use super::beyond::Beyond;
 use super::contents::Arrival;
+use super::edges::effects;
 use super::ending::{Ends, balance_error};
 use super::figures::{Slowest, bar, bars, figures, films, is_settled};
 use super::film::PatchedFilm;
@@ -13,7 +14,7 @@ use super::heat::Params;
 use super::heat::rounds::Rounds;
 use super::level::{Level, convolution, first_state, first_system, refined};
 use super::newton::{NewtonInfo, NewtonParams, newton};
-use super::patches::{first_cell, grid};
+use super::patches::{first_cells, grid};
 use super::preconditioner::Pattern;
 use super::system::{State, System};
 use crate::contact::Symmetry;
@@ -74,6 +75,8 @@ pub struct Volumes {
     pub stats: Vec<LevelStats>,
     /// Whether Newton's method did not converge on a further grid.
     pub stopped: bool,
+    /// Relative changes of central and minimum film where the film continues outside the edges of the contact area.
+    pub edge_effects: [f64; 2],
     /// What flows out of the wetted part of the finest grid less what flows in, over what passes the centre.
     pub balance_error: f64,
 }
@@ -237,11 +240,12 @@ impl Engine for FiniteVolumes {
         problem: &Problem<Plan>,
         observer: &mut dyn Observer,
     ) -> Result<Volumes, SolveError> {
-        let mut h = first_cell(problem);
+        let [mut h, _] = first_cells(problem);
         let mut found = Volumes {
             levels: Vec::new(),
             stats: Vec::new(),
             stopped: false,
+            edge_effects: [0.0; 2],
             balance_error: f64::NAN,
         };
         let most = problem.plan.max_unknowns;
@@ -364,6 +368,7 @@ impl Engine for FiniteVolumes {
         for l in told..n {
             found.stats[l].figures = figures(problem, &found.levels[..=l]);
         }
+        found.edge_effects = effects(problem, &found.levels)?;
         found.balance_error = (found.levels.last()).map_or(f64::NAN, |level| {
             balance_error(&level.system, &level.system.linearise(&level.state))
         });
@@ -470,13 +475,13 @@ impl Solved for Volumes {
         let finest = self.levels.last();
         let cell = finest.map_or(0.0, |level| level.system.grid.spacing[0]);
         let warm = finest.is_some_and(|level| level.warm.is_some());
+        let [central, minimum] = self.edge_effects;
+        let of_edges = [central, central.max(minimum)];
+        let least = least_shares(problem, cell, warm);
+        let least = [0, 1].map(|i: usize| least[i].max(of_edges[i]));
         let measured = Measured {
             figures: of_grids[0].copied().unwrap_or_default(),
-            bars: bars(
-                of_grids,
-                cell * problem.scales.length,
-                least_shares(problem, cell, warm),
-            ),
+            bars: bars(of_grids, cell * problem.scales.length, least),
             half_width: problem.scales.length,
         };
         let measured = measured.without_rounding(&sizes(problem));

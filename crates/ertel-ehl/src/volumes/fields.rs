@@ -45,12 +45,11 @@ fn along_motion(grid: &Grid) -> [f64; 2] {
     let direction = grid.turn.to_axes([1.0, 0.0]);
     let mut reach = [f64::NEG_INFINITY, f64::INFINITY];
     for d in 0..2 {
-        let last = grid.first[d] + grid.n[d] as i64 - 1;
         // The rows of a half end at the line itself.
         if direction[d] == 0.0 {
             continue;
         }
-        let ends = [grid.first[d], last].map(|n| n as f64 * grid.spacing[d] / direction[d]);
+        let ends = (grid.ends(d)).map(|n| n as f64 * grid.spacing[d] / direction[d]);
         reach[0] = reach[0].max(ends[0].min(ends[1]));
         reach[1] = reach[1].min(ends[0].max(ends[1]));
     }

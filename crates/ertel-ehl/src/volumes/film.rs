@@ -201,9 +201,9 @@ fn at(shape: &Shape, level: &Level, place: [f64; 2]) -> Option<PointFields> {
             continue;
         }
         let at = axes[d] / grid.spacing[d] - grid.first[d] as f64;
-        let last = (grid.n[d] - 1) as f64;
+        let [first, last] = grid.ends(d).map(|n| (n - grid.first[d]) as f64);
         // Rounding does not lead out of the grid.
-        if !(-ON_EDGE..=last + ON_EDGE).contains(&at) {
+        if !(first - ON_EDGE..=last + ON_EDGE).contains(&at) {
             return None;
         }
         cell[d] = (at.max(0.0) as usize).min(grid.n[d] - 2);

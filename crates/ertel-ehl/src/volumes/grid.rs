@@ -21,24 +21,51 @@ pub struct Grid {
     pub half: bool,
     /// From the motion to the principal directions.
     pub turn: Turn,
-    /// Rows of a roller, at uneven distances; `spacing` tells nothing of them.
+    /// Rows of a roller, at uneven distances, which `spacing` does not describe.
     pub rows: Option<Arc<Rows>>,
+    /// Lengths along the second direction over those in the plane in which the zone is the unit circle.
+    pub stretch: f64,
+    /// Along each direction, whether the grid ends where the contact area does, before and behind the centre: there one layer of its nodes lies outside the area,
+    /// so that the given pressure next to the unknown ones is that of the edge.
+    pub walls: [[bool; 2]; 2],
 }
 
+/// A grid whose edges all lie within the contact area.
+const NO_WALLS: [[bool; 2]; 2] = [[false; 2]; 2];
+
 impl Grid {
-    /// The grid that covers a box of the plane in which the zone is the unit circle, `[[low, high]; 2]`, with cells of the size h there.
-    pub fn covering(bounds: [[f64; 2]; 2], h: f64, half: bool, zone: &HertzZone) -> Grid {
-        let first = bounds.map(|[low, _]| (low / h).round() as i64);
-        let last = bounds.map(|[_, high]| (high / h).round() as i64);
+    /// The grid that covers a box of the plane in which the zone is the unit circle, `[[low, high]; 2]`, with cells of these lengths there.
+    pub fn covering(bounds: [[f64; 2]; 2], cell: [f64; 2], half: bool, zone: &HertzZone) -> Grid {
+        let count = |d: usize, length: f64| (length / cell[d]).round() as i64;
+        let first = [0, 1].map(|d: usize| count(d, bounds[d][0]));
+        let last = [0, 1].map(|d: usize| count(d, bounds[d][1]));
         let last = [last[0], if half { 0 } else { last[1] }];
         Grid {
-            spacing: [h, h * zone.axis_ratio],
+            spacing: [cell[0], cell[1] * zone.axis_ratio],
             first,
             n: [0, 1].map(|i: usize| (last[i] - first[i] + 1) as usize),
             half,
             turn: zone.turn,
             rows: None,
+            stretch: zone.axis_ratio,
+            walls: NO_WALLS,
         }
+    }
+
+    /// The same with edges of the contact area, and one layer of nodes outside each of them.
+    #[must_use]
+    pub fn with_walls(mut self, walls: [[bool; 2]; 2]) -> Grid {
+        self.walls = walls;
+        // The last row of a half is the centreline, and a line has one.
+        self.walls[1][1] &= !self.half;
+        if self.is_line() {
+            self.walls[1] = [false; 2];
+        }
+        for (d, [before, behind]) in self.walls.into_iter().enumerate() {
+            self.first[d] -= i64::from(before);
+            self.n[d] += usize::from(before) + usize::from(behind);
+        }
+        self
     }
 
     /// The grid over these columns, counted from the middle at the distance h, and the rows of a roller, of which this many come before the middle.
@@ -50,6 +77,8 @@ impl Grid {
             half,
             turn: Turn::NONE,
             rows: Some(Arc::new(rows)),
+            stretch: 1.0,
+            walls: NO_WALLS,
         }
     }
 
@@ -62,6 +91,8 @@ impl Grid {
             half: false,
             turn: Turn::NONE,
             rows: None,
+            stretch: 1.0,
+            walls: NO_WALLS,
         }
     }
 
@@ -91,14 +122,29 @@ impl Grid {
         }
     }
 
-    /// The box that it covers, with its mirror image, in the plane in which the zone is the unit circle.
+    /// Numbers, counted from the centre, of the nodes along a direction at which what the grid stands for begins and ends.
+    pub fn ends(&self, direction: usize) -> [i64; 2] {
+        let first = self.first[direction];
+        let [before, behind] = self.walls[direction].map(i64::from);
+        [
+            first + before,
+            first + self.n[direction] as i64 - 1 - behind,
+        ]
+    }
+
+    /// Length of a cell along both directions in the plane in which the zone is the unit circle.
+    pub fn unit_cell(&self) -> [f64; 2] {
+        [self.spacing[0], self.spacing[1] / self.stretch]
+    }
+
+    /// The box that it stands for, with its mirror image, in the plane in which the zone is the unit circle.
     pub fn bounds(&self) -> [[f64; 2]; 2] {
+        let cell = self.unit_cell();
         [0, 1].map(|d: usize| {
-            let h = self.spacing[0];
-            let low = self.first[d] as f64 * h;
+            let [low, high] = self.ends(d).map(|n| n as f64 * cell[d]);
             match self.half && d == 1 {
                 true => [low, -low],
-                false => [low, low + (self.n[d] - 1) as f64 * h],
+                false => [low, high],
             }
         })
     }
@@ -166,19 +212,53 @@ impl Grid {
         (RING..self.n[0] - RING).contains(&i) && self.inner_rows().contains(&j)
     }
 
-    /// Share of its cell that a node stands for in sums: half of it along the edges and on the centreline of a half.
+    /// Share of the length of its cell that a node stands for along a direction: none outside the contact area, half where the grid ends. The centreline of a half
+    /// counts with its mirror image.
+    #[inline(always)]
+    pub fn share_along(&self, direction: usize, at: usize) -> f64 {
+        if direction == 1 && self.is_line() {
+            return 1.0;
+        }
+        if let (Some(rows), 1) = (&self.rows, direction) {
+            return if rows.height(at) == 0.0 { 0.0 } else { 1.0 };
+        }
+        let [before, behind] = self.walls[direction].map(usize::from);
+        let edge = |steps: usize, beyond: usize| match steps {
+            _ if steps < beyond => 0.0,
+            _ if steps == beyond => 0.5,
+            _ => 1.0,
+        };
+        match edge(at, before) {
+            _ if self.half && direction == 1 => edge(at, before),
+            share => f64::min(share, edge(self.n[direction] - 1 - at, behind)),
+        }
+    }
+
+    /// What a row of a half counts: one that is the centreline counts half.
+    #[inline(always)]
+    pub fn mirrored_share(&self, j: usize) -> f64 {
+        if self.half && j + 1 == self.n[1] {
+            0.5
+        } else {
+            1.0
+        }
+    }
+
+    /// Share of its cell that a node stands for in sums.
     #[inline(always)]
     pub fn share(&self, i: usize, j: usize) -> f64 {
-        let [nx, ny] = self.n;
-        let x = if i == 0 || i + 1 == nx { 0.5 } else { 1.0 };
-        let y = match &self.rows {
-            Some(rows) if rows.height(j) == 0.0 => 0.0,
-            Some(_) if !(self.half && j + 1 == ny) => 1.0,
-            None if self.is_line() => 1.0,
-            None if j > 0 && j + 1 < ny => 1.0,
-            _ => 0.5,
-        };
-        x * y
+        self.share_along(0, i) * self.share_along(1, j) * self.mirrored_share(j)
+    }
+
+    /// Values at the nodes, each times the share of its cell that lies on the grid; the convolutions mirror the centreline themselves.
+    pub fn within_edges(&self, values: &[f64]) -> Vec<f64> {
+        let rows: Vec<f64> = (0..self.n[1]).map(|j| self.share_along(1, j)).collect();
+        let columns: Vec<f64> = (0..self.n[0]).map(|i| self.share_along(0, i)).collect();
+        (values.chunks_exact(self.n[0]).zip(rows))
+            .flat_map(|(values, row)| {
+                (values.iter().zip(&columns)).map(move |(value, column)| value * row * column)
+            })
+            .collect()
     }
 
     /// Area of the cell of a node of a row.

@@ -42,32 +42,41 @@ impl Level {
         self.system.fluid.at(0.0).density[0]
     }
 
-    /// Share of its cell that a node stands for beside the next grid.
+    /// Share of its cell that a node stands for outside the next grid.
     pub fn share(&self, i: usize, j: usize) -> f64 {
-        let own = self.system.grid.share(i, j);
-        let Some(patch) = self.patch else {
-            return own;
-        };
-        own * (1.0 - within(patch, self.system.grid.half, i, j))
+        let grid = &self.system.grid;
+        let inside = (self.patch).map_or(0.0, |patch| within(patch, grid, i, j));
+        grid.share(i, j) - inside * grid.mirrored_share(j)
     }
 }
 
-/// Share of the cell of a node that lies in a patch.
-fn within([x, y]: [[usize; 2]; 2], half: bool, i: usize, j: usize) -> f64 {
-    let along = |[low, high]: [usize; 2], at: usize, ends: bool| match at {
-        _ if at < low || at > high => 0.0,
-        // The row of a line contact.
-        _ if low == high => 1.0,
-        _ if at == low || (at == high && ends) => 0.5,
-        _ => 1.0,
+/// Share of the cell of a node that lies on its grid and in a patch of it: of a node on the edge of both, what one of them leaves of the cell, not a quarter of it.
+fn within(patch: [[usize; 2]; 2], grid: &Grid, i: usize, j: usize) -> f64 {
+    let along = |d: usize, at: usize| {
+        let [low, high] = patch[d];
+        let ends = !(grid.half && d == 1);
+        let inside = match at {
+            _ if at < low || at > high => 0.0,
+            // The row of a line contact.
+            _ if low == high => 1.0,
+            _ if at == low || (at == high && ends) => 0.5,
+            _ => 1.0,
+        };
+        grid.share_along(d, at).min(inside)
     };
-    along(x, i, true) * along(y, j, !half)
+    along(0, i) * along(1, j)
 }
 
-/// Values at the nodes of a grid where what they stand for lies beside a patch.
-pub fn beside(grid: &Grid, patch: [[usize; 2]; 2], values: &[f64]) -> Vec<f64> {
+/// Values at the nodes of a grid, each times the part of its cell outside a patch over the part on the grid.
+pub fn outside(grid: &Grid, patch: [[usize; 2]; 2], values: &[f64]) -> Vec<f64> {
     (grid.nodes().zip(values))
-        .map(|([i, j], value)| value * (1.0 - within(patch, grid.half, i, j)))
+        .map(|([i, j], value)| {
+            let own = grid.share_along(0, i) * grid.share_along(1, j);
+            match own > 0.0 {
+                true => value * (1.0 - within(patch, grid, i, j) / own),
+                false => 0.0,
+            }
+        })
         .collect()
 }
 
@@ -138,22 +147,18 @@ pub fn refined<Plan>(
 ) -> (System, State) {
     let coarse = before.system.grid.clone();
     let sampled = Sampled::new(&coarse, &grid);
-    let start = sampled.start;
-    let patch = [0, 1].map(|d: usize| [start[d], start[d] + (grid.n[d] - 1) / 2]);
+    // In numbers of the coarse nodes, from their first one.
+    let patch = [0, 1].map(|d: usize| {
+        let [low, high] = grid.ends(d);
+        [low, high].map(|n| (n / 2 - coarse.first[d]) as usize)
+    });
     before.patch = Some(patch);
     let own = &before.state;
     let inside: Vec<f64> = (coarse.nodes().zip(&own.pressure))
-        .map(|([i, j], p)| p * within(patch, coarse.half, i, j))
+        .map(|([i, j], p)| p * within(patch, &coarse, i, j))
         .collect();
-    let centreline = |j: usize| {
-        if coarse.half && j + 1 == coarse.n[1] {
-            0.5
-        } else {
-            1.0
-        }
-    };
     let load_inside: f64 = (coarse.nodes().zip(&inside))
-        .map(|([_, j], p)| p * centreline(j) * coarse.length(1, j))
+        .map(|([_, j], p)| p * coarse.mirrored_share(j) * coarse.length(1, j))
         .sum::<f64>()
         * coarse.spacing[0];
     let by_inside = before.system.convolution.apply(&inside);
@@ -196,8 +201,8 @@ fn beyond(level: &Level, gap: &Gap, by_inside: &[f64]) -> Vec<f64> {
 /// Values of a coarse grid at the nodes of one with half the spacing inside it.
 pub struct Sampled<'a> {
     coarse: &'a Grid,
-    /// The coarse node at which the fine grid begins.
-    start: [usize; 2],
+    /// Number of the first fine node from the first coarse one, in fine nodes.
+    start: [i64; 2],
 }
 
 impl<'a> Sampled<'a> {
@@ -205,7 +210,7 @@ impl<'a> Sampled<'a> {
     pub fn new(coarse: &'a Grid, fine: &Grid) -> Sampled<'a> {
         Sampled {
             coarse,
-            start: [0, 1].map(|d: usize| (fine.first[d].div_euclid(2) - coarse.first[d]) as usize),
+            start: [0, 1].map(|d: usize| fine.first[d] - 2 * coarse.first[d]),
         }
     }
 
@@ -218,10 +223,15 @@ impl<'a> Sampled<'a> {
         values[(self.coarse).index(x.clamp(0, cx - 1) as usize, y.clamp(0, cy - 1) as usize)]
     }
 
+    /// The coarse node at or before a fine one along each direction, and steps from there: one where the fine node lies between two coarse ones.
+    fn node(&self, i: usize, j: usize) -> [[i64; 2]; 2] {
+        let at = [self.start[0] + i as i64, self.start[1] + j as i64];
+        [at.map(|n| n.div_euclid(2)), at.map(|n| n.rem_euclid(2))]
+    }
+
     /// Values of the four nodes around, those of one or two nodes more than once.
     fn corners(&self, values: &[f64], i: usize, j: usize) -> [f64; 4] {
-        let [x, y] = [self.start[0] + i / 2, self.start[1] + j / 2].map(|n| n as i64);
-        let [a, b] = [i % 2, j % 2].map(|n| n as i64);
+        let [[x, y], [a, b]] = self.node(i, j);
         [[0, 0], [a, 0], [0, b], [a, b]].map(|[a, b]| self.at(values, x + a, y + b))
     }
 
@@ -242,13 +252,13 @@ impl<'a> Sampled<'a> {
 
     /// Between the nodes by cubics.
     pub fn cubic(&self, values: &[f64], i: usize, j: usize) -> f64 {
-        let [x, y] = [self.start[0] + i / 2, self.start[1] + j / 2].map(|n| n as i64);
+        let [[x, y], [a, b]] = self.node(i, j);
         let between = |v: [f64; 4]| (9.0 * (v[1] + v[2]) - v[0] - v[3]) / 16.0;
-        let along = |y: i64| match i % 2 {
+        let along = |y: i64| match a {
             0 => self.at(values, x, y),
             _ => between([-1, 0, 1, 2].map(|d| self.at(values, x + d, y))),
         };
-        match j % 2 {
+        match b {
             0 => along(y),
             _ => between([-1, 0, 1, 2].map(|d| along(y + d))),
         }

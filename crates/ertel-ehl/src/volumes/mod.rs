@@ -42,6 +42,7 @@ pub mod composite;
 pub mod contents;
 pub mod convolution;
 pub mod deflection;
+pub mod edges;
 pub mod ending;
 pub mod engine;
 pub mod faces;

@@ -71,9 +71,6 @@ impl NewtonInfo {
     }
 }
 
-/// Largest pressure, in p_h, below which changes are told beside it.
-const LOW: f64 = 0.1;
-
 /// Imbalance of a node, over what is entrained, below which mass is kept where contents are unknown: pressures before a meniscus are so low that their
 /// changes do not tell of the mass that moves it.
 const MOST_IMBALANCE: f64 = 1e-3;
@@ -104,9 +101,9 @@ fn has_ended(
     progress: &Progress,
     ends: &Ends,
 ) -> bool {
-    let [film, pressure] = progress.left();
+    let [film, pressure, load] = progress.left();
     let is_kept = at.contents.is_empty() || imbalance(system, at) < MOST_IMBALANCE;
-    if !(film < ends.film && pressure < ends.pressure && is_kept) {
+    if !(film < ends.film && pressure < ends.pressure && load < ends.load && is_kept) {
         return false;
     }
     let h = system.grid.spacing[0];
@@ -189,6 +186,7 @@ pub fn newton(
         info.iterations += 1;
         info.krylov_iterations += step.krylov_iterations;
         info.change = 0.0;
+        let mut moved = vec![0.0; step.pressure.len()];
         for (k, (p, change)) in state.pressure.iter_mut().zip(&step.pressure).enumerate() {
             let most = params.largest_change;
             // No clamp: it would lose a number that is none.
@@ -213,13 +211,16 @@ pub fn newton(
                 info.change = if change.is_finite() { size } else { f64::NAN };
             }
             *p = next;
+            moved[k] = size;
         }
         state.separation += step.separation;
         // Around thick films all pressures are far below that of the dry contact.
         let largest = state.pressure.iter().fold(0.0_f64, |m, p| m.max(*p));
-        if largest < LOW && largest > 0.0 {
+        if largest < 1.0 && largest > 0.0 {
             info.change /= largest;
         }
+        let load = system.integral(&state.pressure);
+        let moved_load = if load > 0.0 { system.integral(&moved) / load } else { 0.0 };
         info.imbalance = imbalance(system, &at);
         if info.imbalance > params.most_imbalance {
             return info;
@@ -241,6 +242,6 @@ pub fn newton(
             heat: None,
         });
         exact = step.krylov_iterations < params.max_krylov_iterations;
-        progress.note_step(info.change);
+        progress.note_step(info.change, moved_load);
     }
 }

@@ -13,6 +13,18 @@ use crate::engine::Problem;
 const FIRST_CELL: f64 = 0.375;
 const FIRST_CELLS: f64 = 80.0;
 
+/// Multiple of that distance within which edges of flooded contacts are those of the first grid, whose cells grow instead. Pressures that end there differ from those of
+/// rigid parabolas by (r_0/r_1)^3.2 at the distance r_0, by 3 % of a pressure that carries next to nothing.
+const COARSER: f64 = 3.0;
+
+/// Cells of the first grid between the centre and an edge at least.
+const LEAST_CELLS: f64 = 4.0;
+
+/// Error of the outlet edge, over its distance from the centre, at which the cells fit; and by how much more of them there may be: a small grid costs nothing.
+const FITS: f64 = 2e-3;
+const MORE_CELLS: f64 = 1.5;
+const CHEAP: f64 = 24.0;
+
 /// Share of the margin of flooded contacts that patches of starved ones have, so that cells at the meniscus are small beside its distance: with 1 the film
 /// of a layer of four times its thickness errs by 0.15 %.
 const MENISCUS: f64 = 2.0;
@@ -22,39 +34,67 @@ const MENISCUS: f64 = 2.0;
 const WIDE: f64 = 4.0;
 const MARGIN_OF_LINES: f64 = 4.0;
 
-/// Rounding of places, in cells.
-const ROUNDING: f64 = 1e-9;
-
 /// Largest cell of the first grid.
 fn largest_cell<P>(problem: &Problem<P>) -> f64 {
     let e = &problem.extents;
     let widest = e.side.max(e.inlet.abs()).max(e.outlet);
     match problem.shape.inlet {
-        Inlet::Flooded => FIRST_CELL * problem.start_film.sqrt().max(1.0),
+        Inlet::Flooded => {
+            let cell = FIRST_CELL * problem.start_film.sqrt().max(1.0);
+            let coarser = widest / (FIRST_CELLS * cell);
+            match problem.shape.is_line() {
+                false if coarser <= COARSER => cell * coarser.max(1.0),
+                _ => cell,
+            }
+        }
         Inlet::Layer(_) | Inlet::Meniscus => FIRST_CELL.max(widest / FIRST_CELLS),
     }
 }
 
-/// Cell of the first grid. A meniscus lies on the lines of a grid with cells of twice the size, and so does the outlet edge of a line: the oil behind the film is sheared as
-/// far as that, which is a part of its traction.
-pub fn first_cell<P>(problem: &Problem<P>) -> f64 {
+/// Cells of the first grid along and across the rows, with which the edges of the contact area are lines of the grid: inlet, or meniscus, and side exactly, the outlet
+/// to [`FITS`].
+pub fn first_cells<P>(problem: &Problem<P>) -> [f64; 2] {
     let largest = largest_cell(problem);
-    let unit = 2.0 * largest;
-    let dividing = |length: f64| largest * length / (unit * (length / unit).ceil());
-    match Arrival::of(problem) {
-        Arrival::From(meniscus) => dividing(meniscus.abs()),
-        Arrival::Flooded | Arrival::FromEdges | Arrival::Layer(_) if problem.shape.is_line() => {
-            dividing(problem.extents.outlet)
-        }
-        Arrival::Flooded | Arrival::FromEdges | Arrival::Layer(_) => largest,
-    }
+    let [[low, high], [_, side]] = first_box(problem);
+    let before = match Arrival::of(problem) {
+        Arrival::From(meniscus) => meniscus.abs(),
+        Arrival::Flooded | Arrival::FromEdges | Arrival::Layer(_) => low.abs(),
+    };
+    let least = (before / largest)
+        .max(LEAST_CELLS)
+        .max(LEAST_CELLS * before / high);
+    let most = (MORE_CELLS * least).max(CHEAP) as usize;
+    let error = |n: usize| {
+        let cells = high / before * n as f64;
+        (cells.round() / cells - 1.0).abs()
+    };
+    let numbers = least.ceil() as usize..=most.max(least.ceil() as usize);
+    let fits = (numbers.clone())
+        .find(|n| error(*n) <= FITS)
+        .or_else(|| numbers.min_by(|a, b| error(*a).total_cmp(&error(*b))));
+    [
+        fits.map_or(largest, |n| before / n as f64),
+        side / (side / largest).ceil().max(LEAST_CELLS),
+    ]
 }
 
-/// Distance from the centre to which the first grid of a flooded point contact goes at most, in half-widths.
+/// The box of the first grid: that of the contact area, but for edges of flooded contacts so far away that they do not count.
+fn first_box<P>(problem: &Problem<P>) -> [[f64; 2]; 2] {
+    let is_near = problem.shape.is_line()
+        || problem.shape.zone.roller.is_some()
+        || problem.shape.inlet != Inlet::Flooded;
+    let most = match is_near {
+        true => f64::INFINITY,
+        false => FIRST_CELLS * largest_cell(problem),
+    };
+    bounds(problem).map(|[low, high]| [low.max(-most), high.min(most)])
+}
+
+/// Distance from the centre to which the first grid of a flooded point contact goes, in half-widths.
 pub fn widest<P>(problem: &Problem<P>) -> f64 {
     match problem.shape.is_line() {
         true => f64::INFINITY,
-        false => FIRST_CELLS * first_cell(problem),
+        false => FIRST_CELLS * FIRST_CELL * problem.start_film.sqrt().max(1.0),
     }
 }
 
@@ -77,57 +117,51 @@ pub fn bounds<P>(problem: &Problem<P>) -> [[f64; 2]; 2] {
     }
 }
 
-/// The grid with cells of the size h: the first one over the box, the others within it as far as the margin goes. Its corners are nodes of a
-/// grid with cells of twice the size.
+/// The grid with cells of the length h along the rows: the first one over the box, the others within it as far as the margin goes. Corners of the others are
+/// nodes of a grid with cells of twice the size, or lie on edges of the contact area.
 pub fn grid(problem: &Problem<Plan>, h: f64, first: Option<&Grid>) -> Grid {
     if let Some(roller) = &problem.shape.zone.roller {
         return roller_grid(problem, roller, h, first);
     }
-    let (unit, zone) = (2.0 * h, &problem.shape.zone);
     let is_line = problem.shape.is_line();
-    let region = match first {
-        // Nodes whose pressure is given stand beyond the centre at least.
-        None => {
-            let least = ((RING + 1) as f64 * h / unit).ceil() * unit;
-            bounds(problem).map(|[low, high]| {
-                let most = match problem.shape.inlet {
-                    // Cells of a row are few anyway.
-                    _ if is_line => f64::INFINITY,
-                    Inlet::Flooded => FIRST_CELLS * h,
-                    Inlet::Layer(_) | Inlet::Meniscus => f64::INFINITY,
-                };
-                let (low, high) = (low.max(-most), high.min(most));
-                // An edge that lies on a line does, whatever its rounding.
-                let (low, high) = (
-                    (low / unit - ROUNDING).ceil() * unit,
-                    (high / unit + ROUNDING).floor() * unit,
-                );
-                [low.min(-least), high.max(least)]
-            })
-        }
-        Some(first) => {
-            let margin = match Arrival::of(problem) {
-                Arrival::Flooded | Arrival::FromEdges | Arrival::From(_) => problem.plan.margin,
-                Arrival::Layer(_) => MENISCUS * problem.plan.margin,
-            };
-            let (inner, margin) = match is_line {
-                true => (
-                    1.0 + WIDE * problem.start_film.sqrt(),
-                    MARGIN_OF_LINES * margin,
-                ),
-                false => (1.0, margin),
-            };
-            let reach = ((inner + margin * h) / unit).floor() * unit;
-            let whole = first.bounds();
-            whole.map(|[low, high]| [low.max(-reach), high.min(reach)])
-        }
+    let Some(first) = first else {
+        let cell = [h, first_cells(problem)[1]];
+        return covering(problem, first_box(problem), cell).with_walls(WALLS);
     };
-    if is_line {
-        let columns = region[0].map(|x| (x / h).round() as i64);
-        return Grid::of_line(columns, h);
+    let margin = match Arrival::of(problem) {
+        Arrival::Flooded | Arrival::FromEdges | Arrival::From(_) => problem.plan.margin,
+        Arrival::Layer(_) => MENISCUS * problem.plan.margin,
+    };
+    let (inner, margin) = match is_line {
+        true => (
+            1.0 + WIDE * problem.start_film.sqrt(),
+            MARGIN_OF_LINES * margin,
+        ),
+        false => (1.0, margin),
+    };
+    let [along, across] = first.unit_cell();
+    let cell = [h, across / along * h];
+    let whole = first.bounds();
+    let reach = cell.map(|h| ((inner + margin * h) / (2.0 * h)).floor() * 2.0 * h);
+    let walls = [0, 1].map(|d: usize| [-whole[d][0], whole[d][1]].map(|edge| edge <= reach[d]));
+    let region = [0, 1].map(|d: usize| {
+        let [low, high] = whole[d];
+        [low.max(-reach[d]), high.min(reach[d])]
+    });
+    covering(problem, region, cell).with_walls(walls)
+}
+
+/// Edges of the contact area on all sides.
+const WALLS: [[bool; 2]; 2] = [[true; 2]; 2];
+
+/// The grid of a contact without rows of a roller over a box.
+fn covering<P>(problem: &Problem<P>, region: [[f64; 2]; 2], cell: [f64; 2]) -> Grid {
+    let zone = &problem.shape.zone;
+    if problem.shape.is_line() {
+        return Grid::of_line(region[0].map(|x| (x / cell[0]).round() as i64), cell[0]);
     }
     let half = problem.shape.symmetry == Symmetry::Half;
-    Grid::covering(region, h, half, zone)
+    Grid::covering(region, cell, half, zone)
 }
 
 /// Rows of a first grid over its columns, in the lengths by which elements are drawn out along a roller, and the fewest of them before and behind the
@@ -137,19 +171,16 @@ const FEWEST_ROWS: f64 = 4.0;
 
 /// The grid of a roller with cells of the length h along the motion: all of its rows, whose distances are halved with h.
 fn roller_grid(problem: &Problem<Plan>, roller: &RollerZone, h: f64, first: Option<&Grid>) -> Grid {
-    let unit = 2.0 * h;
-    let [low, high] = match first {
-        None => [problem.extents.inlet, problem.extents.outlet],
-        Some(first) => first.bounds()[0],
-    };
     let reach = match first {
         None => f64::INFINITY,
-        Some(_) => roller.half_extents()[0] + problem.plan.margin * h,
+        Some(_) => ((roller.half_extents()[0] + problem.plan.margin * h) / (2.0 * h)).floor() * 2.0 * h,
     };
-    let columns = [
-        2 * (low.max(-reach) / unit).ceil() as i64,
-        2 * (high.min(reach) / unit).floor() as i64,
-    ];
+    let [low, high] = match first {
+        None => first_box(problem)[0],
+        Some(first) => first.bounds()[0],
+    };
+    let walls = [[-low <= reach, high <= reach], [false; 2]];
+    let columns = [low.max(-reach), high.min(reach)].map(|x| (x / h).round() as i64);
     let half = problem.shape.symmetry == Symmetry::Half;
     let coarsest = first.map_or(h, |first| first.spacing[0]);
     let finer = (coarsest / h).round() as usize;
@@ -159,5 +190,5 @@ fn roller_grid(problem: &Problem<Plan>, roller: &RollerZone, h: f64, first: Opti
         rows as usize * finer
     });
     let rows = Rows::new(roller, steps, half);
-    Grid::of_roller(columns, h, rows, steps[0] + RING, half)
+    Grid::of_roller(columns, h, rows, steps[0] + RING, half).with_walls(walls)
 }

@@ -17,7 +17,7 @@ use super::convolution::{Convolution, smooth};
 use super::deflection::Stencils;
 use super::grid::Grid;
 use super::rows::Rows;
-use crate::contact::Turn;
+use crate::contact::{HertzZone, Turn};
 
 /// The convolution of a grid with uneven rows.
 pub struct RowsConvolution {
@@ -178,14 +178,13 @@ impl RowsConvolution {
     pub fn stencils(&self) -> Stencils {
         let (dx, lengths) = &self.cells;
         let of_row = |dy: &f64| {
-            let grid = Grid {
-                spacing: [*dx, *dy],
-                first: [0; 2],
-                n: [PATCH; 2],
-                half: false,
+            let zone = HertzZone {
+                axis_ratio: 1.0,
                 turn: Turn::NONE,
-                rows: None,
+                roller: None,
             };
+            let box_of = [*dx, *dy].map(|h| [0.0, (PATCH - 1) as f64 * h]);
+            let grid = Grid::covering(box_of, [*dx, *dy], false, &zone);
             Convolution::new(&grid, self.compliance).inverse()
         };
         Stencils::of_rows(lengths.par_iter().map(of_row).collect())

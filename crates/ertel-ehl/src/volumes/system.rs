@@ -157,22 +157,7 @@ impl System {
 
     /// Deflection by pressures of the grid.
     fn deflection(&self, pressure: &[f64]) -> Vec<f64> {
-        // What a node stands for ends at the edge of the grid.
-        let mut values = pressure.to_vec();
-        let [nx, ny] = self.grid.n;
-        for row in values.chunks_exact_mut(nx) {
-            row[0] *= 0.5;
-            row[nx - 1] *= 0.5;
-        }
-        if self.grid.is_line() {
-            return self.convolution.apply(&values);
-        }
-        values[..nx].iter_mut().for_each(|p| *p *= 0.5);
-        if !self.grid.half {
-            let last = (ny - 1) * nx;
-            values[last..].iter_mut().for_each(|p| *p *= 0.5);
-        }
-        self.convolution.apply(&values)
+        self.convolution.apply(&self.grid.within_edges(pressure))
     }
 
     /// ∫P over the grid.

@@ -181,8 +181,8 @@ impl<Plan> Side<'_, Plan> {
     /// The equation on the next grid, with pressures of the solution where they are unknown there and those of this side beyond.
     fn next(&mut self, own: &Level) -> (System, State) {
         let zone = &self.problem.shape.zone;
-        let h = own.system.grid.spacing[0];
         let before = &own.system.grid;
+        let [along, across] = before.unit_cell();
         let grid = match (&before.rows, &zone.roller) {
             (Some(rows), Some(roller)) => Grid {
                 rows: Some(rows.drawn_to(roller.half_length())),
@@ -190,7 +190,8 @@ impl<Plan> Side<'_, Plan> {
             },
             _ if before.is_line() => before.clone(),
             _ => Grid {
-                spacing: [h, h * zone.axis_ratio],
+                spacing: [along, across * zone.axis_ratio],
+                stretch: zone.axis_ratio,
                 turn: zone.turn,
                 ..before.clone()
             },

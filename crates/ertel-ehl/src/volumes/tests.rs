@@ -80,7 +80,7 @@ fn system(half: bool, entrainment: Planar) -> (System, State) {
         turn: if half { Turn::NONE } else { Turn::by(0.3) },
         roller: None,
     };
-    let grid = Grid::covering([[-1.5, 1.5], [-1.25, 1.25]], 0.25, half, &zone);
+    let grid = Grid::covering([[-1.5, 1.5], [-1.25, 1.25]], [0.25; 2], half, &zone);
     let gap = (grid.nodes())
         .map(|[i, j]| {
             let [x, y] = grid.on_axes(i, j);
@@ -229,7 +229,7 @@ fn second_order_for_manufactured_fields() {
             turn: Turn::NONE,
             roller: None,
         };
-        Grid::covering([[-1.0, 1.0], [-1.0, 1.0]], h, false, &zone)
+        Grid::covering([[-1.0, 1.0], [-1.0, 1.0]], [h; 2], false, &zone)
     };
     let error = |grid: Grid| {
         let values = |f: &dyn Fn(f64, f64) -> f64| -> Vec<f64> {

@@ -226,6 +226,10 @@ pub fn unresolved(u: &Unresolved) -> String {
             "open by {} % of the heat made",
             digits(100.0 * u.estimate.value, 2)
         ),
+        Why::OpenMassBalance => format!(
+            "open by {} % of the oil that passes the centre",
+            digits(100.0 * u.estimate.value, 2)
+        ),
     };
     format!("{} ({text})", u.words())
 }

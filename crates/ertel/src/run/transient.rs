@@ -241,10 +241,16 @@ fn solve_here(
     }
     // Far pressures of steady parabolas count for nothing here: the contact area ends with the grid.
     let widest = widest(&problem);
-    let extents = &mut problem.extents;
-    extents.inlet = extents.inlet.max(-widest);
-    extents.outlet = extents.outlet.min(widest);
-    extents.side = extents.side.min(widest);
+    let (mesh, extents) = (&case.mesh, &mut problem.extents);
+    if mesh.inlet.is_none() {
+        extents.inlet = extents.inlet.max(-widest);
+    }
+    if mesh.outlet.is_none() {
+        extents.outlet = extents.outlet.min(widest);
+    }
+    if mesh.side.is_none() {
+        extents.side = extents.side.min(widest);
+    }
     let on_its_way = on_its_way(transient, -problem.extents.inlet * length);
     problem.shape = with_reliefs(problem.shape, &case.reliefs, &mut problem.scales);
     problem.load = problem.scales.load;

@@ -16,7 +16,7 @@ use crate::volumes::deflection::Deflection;
 use crate::volumes::ending::Ends;
 use crate::volumes::grid::Grid;
 use crate::volumes::level::{Level, convolution, first_system, refined};
-use crate::volumes::patches::{first_cell, grid as patch};
+use crate::volumes::patches::{first_cells, grid as patch};
 use crate::volumes::system::State;
 
 /// x_0, on a node of all grids, and σ; P_0 and b. The edge of the grid keeps its pressure: what the bump has left there must be less than what the steps err by, for the film
@@ -88,10 +88,11 @@ impl<'a> Manufactured<'a> {
             film: 1e-9,
             pressure: 1e-9,
             balance: 1e-9,
+            load: 1e-9,
         };
         let mut grids: Vec<(Grid, Arc<Deflection>)> = Vec::new();
         for l in 0..n_grids {
-            let h = first_cell(&problem) / f64::from(1 << l);
+            let h = first_cells(&problem)[0] / f64::from(1 << l);
             let grid = patch(&problem, h, grids.first().map(|(first, _)| first));
             let deflection = convolution(&problem, &grid);
             grids.push((grid, deflection));

@@ -418,7 +418,7 @@ mod tests {
             turn: Turn::NONE,
             roller: None,
         };
-        Grid::covering([[-2.0, 2.0], [-2.0, 2.0]], CELL, half, &zone)
+        Grid::covering([[-2.0, 2.0], [-2.0, 2.0]], [CELL; 2], half, &zone)
     }
 
     /// Steel to a depth of 3.15 half-widths that moves by so many half-widths while heat spreads over one: u a/χ.

@@ -16,7 +16,7 @@ use crate::solve::heat::newton::HeatError;
 use crate::solve::heat::relaxation::Relaxation;
 use crate::solve::tuning::heat::{INNER_SHARE, NEGLIGIBLE_RISE};
 use crate::volumes::contents::missing;
-use crate::volumes::level::{Level, Sampled, beside};
+use crate::volumes::level::{Level, Sampled, outside};
 use crate::volumes::newton::NewtonInfo;
 use crate::volumes::system::{State, Storage, System};
 
@@ -171,7 +171,7 @@ impl<'a> Rounds<'a> {
         }
         for b in 0..2 {
             let flux = &warm.temperatures.flux[b];
-            let mut outer = (warm.bodies).rise(coarse, b, &beside(coarse, patch, flux));
+            let mut outer = (warm.bodies).rise(coarse, b, &outside(coarse, patch, flux));
             (outer.iter_mut().zip(&warm.bodies.outer[b])).for_each(|(t, outer)| *t += outer);
             for [i, j] in grid.nodes() {
                 let k = grid.index(i, j);

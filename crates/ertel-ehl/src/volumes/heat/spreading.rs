@@ -78,7 +78,7 @@ mod tests {
             roller: None,
         };
         for half in [false, true] {
-            let grid = Grid::covering([[-1.0, 0.75], [-1.0, 1.0]], 0.25, half, &zone);
+            let grid = Grid::covering([[-1.0, 0.75], [-1.0, 1.0]], [0.25; 2], half, &zone);
             let body = MovingBody {
                 conductivity: 1.1,
                 capacity: 2.2e6,

@@ -135,27 +135,8 @@ impl Bodies {
 
     /// Rise of the surface of a body by heat at the nodes, K.
     pub fn rise(&self, grid: &Grid, body: usize, flux: &[f64]) -> Vec<f64> {
-        self.spreading[body].apply(&within_edges(grid, flux))
+        self.spreading[body].apply(&grid.within_edges(flux))
     }
-}
-
-/// Heat at the nodes, W/m², where what a node stands for ends at the edge of the grid.
-pub fn within_edges(grid: &Grid, flux: &[f64]) -> Vec<f64> {
-    let mut flux = flux.to_vec();
-    let [nx, ny] = grid.n;
-    for row in flux.chunks_exact_mut(nx) {
-        row[0] *= 0.5;
-        row[nx - 1] *= 0.5;
-    }
-    // A row of a roller stands for what it does.
-    if grid.is_line() || grid.rows.is_some() {
-        return flux;
-    }
-    flux[..nx].iter_mut().for_each(|q| *q *= 0.5);
-    if !grid.half {
-        flux[(ny - 1) * nx..].iter_mut().for_each(|q| *q *= 0.5);
-    }
-    flux
 }
 
 /// Largest change of a temperature in a step, and how far one may fall below the coldest that comes in, K, as by the finite elements.

@@ -83,7 +83,7 @@ impl Channel {
             turn: Turn::NONE,
             roller: None,
         };
-        let grid = Grid::covering([[-1.0, 1.0], [-rows, rows]], h, true, &zone);
+        let grid = Grid::covering([[-1.0, 1.0], [-rows, rows]], [h; 2], true, &zone);
         let n = grid.n_nodes();
         let film = height / scales.film;
         let system = System {

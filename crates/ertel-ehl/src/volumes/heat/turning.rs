@@ -245,7 +245,7 @@ mod tests {
             turn: Turn::NONE,
             roller: None,
         };
-        Grid::covering([[-2.0, 2.0], [-1.5, 1.5]], h, false, &zone)
+        Grid::covering([[-2.0, 2.0], [-1.5, 1.5]], [h; 2], false, &zone)
     }
 
     /// Images move along ξ at the speed of the centre where places move at their own velocity, whichever way the body spins; and there is a way back.
@@ -310,7 +310,7 @@ mod tests {
             roller: None,
         };
         let a = 1e-4;
-        let grid = Grid::covering([[-3.0, 3.0], [-3.0, 3.0]], 0.0625, false, &zone);
+        let grid = Grid::covering([[-3.0, 3.0], [-3.0, 3.0]], [0.0625; 2], false, &zone);
         for (peclet, most) in [(10.0, 0.013), (40.0, 0.006)] {
             let mut body = MovingBody {
                 conductivity: 46.0,

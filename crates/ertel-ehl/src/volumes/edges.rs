@@ -1,0 +1,104 @@
+//! What edges near the contact do to its films.
+//!
+//! ```text
+//!   given at the edges:   P = λ f(φ) ρ/4H²  of [`super::far_pressure`]     around points
+//!                         P = −λ c X/H²,  X < 0,  c = 1/3                  along cylinders
+//! ```
+//! The contact area has P = 0 along its edges. A film that continues outside has about these pressures there, and carries the load outside (Kapitza 1955). One Newton step
+//! from the solution to that film, less one that changes nothing but what was left, is the effect of the edges, to first order.
+
+use ertel_fem::linear::gmres::GmresParams;
+
+use super::beyond::Beyond;
+use super::engine::{Plan, newton_params, pattern};
+use super::figures::films;
+use super::level::Level;
+use super::preconditioner::Preconditioner;
+use super::system::{State, System};
+use crate::contact::Inlet;
+use crate::engine::Problem;
+use crate::engine::far_field::far_field;
+use crate::solve::SolveError;
+
+/// Grids among which the finest that covers the whole area is taken: on the third, cells are a tenth of a half-width where edges are near enough to count.
+const GRIDS: usize = 3;
+
+/// Relative changes of the central and the minimum film where the film continues outside the edges of the contact area; zero where the inlet is not flooded or the grids have
+/// the pressures of that film along their edges.
+///
+/// # Errors
+/// Where no order of elimination is found.
+pub fn effects(problem: &Problem<Plan>, levels: &[Level]) -> Result<[f64; 2], SolveError> {
+    let covers = |level: &&Level| level.system.grid.walls == levels[0].system.grid.walls;
+    let level = levels.iter().take(GRIDS).take_while(covers).last();
+    let is_flooded = problem.shape.inlet == Inlet::Flooded;
+    let Some(level) = level.filter(|level| is_flooded && level.system.beyond.is_none()) else {
+        return Ok([0.0; 2]);
+    };
+    let (mut system, mut state) = (level.system.clone(), level.state.clone());
+    continue_outside(problem, &mut system, &mut state);
+    let Some(here) = stepped(problem, &level.system, &level.state)? else {
+        return Ok([0.0; 2]);
+    };
+    let Some(there) = stepped(problem, &system, &state)? else {
+        return Ok([0.0; 2]);
+    };
+    Ok([0, 1].map(|film: usize| (there[film] / here[film] - 1.0).abs()))
+}
+
+/// Central and minimum film after a step of Newton's method; `None` where it cannot be taken.
+fn stepped(
+    problem: &Problem<Plan>,
+    system: &System,
+    state: &State,
+) -> Result<Option<[f64; 2]>, SolveError> {
+    let params = newton_params(problem);
+    let at = system.linearise(state);
+    let pattern = pattern(system)?;
+    let Some(mut preconditioner) = Preconditioner::new(&pattern, &at) else {
+        return Ok(None);
+    };
+    let linear = GmresParams {
+        tolerance: params.krylov_tolerance,
+        max_iterations: params.max_krylov_iterations,
+        twice: false,
+    };
+    let step = system.step(&at, state, &mut preconditioner, linear);
+    if step.krylov_iterations >= params.max_krylov_iterations || !step.separation.is_finite() {
+        return Ok(None);
+    }
+    let mut state = state.clone();
+    for (p, change) in state.pressure.iter_mut().zip(&step.pressure) {
+        *p += change;
+    }
+    state.separation += step.separation;
+    let (central, minimum, _) = films(&[Level::new(system.clone(), state)]);
+    Ok(Some([central, minimum]))
+}
+
+/// Gives the edges the pressures of a film that continues, and takes the load outside off that of the grid.
+fn continue_outside(problem: &Problem<Plan>, system: &mut System, state: &mut State) {
+    let shape = &problem.shape;
+    let grid = &system.grid;
+    if !(grid.is_line() || grid.rows.is_some()) {
+        let [inlet, side] = problem.reach;
+        let reach = [[-inlet, inlet], [-side, side]];
+        return Beyond::around(problem, grid, reach).give(shape, system, state);
+    }
+    let c = problem.scales.lambda * far_field(&shape.gap)[0];
+    let films = system.films(state);
+    let inlet = grid.bounds()[0][0].abs();
+    for [i, j] in grid.nodes() {
+        let x = grid.place(i, j)[0];
+        if x < 0.0 && !grid.is_unknown(i, j) && !grid.is_end(j) {
+            let k = grid.index(i, j);
+            state.pressure[k] = -c * x / films[k].powi(2);
+        }
+    }
+    // ∫P dX = 2c/X² from the edge on, H = X²/2.
+    let rows = (0..grid.n[1]).filter(|j| !grid.is_end(*j));
+    let width: f64 = rows
+        .map(|j| grid.mirrored_share(j) * grid.length(1, j))
+        .sum();
+    system.load -= 2.0 * c * width / inlet.powi(2);
+}
