@@ -17,9 +17,7 @@ use crate::volumes::grid::Grid;
 use crate::volumes::heat::memory::{Below, Carried, Memory, Over};
 use crate::volumes::heat::rounds::{InTime, Rounds};
 use crate::volumes::heat::spreading::Spreading;
-use crate::volumes::heat::temperatures::{
-    Bodies, Temperatures, moving_body, unheated,
-};
+use crate::volumes::heat::temperatures::{Bodies, Temperatures, moving_body, unheated};
 use crate::volumes::heat::{Params, Warm};
 use crate::volumes::level::{Level, Sampled, outside};
 use crate::volumes::system::Storage;

@@ -220,7 +220,11 @@ pub fn newton(
             info.change /= largest;
         }
         let load = system.integral(&state.pressure);
-        let moved_load = if load > 0.0 { system.integral(&moved) / load } else { 0.0 };
+        let moved_load = if load > 0.0 {
+            system.integral(&moved) / load
+        } else {
+            0.0
+        };
         info.imbalance = imbalance(system, &at);
         if info.imbalance > params.most_imbalance {
             return info;

@@ -20,10 +20,12 @@ const COARSER: f64 = 3.0;
 /// Cells of the first grid between the centre and an edge at least.
 const LEAST_CELLS: f64 = 4.0;
 
-/// Error of the outlet edge, over its distance from the centre, at which the cells fit; and by how much more of them there may be: a small grid costs nothing.
-const FITS: f64 = 2e-3;
+/// Error of the outlet edge at which the cells fit, in half-widths or over its distance from the centre: the film has broken there. And by how much more cells there may
+/// be: a small grid costs nothing.
+const FITS: f64 = 0.01;
+const FITS_FAR: f64 = 2e-3;
 const MORE_CELLS: f64 = 1.5;
-const CHEAP: f64 = 24.0;
+const CHEAP: f64 = 32.0;
 
 /// Share of the margin of flooded contacts that patches of starved ones have, so that cells at the meniscus are small beside its distance: with 1 the film
 /// of a layer of four times its thickness errs by 0.15 %.
@@ -68,9 +70,10 @@ pub fn first_cells<P>(problem: &Problem<P>) -> [f64; 2] {
         let cells = high / before * n as f64;
         (cells.round() / cells - 1.0).abs()
     };
+    let most_error = FITS_FAR.max(FITS / high);
     let numbers = least.ceil() as usize..=most.max(least.ceil() as usize);
     let fits = (numbers.clone())
-        .find(|n| error(*n) <= FITS)
+        .find(|n| error(*n) <= most_error)
         .or_else(|| numbers.min_by(|a, b| error(*a).total_cmp(&error(*b))));
     [
         fits.map_or(largest, |n| before / n as f64),
@@ -173,7 +176,9 @@ const FEWEST_ROWS: f64 = 4.0;
 fn roller_grid(problem: &Problem<Plan>, roller: &RollerZone, h: f64, first: Option<&Grid>) -> Grid {
     let reach = match first {
         None => f64::INFINITY,
-        Some(_) => ((roller.half_extents()[0] + problem.plan.margin * h) / (2.0 * h)).floor() * 2.0 * h,
+        Some(_) => {
+            ((roller.half_extents()[0] + problem.plan.margin * h) / (2.0 * h)).floor() * 2.0 * h
+        }
     };
     let [low, high] = match first {
         None => first_box(problem)[0],

@@ -343,12 +343,9 @@ fn triangles_cover_the_area() {
             }
         }
         let grid = &found.levels[0].system.grid;
-        let sides = [0, 1].map(|d: usize| (grid.n[d] - 1) as f64 * grid.spacing[d]);
+        let ends = [0, 1].map(|d: usize| grid.ends(d).map(|n| n as f64 * grid.spacing[d]));
+        let sides = ends.map(|[low, high]| high - low);
         assert_relative_eq!(sum, sides[0] * sides[1], max_relative = 1e-12);
-        let ends = [0, 1].map(|d: usize| {
-            let low = grid.first[d] as f64 * grid.spacing[d];
-            [low, low + sides[d]]
-        });
         for (edge, n) in edges {
             let [a, b] = edge.map(place);
             let on_outline = (0..2).any(|d| {
@@ -402,6 +399,7 @@ fn tangents_against_differences_of_solves() {
     }
 }
 
+mod edges;
 mod lines;
 mod rollers;
 mod starved;
