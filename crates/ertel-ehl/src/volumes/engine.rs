@@ -402,6 +402,10 @@ pub fn least_shares(problem: &Problem<Plan>, cell: f64, warm: bool) -> [f64; 2] 
     of_arrival.map(|share| share.max(of_rounds))
 }
 
+/// Relative error of central and minimum film over what is left of the film at the ridge where Newton's method ends (measured: see [`Ends::of`]). No figure is known better, however
+/// alike those of the grids are.
+const LEFT_OF_FILMS: f64 = 0.02;
+
 /// Share of the central film below which there is none where a roller ends, and grids from which that is told: coarse ones have films below zero at steep ends.
 const NO_FILM: f64 = 0.02;
 const GRIDS_OF_ENDS: usize = 6;
@@ -478,7 +482,8 @@ impl Solved for Volumes {
         let [central, minimum] = self.edge_effects;
         let of_edges = [central, central.max(minimum)];
         let least = least_shares(problem, cell, warm);
-        let least = [0, 1].map(|i: usize| least[i].max(of_edges[i]));
+        let of_end = LEFT_OF_FILMS * problem.plan.newton.ends.film;
+        let least = [0, 1].map(|i: usize| least[i].max(of_edges[i]).max(of_end));
         let measured = Measured {
             figures: of_grids[0].copied().unwrap_or_default(),
             bars: bars(of_grids, cell * problem.scales.length, least),
