@@ -64,6 +64,8 @@ pub enum SolveError {
         iterations: usize,
         /// Last change of a pressure over p_h.
         change: f64,
+        /// Whether the surfaces have reliefs, which finite volumes alone solve.
+        has_reliefs: bool,
     },
     /// Film and temperature did not come to rest together.
     #[error(
@@ -192,6 +194,12 @@ impl SolveError {
     pub fn advice(&self) -> Option<&'static str> {
         match self {
             SolveError::NotConverged { reason, .. } => Some(reason.advice()),
+            SolveError::GridNotConverged {
+                has_reliefs: true, ..
+            } => Some(
+                "less relief in [[surface]] (amplitude, height, depth, or a longer low_pass), a thicker film or more load: a relief many times \
+                 deeper than the film interrupts it; without [[surface]] the film of smooth bodies comes out",
+            ),
             SolveError::GridNotConverged { .. } => Some(
                 "[solver] method = \"finite-elements\", above all where the film is thick beside the contact, whose area the first grid then \
                  covers with cells that are too large",
