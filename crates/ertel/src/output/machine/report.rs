@@ -252,9 +252,10 @@ pub(in crate::output) fn warnings(
     figures: &MachineFigures,
 ) -> Vec<Warning> {
     let interruption = machine.interruption().map(|text| {
-        Warning::from(format!(
-            "{text}; sums and extremes over all contacts are left out"
-        ))
+        Warning::new(
+            WarningKind::NotSolved,
+            format!("{text}; sums and extremes over all contacts are left out"),
+        )
     });
     let mut failures: Vec<Warning> = interruption.into_iter().collect();
     failures.extend(figures.warnings.iter().cloned());
