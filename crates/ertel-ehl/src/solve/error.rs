@@ -304,6 +304,15 @@ mod tests {
         }
     }
 
+    fn not_on_grid(has_reliefs: bool) -> SolveError {
+        SolveError::GridNotConverged {
+            level: 1,
+            iterations: 130,
+            change: 0.05,
+            has_reliefs,
+        }
+    }
+
     fn not_coupled(contraction: f64) -> SolveError {
         SolveError::NotCoupled {
             level: 0,
@@ -379,6 +388,9 @@ mod tests {
                 },
                 "low_pass",
             ),
+            (not_on_grid(false), "finite-elements"),
+            // Elements have no reliefs.
+            (not_on_grid(true), "in [[surface]]"),
         ];
         let mut seen = std::collections::BTreeSet::new();
         for (error, key) in &kinds {
