@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
+use ertel::case::study::MOST_POINTS;
 use ertel_input::csv::{ColumnMap, CsvParams, Decimal};
 
 use crate::colour::When;
@@ -262,10 +263,12 @@ pub struct CompareArgs {
 fn shard(text: &str) -> Result<ertel::sweep::Shard, String> {
     let parts = text.split_once('/');
     let numbers = parts.and_then(|(i, n)| Some((i.trim().parse().ok()?, n.trim().parse().ok()?)));
-    match numbers {
-        Some((index, n)) if 1 <= index && index <= n => Ok(ertel::sweep::Shard { index, n }),
-        _ => Err("write it as 3/8: the third of eight parts".to_owned()),
-    }
+    let shard = numbers.and_then(|(index, n)| ertel::sweep::Shard::new(index, n));
+    shard.ok_or_else(|| {
+        format!(
+            "write it as 3/8: the third of eight parts, of which there are at most {MOST_POINTS}"
+        )
+    })
 }
 
 /// `ertel estimate`.

@@ -158,6 +158,8 @@ impl Checked {
 /// A case in time over a steady contact: a line takes more steps beside its short solves.
 const IN_TIME: f64 = 30.0;
 const LINE_IN_TIME: f64 = 50.0;
+/// Steps of these.
+const STEPS: f64 = 300.0;
 
 /// CPU s of cold solves with default settings: medians of the convergence map for lines (docs/performance.md), shipped cases for the others, of
 /// which most took between half and twice as long.
@@ -188,6 +190,8 @@ fn typical_cpu_seconds(case: &Case) -> f64 {
         (Some(_), true) => LINE_IN_TIME,
         (Some(_), false) => IN_TIME,
     };
+    let steps = (case.transient.as_ref()).map_or(0.0, |transient| transient.least_steps());
+    let in_time = in_time * (steps / STEPS).max(1.0);
     one * heat * halves * in_time
 }
 

@@ -1,11 +1,12 @@
 //! The file that a run in time keeps to go on from.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use ertel::case::Case;
-use ertel::run::checkpoint::{Checkpoint, MAGIC};
+use ertel::files::{clear_unfinished, write_whole};
+use ertel::run::checkpoint::{Checkpoint, NAME};
+use ertel_input::file::read_bytes;
 use ertel_quantity::Dimension;
 
 use crate::args::SolveArgs;
@@ -25,6 +26,9 @@ struct Kept {
     failure: Option<String>,
 }
 
+/// Most bytes of a checkpoint that are read: those of about a million steps, each of which is kept with its figures and its centreline.
+const LARGEST: u64 = 16_000_000_000;
+
 /// How often it is written where a run that goes on does not say.
 const USUAL: Duration = Duration::from_secs(600);
 
@@ -42,30 +46,8 @@ impl Checkpoints {
         let mut name = folder.file_name().unwrap_or_default().to_owned();
         name.push(".checkpoint");
         let path = folder.with_file_name(name);
-        let shown = path.display();
-        let from = match (std::fs::read(&path), arguments.resume) {
-            (Ok(bytes), true) => {
-                let wrong = |error| Failure::Argument(format!("{shown}: {error}"));
-                Some(Checkpoint::from_bytes(&bytes, case).map_err(wrong)?)
-            }
-            (Err(error), true) => {
-                return Err(Failure::Argument(format!(
-                    "{shown}: {error}\n  = help: --resume goes on from where a run with --checkpoint stopped"
-                )));
-            }
-            (Ok(bytes), false) => {
-                let help = match bytes.starts_with(MAGIC) {
-                    true => {
-                        "a run that stopped has left it: go on from there with --resume, or delete it"
-                    }
-                    false => "it is no checkpoint: give the results another folder by --output",
-                };
-                return Err(Failure::Argument(format!(
-                    "{shown} is there already\n  = help: {help}"
-                )));
-            }
-            (Err(_), false) => None,
-        };
+        clear_unfinished(path.parent().unwrap_or(Path::new("")));
+        let from = former(&path, case, arguments.resume)?;
         let kept = Kept {
             path,
             interval: interval.unwrap_or(USUAL),
@@ -105,18 +87,45 @@ impl Checkpoints {
     }
 }
 
+/// The checkpoint that a run goes on from; a run that begins refuses whatever is there.
+fn former(path: &Path, case: &Case, resumes: bool) -> Result<Option<Checkpoint>, Failure> {
+    let shown = path.display();
+    let refuse = |text: String, help: &str| Failure::Argument(format!("{text}\n  = help: {help}"));
+    match (read_bytes(path, LARGEST), resumes) {
+        (Ok(bytes), true) => match Checkpoint::from_bytes(&bytes, case) {
+            Ok(from) => Ok(Some(from)),
+            Err(error) => Err(refuse(
+                format!("{shown}: {error}"),
+                "nothing was changed; to begin at the start of the time, delete the file and leave out --resume",
+            )),
+        },
+        (Err(error), true) => Err(refuse(
+            format!("{shown} {error}"),
+            "--resume goes on from where a run with --checkpoint stopped",
+        )),
+        (Ok(bytes), false) => Err(refuse(
+            format!("{shown} is there already"),
+            match bytes.starts_with(NAME) {
+                true => {
+                    "a run that stopped has left it: go on from there with --resume, or delete it"
+                }
+                false => "it is no checkpoint: give the results another folder by --output",
+            },
+        )),
+        (Err(error), false) if error.is_missing() => Ok(None),
+        (Err(error), false) => Err(refuse(
+            format!("{shown} {error}"),
+            "a checkpoint goes there: give the results another folder by --output",
+        )),
+    }
+}
+
 /// A file as a whole, or as it was before.
 fn replace(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let folder = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty());
-    let folder = folder.unwrap_or(Path::new("."));
-    std::fs::create_dir_all(folder)?;
-    let mut file = tempfile::NamedTempFile::new_in(folder)?;
-    file.write_all(bytes)?;
-    file.as_file().sync_all()?;
-    file.persist(path)?;
-    Ok(())
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder)?;
+    }
+    write_whole(path, bytes)
 }
 
 /// A wall time.

@@ -12,7 +12,7 @@ use crate::args::SolveArgs;
 use crate::events::{Events, path_text};
 use crate::failure::Failure;
 use crate::print;
-use crate::solve::{RESOLVE, WRITING, not_shown};
+use crate::solve::{RESOLVE, WRITING, not_shown, place_of};
 
 /// How the governing contact of a machine is asked for alone: `machine.element=0 and machine.ring=inner`.
 pub fn choice(contacts: &MachineContacts) -> String {
@@ -51,6 +51,8 @@ pub fn write(
     if solution.solved().next().is_none() {
         return Err(Failure::Interrupted);
     }
+    let place = place_of(folder, solution.is_partial());
+    let folder = place.as_path();
     let echo = case.echo();
     WRITING.store(true, Ordering::SeqCst);
     output::write_machine(&echo, solution, figures, folder, &case.output)?;
@@ -74,8 +76,8 @@ pub fn write(
         print::stdout(&text)
     };
     let (all, failed) = (solution.n_contacts(), solution.n_failed());
-    let solved = solution.solved().count();
     if solution.is_partial() {
+        let solved = solution.n_solved();
         return Err(Failure::InterruptedCurve(format!(
             "interrupted after {solved} of {all} contacts; these are in {}",
             folder.display()

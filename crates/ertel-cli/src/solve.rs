@@ -283,6 +283,22 @@ fn short(mut result: Value) -> Value {
     result
 }
 
+/// Where a result goes: a partial one next to a complete one that is there already, which is reported.
+pub fn place_of(folder: &Path, is_partial: bool) -> PathBuf {
+    if !is_partial {
+        return folder.to_owned();
+    }
+    let place = output::place_of_partial(folder);
+    if place != folder {
+        print::stderr(&format!(
+            "note: {} keeps its complete result; what this run came to goes to {}",
+            folder.display(),
+            place.display()
+        ));
+    }
+    place
+}
+
 pub fn not_shown(error: serde_json::Error) -> Failure {
     Failure::Other(format!("cannot show the result: {error}"))
 }
@@ -323,6 +339,8 @@ fn write_curve(
     if solution.points.is_empty() {
         return Err(Failure::Interrupted);
     }
+    let place = place_of(folder, solution.is_partial());
+    let folder = place.as_path();
     WRITING.store(true, Ordering::SeqCst);
     let echo = case.echo();
     output::write_curve(&echo, solution, folder, &case.output, curve.folders)?;

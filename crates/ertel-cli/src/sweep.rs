@@ -9,7 +9,7 @@ use ertel::case::Study;
 use ertel::study::TABLE;
 use ertel::study::plan::Plan;
 use ertel::sweep::{
-    FILES, FOLDERS, Shard, SweepError, SweepObserver, SweepParams, SweepProgress, SweepSummary,
+    FILES, FOLDERS, SHARDS, SweepError, SweepObserver, SweepParams, SweepProgress, SweepSummary,
     finished_points, merge, sweep,
 };
 use ertel::words::{digits, length};
@@ -94,10 +94,7 @@ fn folder(arguments: &SweepArgs, path: &Path) -> PathBuf {
     }
     let folder = Path::new("results").join(path.file_stem().unwrap_or("study".as_ref()));
     match arguments.shard {
-        Some(Shard { index, n }) => {
-            let width = n.to_string().len();
-            folder.join(format!("shards/{index:0width$}-of-{n}"))
-        }
+        Some(shard) => folder.join(SHARDS).join(shard.name()),
         None => folder,
     }
 }
@@ -187,7 +184,7 @@ fn report(
     tell(summary, folder, events);
     if summary.n_damaged > 0 {
         print::stderr(&format!(
-            "warning: {} lines of the journal could not be read; their points were solved again",
+            "warning: {} lines of the journal are damaged or were changed; their points were solved again",
             summary.n_damaged
         ));
     }

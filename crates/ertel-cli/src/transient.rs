@@ -15,7 +15,7 @@ use crate::args::SolveArgs;
 use crate::events::{Events, path_text};
 use crate::failure::Failure;
 use crate::print;
-use crate::solve::{RESOLVE, WRITING, not_shown};
+use crate::solve::{RESOLVE, WRITING, not_shown, place_of};
 
 /// Writes what was solved, also where time ended early; returns the films in words.
 pub fn write(
@@ -29,10 +29,15 @@ pub fn write(
     let Some(last) = found.instants.last() else {
         return Err(match &found.failure {
             Some(_) if is_interrupted => Failure::Interrupted,
-            Some(failure) => Failure::NotConverged(failure.to_string()),
+            Some(failure) => {
+                let advice = (failure.advice()).map_or(String::new(), |a| format!(". Try {a}"));
+                Failure::NotConverged(format!("{failure}\n  = help: nothing was written{advice}"))
+            }
             None => Failure::NotConverged("no instant was solved".to_owned()),
         });
     };
+    let place = place_of(folder, found.failure.is_some());
+    let folder = place.as_path();
     WRITING.store(true, Ordering::SeqCst);
     let echo = case.echo();
     output::write_transient(&echo, found, folder, &case.output)?;
@@ -61,8 +66,9 @@ pub fn write(
         )));
     }
     if let Some(failure) = &found.failure {
+        let advice = (failure.advice()).map_or(String::new(), |a| format!("\n  = help: try {a}"));
         return Err(Failure::NotConverged(format!(
-            "{failure}; the instants until then are in {}",
+            "{failure}; the instants until then are in {}{advice}",
             folder.display()
         )));
     }

@@ -227,6 +227,49 @@ fn journals_of_others_are_not_adopted() {
     );
 }
 
+/// Without a list of points of ertel a folder is no study, whatever its files are called.
+#[test]
+fn a_folder_without_a_list_of_points_is_no_study() {
+    let folder = workspace();
+    assert!(
+        ertel(&folder, &["sweep", "study.toml", "-q", "-o", "part"])
+            .status
+            .success()
+    );
+    let journal = std::fs::read_to_string(folder.path().join("part/journal.jsonl")).unwrap();
+    for (name, records) in [("empty", ""), ("copied", &journal)] {
+        write(&folder, &format!("{name}/journal.jsonl"), records);
+        write(&folder, &format!("{name}/results.csv"), "mine");
+        write(&folder, &format!("{name}/report.html"), "mine");
+        refused(
+            &folder,
+            &["sweep", "study.toml", "-q", "-o", name],
+            1,
+            "no study.json of ertel",
+        );
+        refused(
+            &folder,
+            &["sweep", "--merge", name, "part"],
+            1,
+            "no study.json of ertel",
+        );
+        refused(&folder, &["sweep", "--merge", "whole", name], 1, name);
+    }
+    for shard in [
+        "9223372036854775808/18446744073709551615",
+        "1/1000001",
+        "3/2",
+        "0/2",
+    ] {
+        refused(
+            &folder,
+            &["sweep", "study.toml", "-q", "--shard", shard],
+            2,
+            "of eight parts",
+        );
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn links_in_the_folder_of_a_study_are_not_followed() {

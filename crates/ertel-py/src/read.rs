@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use ertel::output::netcdf;
 use ertel::solution::{ContactFields, Field, Figure};
-use ertel::study::journal::Entries;
+use ertel::study::journal::{Entries, JOURNAL};
 use ertel::study::{STUDY_FORMAT, StudyEcho};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -194,13 +194,13 @@ pub fn study_table(py: Python<'_>, folder: PathBuf) -> PyResult<(String, String)
             folder.display()
         )));
     };
-    if entries.is_foreign(true) {
+    if entries.is_foreign() {
         return Err(bad(format!(
             "{}: the journal of its points is damaged, or that of another program",
             folder.display()
         )));
     }
-    if !entries.exists() && folder.join("results.csv").exists() {
+    if !folder.join(JOURNAL).exists() && folder.join("results.csv").exists() {
         return Err(bad(format!(
             "{}: results.csv is there, but the journal of its points is not",
             folder.display()

@@ -5,6 +5,7 @@ use std::sync::mpsc::Sender;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use ertel::case::Study;
+use ertel::case::study::MOST_POINTS;
 use ertel::study::journal::JOURNAL;
 use ertel::study::plan::Plan;
 use ertel::sweep::{
@@ -218,14 +219,15 @@ pub fn sweep(
     retry: bool,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<String> {
-    let shard = match shard {
-        Some((index, n)) if index == 0 || index > n => {
-            let text = format!("shard ({index}, {n}): the first number goes from 1 to the second");
-            return Err(errors::CaseError::new_err(text));
-        }
-        Some((index, n)) => Some(Shard { index, n }),
-        None => None,
+    let of = |(index, n)| {
+        let wrong = || {
+            errors::CaseError::new_err(format!(
+                "shard ({index}, {n}): the first number goes from 1 to the second, and the second to {MOST_POINTS}"
+            ))
+        };
+        Shard::new(index, n).ok_or_else(wrong)
     };
+    let shard = shard.map(of).transpose()?;
     if let Some(name) = [("jobs", jobs), ("threads", threads)]
         .iter()
         .find(|(_, n)| *n == Some(0))

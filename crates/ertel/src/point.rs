@@ -227,7 +227,7 @@ impl MachineSolution {
         self.of(contact)?.outcome.solution()
     }
 
-    /// The contacts that were solved, with their places.
+    /// The contacts that ended, solved or failed, with their places.
     pub fn solved(&self) -> impl Iterator<Item = (usize, &PointSolution)> {
         let contacts = self.contacts.iter().enumerate();
         contacts.filter_map(|(i, point)| Some((i, point.as_ref()?)))
@@ -258,9 +258,32 @@ impl MachineSolution {
         Some(format!("{n} of {all} contacts failed; {name}: {reason}"))
     }
 
+    /// Contacts with a solution, those alike counted once.
+    pub fn n_solved(&self) -> usize {
+        self.solved().count() - self.n_failed()
+    }
+
     /// Whether the user stopped it before the last contact.
     pub fn is_partial(&self) -> bool {
         self.solved().count() < self.n_contacts()
+    }
+
+    /// How far an interrupted machine came, in words; `None` where all contacts have ended.
+    pub fn interruption(&self) -> Option<String> {
+        self.is_partial().then(|| {
+            let (n, all) = (self.n_solved(), self.n_contacts());
+            format!("interrupted: {n} of {all} different contacts solved")
+        })
+    }
+
+    /// The machine before its contacts are solved.
+    #[must_use]
+    pub(crate) fn unsolved(&self) -> MachineSolution {
+        MachineSolution {
+            machine: self.machine.clone(),
+            contacts: vec![None; self.contacts.len()],
+            wall_seconds: self.wall_seconds,
+        }
     }
 }
 

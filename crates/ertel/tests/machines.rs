@@ -216,6 +216,50 @@ fn tapered_rollers_by_their_designation() {
     }
 }
 
+/// After one of two contacts all files say so; sums and extremes over all contacts are left out, what mechanics give stays.
+#[test]
+fn an_interrupted_machine_is_marked_in_every_file() {
+    let case = read(THRUST);
+    let contacts = case.contacts.as_ref().unwrap();
+    let mut solved = solve_machine(contacts, &mut NoObserver);
+    let found = figures(&case, &solved);
+    let last = solved.contacts.iter().rposition(Option::is_some).unwrap();
+    solved.contacts[last] = None;
+    assert_eq!(
+        [solved.n_contacts(), solved.n_solved(), solved.n_failed()],
+        [2, 1, 0]
+    );
+    let part = figures(&case, &solved);
+    for name in [
+        "film_central",
+        "film_minimum",
+        "friction_torque",
+        "bearing_temperature",
+    ] {
+        assert!(
+            found.find(name).is_some() && part.find(name).is_none(),
+            "{name}"
+        );
+    }
+    assert_eq!(
+        part.find("hertz_pressure_maximum"),
+        found.find("hertz_pressure_maximum")
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let target = folder.path().join("out");
+    output::write_machine(&case.echo(), &solved, &part, &target, &case.output).unwrap();
+    let file = |name: &str| std::fs::read_to_string(target.join(name)).unwrap();
+    for name in ["report.txt", "report.html", "machine.json", "around.svg"] {
+        assert!(
+            file(name).contains("nterrupted: 1 of 2 different contacts solved"),
+            "{name}"
+        );
+    }
+    let json: serde_json::Value = serde_json::from_str(&file("machine.json")).unwrap();
+    assert_eq!(json["n_solved"], 1);
+    assert_eq!(json["complete"], false);
+}
+
 /// Stops at once.
 struct Stop;
 

@@ -64,6 +64,8 @@ pub enum SolveError {
         iterations: usize,
         /// Last change of a pressure over p_h.
         change: f64,
+        /// Whether the surfaces have reliefs, which finite volumes alone solve.
+        has_reliefs: bool,
     },
     /// Film and temperature did not come to rest together.
     #[error(
@@ -192,6 +194,12 @@ impl SolveError {
     pub fn advice(&self) -> Option<&'static str> {
         match self {
             SolveError::NotConverged { reason, .. } => Some(reason.advice()),
+            SolveError::GridNotConverged {
+                has_reliefs: true, ..
+            } => Some(
+                "less relief in [[surface]] (amplitude, height, depth, or a longer low_pass), a thicker film or more load: a relief many times \
+                 deeper than the film interrupts it; without [[surface]] the film of smooth bodies comes out",
+            ),
             SolveError::GridNotConverged { .. } => Some(
                 "[solver] method = \"finite-elements\", above all where the film is thick beside the contact, whose area the first grid then \
                  covers with cells that are too large",
@@ -296,6 +304,15 @@ mod tests {
         }
     }
 
+    fn not_on_grid(has_reliefs: bool) -> SolveError {
+        SolveError::GridNotConverged {
+            level: 1,
+            iterations: 130,
+            change: 0.05,
+            has_reliefs,
+        }
+    }
+
     fn not_coupled(contraction: f64) -> SolveError {
         SolveError::NotCoupled {
             level: 0,
@@ -371,6 +388,9 @@ mod tests {
                 },
                 "low_pass",
             ),
+            (not_on_grid(false), "finite-elements"),
+            // Elements have no reliefs.
+            (not_on_grid(true), "in [[surface]]"),
         ];
         let mut seen = std::collections::BTreeSet::new();
         for (error, key) in &kinds {

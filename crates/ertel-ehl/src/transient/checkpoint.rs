@@ -1,7 +1,7 @@
 //! What a run needs to go on from an instant as if it had not stopped.
 //!
-//! Grids, operators and the fluid follow from the problem anew; what is kept are the states and what the steps remember. Sums are taken in the same order, so that
-//! a run that goes on ends with the same digits.
+//! Grids, operators and the fluid follow from the problem, and places of reliefs from how far the bodies have moved; states and the memory of the steps are kept.
+//! Sums are taken in the same order, so that a run that goes on ends with the same digits.
 
 use serde::{Deserialize, Serialize};
 

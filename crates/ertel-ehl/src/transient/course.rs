@@ -38,6 +38,9 @@ pub enum Course {
     },
 }
 
+/// Steps of a period of a sine at the least.
+const STEPS_OF_PERIOD: f64 = 8.0;
+
 impl Course {
     /// Value at an instant; at a step, the value before it.
     pub fn at(&self, time: f64) -> f64 {
@@ -84,7 +87,7 @@ impl Course {
         }
     }
 
-    /// How far a step from an instant may go for the course not to hide between its ends: to the second row of a smooth curve, an eighth of a period of a sine. Kinks end steps anyway.
+    /// How far a step from an instant may go for the course not to hide between its ends: to the second row of a smooth curve, a share of a period of a sine. Kinks end steps anyway.
     pub fn visible(&self, time: f64) -> f64 {
         match self {
             Course::Constant(_) | Course::Table(_) | Course::Step { .. } => f64::INFINITY,
@@ -92,7 +95,27 @@ impl Course {
                 let next = rows.partition_point(|[t, _]| *t <= time);
                 rows.get(next + 1).map_or(f64::INFINITY, |[t, _]| t - time)
             }
-            Course::Sine { period, .. } => period / 8.0,
+            Course::Sine { period, .. } => period / STEPS_OF_PERIOD,
+        }
+    }
+
+    /// Steps up to an instant for the course not to hide between their ends.
+    pub fn least_steps(&self, end: f64) -> f64 {
+        match self {
+            Course::Constant(_) => 0.0,
+            Course::Step { .. } => 1.0,
+            Course::Table(rows) | Course::Smooth(rows) => rows.len() as f64,
+            Course::Sine { period, start, .. } => STEPS_OF_PERIOD * (end - start).max(0.0) / period,
+        }
+    }
+
+    /// Instant of the first change; `None` of a constant.
+    pub fn first_change(&self) -> Option<f64> {
+        match self {
+            Course::Constant(_) => None,
+            Course::Step { at, .. } => Some(*at),
+            Course::Table(rows) | Course::Smooth(rows) => rows.first().map(|[t, _]| *t),
+            Course::Sine { start, .. } => Some(*start),
         }
     }
 
@@ -211,6 +234,11 @@ mod tests {
         let scaled = table.scaled(10.0, 2.0);
         assert_relative_eq!(scaled.at(20.0), -2.0);
         assert_eq!(scaled.kinks(), vec![10.0, 30.0]);
+        // Two periods, each in eight steps.
+        assert_eq!(sine.least_steps(10.0), 16.0);
+        assert_eq!(sine.least_steps(1.0), 0.0);
+        let changes = [&table, &sine, &step].map(Course::first_change);
+        assert_eq!(changes, [Some(1.0), Some(2.0), Some(2.0)]);
     }
 
     /// Smooth curves pass through their rows with one slope, and go beyond none of them.

@@ -113,7 +113,7 @@ pub trait TransientObserver: Send + Sync {
         false
     }
 
-    /// It is told after a step for which it was wanted, and where the run stops early.
+    /// Called after a step for which it was wanted, and where the user stops the run, also within a step.
     fn checkpoint(&mut self, _checkpoint: Checkpoint) {}
 }
 
@@ -179,6 +179,22 @@ impl From<SolveError> for TransientError {
 }
 
 impl TransientError {
+    /// What to try.
+    pub fn advice(&self) -> Option<&'static str> {
+        match self {
+            // Time is solved by finite volumes alone.
+            TransientError::Start(SolveError::GridNotConverged {
+                has_reliefs: false, ..
+            }) => Some("a start with a thicker film: a higher speed or less load at t = 0"),
+            TransientError::Start(error) => error.advice(),
+            TransientError::Coarse { .. } => Some("a larger [mesh] max_unknowns"),
+            TransientError::Stuck { .. } => {
+                Some("a larger `tolerance`, or changes that are slower or smaller")
+            }
+            TransientError::OtherGrids(_) | TransientError::Interrupted => None,
+        }
+    }
+
     /// How it went until then, where there were steps.
     pub fn info(&self) -> Option<Info> {
         match self {
@@ -292,6 +308,8 @@ fn run(
         Some(from) => {
             levels.remember(&from.memory)?;
             (time, step, moved, info) = (from.time, from.step, from.moved, from.info);
+            // The length of the next step follows from where reliefs are.
+            present.set(&mut problem, time, moved);
         }
         None => {
             let start = At {
@@ -301,6 +319,8 @@ fn run(
             tell(&mut problem, &levels, start, observer);
         }
     }
+    // As they were when the newest instant was reached: trials that a stop cuts short are done again.
+    let mut accepted = (step, info);
     let mut ahead = conditions.stops();
     ahead.retain(|(stop, _)| *stop >= time);
     for (stop, is_kink) in ahead {
@@ -317,12 +337,21 @@ fn run(
             let way = conditions.way(time, to);
             let next = [0, 1].map(|i: usize| moved[i].then(&way[i]));
             present.set(&mut problem, to, next);
-            let trial = levels.step(
-                &problem,
-                (to, way),
-                &Zones::of(&problem.shape),
-                &mut Quiet(observer),
-            )?;
+            let zones = Zones::of(&problem.shape);
+            let trial = match levels.step(&problem, (to, way), &zones, &mut Quiet(observer)) {
+                Err(SolveError::Interrupted) => {
+                    let (step, info) = accepted;
+                    observer.checkpoint(Checkpoint {
+                        time,
+                        step,
+                        moved,
+                        info,
+                        memory: levels.memory(),
+                    });
+                    return Err(TransientError::Interrupted);
+                }
+                trial => trial?,
+            };
             info.newton_iterations += trial.as_ref().map_or(0, |trial| trial.info.iterations);
             let growth = match trial.as_ref().map(|trial| trial.error) {
                 // Newton's method did not converge.
@@ -354,6 +383,7 @@ fn run(
             // A step that only a stop has shortened says nothing of longer ones.
             step = (taken * growth).max(if growth >= 1.0 { step } else { 0.0 });
             (time, moved) = (to, next);
+            accepted = (step, info);
             let at = At {
                 time,
                 step: taken,
@@ -398,7 +428,7 @@ fn longest_step(
     let speeds = (conditions.velocities(time))
         .map(|v| v.centre[0].hypot(v.centre[1]) + reach * v.spin.abs());
     let fastest = speeds.iter().fold(0.0_f64, |m, u| m.max(*u));
-    let is_carried = reliefs(&problem.shape).next().is_some()
+    let is_carried = problem.shape.gap.has_reliefs()
         || problem.shape.inlet != Inlet::Flooded
         || conditions.cavities == Cavities::Conserved;
     let largest = match is_carried {

@@ -281,7 +281,9 @@ impl Engine for FiniteVolumes {
                 rounds.warm_up(&mut system, &state, temperatures);
             }
             let operator = clock.elapsed().as_secs_f64();
-            let begun = problem.shape.is_line().then(|| state.clone());
+            // Too coarse for the film, perhaps: the next grid begins where this one did.
+            let is_start = problem.shape.is_line() && n > 0 && n + TOLD < least;
+            let begun = is_start.then(|| state.clone());
             let mut info = solve_on(problem, &mut system, &mut state, n, observer)?;
             let mut warm = None;
             if let (Some(rounds), Some(start), true) = (&rounds, start, info.converged) {
@@ -301,12 +303,13 @@ impl Engine for FiniteVolumes {
                         warm = Some(found);
                     }
                     Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
-                    Err(error) if found.levels.len() < LEAST_GRIDS => return Err(error),
+                    Err(error) if found.levels.len() < LEAST_GRIDS && !is_start => {
+                        return Err(error);
+                    }
                     Err(_) => info.converged = false,
                 }
             }
-            if let (Some(begun), false, true) = (begun, info.converged, n > 0 && n + TOLD < least) {
-                // Too coarse for the film: the next grid begins where this one did.
+            if let (Some(begun), false) = (begun, info.converged) {
                 state = begun;
                 given_up = info.change;
             } else if !info.converged {
@@ -322,6 +325,7 @@ impl Engine for FiniteVolumes {
                     level: n,
                     iterations: info.iterations,
                     change: info.change,
+                    has_reliefs: problem.shape.gap.has_reliefs(),
                 });
             }
             found.levels.push(Level {
@@ -363,6 +367,7 @@ impl Engine for FiniteVolumes {
                 level: l,
                 iterations: found.stats[l].newton_iterations,
                 change: given_up,
+                has_reliefs: problem.shape.gap.has_reliefs(),
             });
         }
         for l in told..n {

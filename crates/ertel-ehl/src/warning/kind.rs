@@ -306,7 +306,7 @@ kinds! {
     /// A film that gains or loses oil in a step.
     MassBalance "mass-balance" Unusable,
         "The film gains or loses oil in a time step.",
-        "1 % of the flow through the centre.",
+        "1 % of the flow through the centre; beyond 5 % no figure of the instant is resolved.",
         "See the column `mass_error`; use shorter steps or a finer mesh.";
     /// A checkpoint that cannot be written.
     Checkpoint "checkpoint" Caution,

@@ -8,7 +8,8 @@ use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 
 use super::transient::check_increasing;
-use crate::transient::Course;
+use crate::transient::{Course, Params};
+use crate::words::digits;
 
 /// Reads courses.
 pub(super) struct Reader<'r, 't> {
@@ -76,6 +77,7 @@ impl Reader<'_, '_> {
                 let amplitude = quantity(&mut table, "amplitude", of_amplitude, Bounds::ANY)?;
                 let period =
                     table.required_quantity("period", Dimension::TIME, Bounds::POSITIVE)?;
+                let start = time(&mut table, "start")?.unwrap_or(0.0);
                 for end in [base - amplitude, base + amplitude] {
                     if !bounds.contains(end) {
                         return Err(table.error(
@@ -84,12 +86,14 @@ impl Reader<'_, '_> {
                         ));
                     }
                 }
-                Course::Sine {
+                let sine = Course::Sine {
                     mean: base,
                     amplitude,
                     period,
-                    start: time(&mut table, "start")?.unwrap_or(0.0),
-                }
+                    start,
+                };
+                self.check_steps(&table, &sine)?;
+                sine
             }
             Kind::Step => Course::Step {
                 from: base,
@@ -99,6 +103,26 @@ impl Reader<'_, '_> {
         };
         table.finish()?;
         Ok(Some(course))
+    }
+
+    /// Refuses a sine with more periods than there are steps.
+    fn check_steps(&self, table: &Table<'_>, sine: &Course) -> Result<(), InputError> {
+        let (least, most) = (
+            sine.least_steps(self.duration),
+            Params::default().most_steps,
+        );
+        match least > most as f64 {
+            false => Ok(()),
+            true => Err(table
+                .error(
+                    "period",
+                    format!(
+                        "the periods within `duration` take at least {} steps, and a run takes at most {most}",
+                        digits(least, 2)
+                    ),
+                )
+                .with_help("give a longer period or a shorter `duration`")),
+        }
     }
 
     /// Times and values, of the case or of a file.

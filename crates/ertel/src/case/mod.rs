@@ -55,6 +55,7 @@ mod set;
 pub mod study;
 mod surface;
 mod thermal;
+mod time_warnings;
 mod transient;
 mod usual;
 
@@ -364,7 +365,7 @@ impl Case {
         }
         case.warnings
             .extend(surface::check(&case, &mut document.root())?);
-        case.warnings.extend(transient::warnings(&case));
+        case.warnings.extend(time_warnings::warnings(&case));
         case.warnings.extend(check::inputs_of_machine(&case));
         let mut unusual = usual::warnings(case.inputs(), document);
         unusual.extend(usual::of_data(&case, &unusual));

@@ -17,7 +17,6 @@ use super::{Case, approach};
 use crate::contact::{Contact, ContactKind, Hertz, Motion, Supply};
 use crate::params::{ElasticModel, Method, SensitivityDemand};
 use crate::transient::{Approach, Cavities, Course, Speeds, Start};
-use crate::warning::{Warning, WarningKind};
 use crate::words::digits;
 
 /// How a contact changes in time, SI.
@@ -328,21 +327,6 @@ fn beside_heat(table: &mut Table<'_>, key: &str) -> InputError {
         .with_help(WITHOUT_HEAT)
 }
 
-/// What the results leave out that the case describes.
-pub(super) fn warnings(case: &Case) -> Vec<Warning> {
-    let changes = (case.transient.as_ref()).is_some_and(|t| t.temperature.is_some());
-    let keys = changes.then_some("temperature");
-    let ignored = (case.lubricant).temperature_ignored(keys, "changes in time");
-    let is_rough = case.transient.is_some() && case.roughness.is_some();
-    let rough = is_rough.then(|| {
-        Warning::new(
-            WarningKind::NoEffect,
-            "the roughness has no effect in time: films over it give the lambda ratio at each instant",
-        )
-    });
-    ignored.into_iter().chain(rough).collect()
-}
-
 fn output_times(table: &mut Table<'_>, duration: f64) -> Result<Vec<f64>, InputError> {
     let within = Bounds::closed(0.0, duration);
     let Some(times) = table.optional_quantities("output_times", Dimension::TIME, within)? else {
@@ -483,6 +467,57 @@ impl Transient {
         !self.spins() && !self.slides_across()
     }
 
+    /// Steps that the courses and the output times ask for at the least.
+    pub fn least_steps(&self) -> f64 {
+        let courses = self.courses();
+        let least = (courses.iter()).map(|(.., course)| course.least_steps(self.duration));
+        least.sum::<f64>() + self.output_times.len() as f64
+    }
+
+    /// The quantities that may change, by their keys, with their units.
+    pub(super) fn courses(&self) -> Vec<(&'static str, Dimension, &Course)> {
+        let speeds = match &self.speeds {
+            Speeds::Mean {
+                entrainment,
+                slide_to_roll_ratio,
+            } => [
+                ("entrainment_speed", Dimension::SPEED, entrainment),
+                (
+                    "slide_to_roll_ratio",
+                    Dimension::DIMENSIONLESS,
+                    slide_to_roll_ratio,
+                ),
+            ],
+            Speeds::Each([first, second]) => [
+                ("body_1_speed", Dimension::SPEED, first),
+                ("body_2_speed", Dimension::SPEED, second),
+            ],
+        };
+        let [first, second] = &self.spin;
+        let across = &self.slide_to_roll_ratio_across;
+        let always = [
+            (
+                "slide_to_roll_ratio_across",
+                Dimension::DIMENSIONLESS,
+                across,
+            ),
+            ("body_1_spin", Dimension::ANGULAR_SPEED, first),
+            ("body_2_spin", Dimension::ANGULAR_SPEED, second),
+            // Of lines per length.
+            ("load", Dimension::FORCE, &self.load),
+        ];
+        let radius = self
+            .radius
+            .iter()
+            .map(|of| ("radius", Dimension::LENGTH, of));
+        let temperature =
+            (self.temperature.iter()).map(|of| ("temperature", Dimension::TEMPERATURE, of));
+        let layer = (self.oil_layer.iter()).map(|of| ("oil_layer", Dimension::LENGTH, of));
+        (speeds.into_iter().chain(always))
+            .chain(radius.chain(temperature).chain(layer))
+            .collect()
+    }
+
     /// Largest mean spin of both bodies over time, rad/s.
     fn largest_spin(&self) -> f64 {
         let [first, second] = &self.spin;
@@ -523,6 +558,17 @@ impl Transient {
             load,
             radius,
         }
+    }
+
+    /// Velocity of approach (m/s) and gap (m) of surfaces that are at rest, where the bodies start apart.
+    pub fn squeeze(&self, case: &Case) -> Option<[f64; 2]> {
+        let Start::Apart { gap, .. } = self.start else {
+            return None;
+        };
+        let at_rest = Speeds::Each([0.0; 2].map(Course::Constant));
+        let load = self.load.largest(self.duration);
+        let [velocity, _] = approach::reference(case, &self.approach, self.start, load);
+        (self.speeds == at_rest && !self.spins()).then_some([velocity, gap])
     }
 
     /// Largest pressure of the dry contact over time, Pa, where `largest` N or N/m is the largest force.

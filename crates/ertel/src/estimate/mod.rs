@@ -318,6 +318,11 @@ fn warnings(case: &Case, estimate: &CaseEstimate) -> Vec<Warning> {
         estimate.film.central,
         &estimate.left_out,
     ));
+    if left_out::squeeze(case).is_some() {
+        let text = "the films by formulas are those of [motion], and the surfaces are at rest in [transient]: the film is that of the squeeze";
+        warnings.push(Warning::new(WarningKind::EstimateScope, text));
+        return warnings;
+    }
     let (name, thickness) = match estimate.film.minimum {
         Some(minimum) => ("the estimated minimum film thickness", minimum),
         None => (

@@ -143,18 +143,42 @@ fn reynolds_number_of_a_case() {
     assert_relative_eq!(re.reduced, reduced, max_relative = 1e-4);
 }
 
-/// Inertia of a ball in water at 200 m/s: the film is some micrometres.
-#[test]
-fn inertia_is_said() {
-    let text = STEEL
+/// A fast ball in a thin and heavy fluid.
+fn inertial() -> String {
+    STEEL
         .replace("40 mPa.s", "1 mPa.s")
         .replace("22 1/GPa", "0.5 1/GPa")
         .replace("0.8 m/s", "900 m/s")
         .replace("16 mm", "500 mm")
-        .replace("870", "13000");
-    let e = of(&text);
+        .replace("870", "13000")
+}
+
+/// Inertia counts where the film is some micrometres thick.
+#[test]
+fn inertia_is_said() {
+    let e = of(&inertial());
     assert!(e.reynolds.inertia_matters, "{:?}", e.reynolds);
     assert!(warns(&e, "inertia may matter"));
+}
+
+/// A ball that sinks by 4 µm in 40 ms through a fluid of 1 mPa s and 13000 kg/m³, 5 µm above a plane: ρ V h/μ = 13000 · 1e-4 · 5e-6/0.001 = 6.5e-3, whatever film its motion in the
+/// rest of the case would make.
+#[test]
+fn inertia_of_a_squeeze_is_that_of_its_approach() {
+    let course = r#"
+[transient]
+duration = "40 ms"
+at_rest = true
+start = "apart"
+gap = "5 um"
+approach = { course = "table", times = ["0 s", "40 ms"], values = ["0 um", "4 um"] }
+"#;
+    let moving = inertial();
+    assert!(warns(&of(&moving), "inertia may matter"));
+    let e = of(&(moving + course));
+    assert_relative_eq!(e.reynolds.reduced, 6.5e-3, max_relative = 1e-9);
+    assert!(!warns(&e, "inertia"));
+    assert!(warns(&e, "at rest in [transient]"));
 }
 
 fn groups_of(moes_load: f64, moes_material: f64) -> Groups {

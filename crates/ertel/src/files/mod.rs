@@ -6,5 +6,5 @@ mod whole;
 
 pub use csv::{quoted, text_field};
 pub use place::place;
-pub use whole::write_whole;
 pub(crate) use whole::{TEMPORARY, sync_folder};
+pub use whole::{clear_unfinished, write_whole};

@@ -19,8 +19,16 @@ use crate::point::{MachineSolution, PointSolution};
 use crate::solution::{Estimate, Figure};
 use crate::warning::silence;
 
-/// The figures of a machine; those that are sums over its contacts only where all of them are solved.
+/// The figures of a machine; sums and extremes over its contacts only where all of them are solved: the thinnest film may be that of a contact which is missing.
 pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
+    let unsolved;
+    let solved = match solved.n_solved() < solved.n_contacts() {
+        true => {
+            unsolved = solved.unsolved();
+            &unsolved
+        }
+        false => solved,
+    };
     let mut all = films(solved);
     let mut warnings = Vec::new();
     match &solved.machine.mechanics {

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use super::OutputError;
 use super::target::{POINTS, check_target, is_own_name};
 use super::workplace::{Workplace, clear, exchange};
+use crate::files::clear_unfinished;
 
 /// A folder in the making beside its target; dropped unfinished, it vanishes.
 pub(super) struct NewFolder {
@@ -87,7 +88,9 @@ impl NewFolder {
 /// Clears what killed runs left beside a result folder, and brings back a former result that one of them had moved away.
 /// What cannot be cleared is left to the next run.
 pub fn clear_leftovers(target: &Path) {
-    clear(&place(target).1);
+    let (_, parent) = place(target);
+    clear(&parent);
+    clear_unfinished(&parent);
 }
 
 /// Where a folder is or will be, and the folder around it. A link to a former result stays; what it points to is replaced.

@@ -49,7 +49,7 @@ pub use monte_carlo::{MONTE_CARLO, monte_carlo_report, write_monte_carlo};
 pub use report::report;
 pub use result_json::{FORMAT, FORMAT_VERSION, result_json};
 pub use study::{StudyPicture, study_pictures};
-pub use target::check_target;
+pub use target::{check_target, place_of_partial};
 pub use transient::{
     transient_files, transient_json, transient_report, transient_table, write_transient,
 };

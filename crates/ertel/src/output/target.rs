@@ -153,6 +153,40 @@ pub fn check_target(target: &Path) -> Result<(), OutputError> {
     }
 }
 
+/// Behind the name of a folder with a partial result next to a complete one.
+const PARTIAL: &str = "-partial";
+
+/// Where the result of a run goes that ended early: the target, or, where a complete result is, a folder next to it.
+pub fn place_of_partial(target: &Path) -> PathBuf {
+    if !is_complete(target) {
+        return target.to_owned();
+    }
+    let place = crate::files::place(target).unwrap_or_else(|_| target.to_owned());
+    let mut name = place.file_name().unwrap_or_default().to_owned();
+    name.push(PARTIAL);
+    target.with_file_name(name)
+}
+
+/// Whether a folder holds the result of a run that came to its end.
+fn is_complete(folder: &Path) -> bool {
+    #[derive(serde::Deserialize)]
+    struct Ending {
+        format: String,
+        complete: Option<bool>,
+    }
+    let all = [
+        ("curve.json", CURVE_FORMAT),
+        ("machine.json", MACHINE_FORMAT),
+        ("transient.json", TRANSIENT_FORMAT),
+    ];
+    let has_ended = |(name, format): (&str, &str)| {
+        let ending: Option<Ending> = read_json(&folder.join(name));
+        ending.is_some_and(|ending| ending.format == format && ending.complete != Some(false))
+    };
+    // Results of one contact are there complete or not at all.
+    has_format(&folder.join("result.json"), FORMAT) || all.into_iter().any(has_ended)
+}
+
 /// Why a folder is not ertel's to replace; `None` of an empty one and of a former result.
 pub(super) fn foreign(folder: &Path) -> io::Result<Option<String>> {
     if fs::read_dir(folder)?.next().is_none() {
@@ -235,17 +269,18 @@ fn point_without_result(folder: &Path) -> io::Result<Option<PathBuf>> {
     Ok(None)
 }
 
-/// Whether a file of JSON says that it has this format. Whatever it is, looking at it neither waits nor keeps it in memory.
+/// Whether a file of JSON says that it has this format.
 pub(super) fn has_format(path: &Path, format: &str) -> bool {
     #[derive(serde::Deserialize)]
     struct Head {
         format: String,
     }
-    open(path, LARGEST_OWN)
-        .ok()
-        .and_then(|(file, metadata)| {
-            let text = io::BufReader::new(file.take(metadata.len()));
-            serde_json::from_reader::<_, Head>(text).ok()
-        })
-        .is_some_and(|head| head.format == format)
+    read_json(path).is_some_and(|head: Head| head.format == format)
+}
+
+/// Keys of a file of JSON. Whatever it is, looking at it neither waits nor keeps it in memory.
+fn read_json<T: serde::de::DeserializeOwned>(path: &Path) -> Option<T> {
+    let (file, metadata) = open(path, LARGEST_OWN).ok()?;
+    let text = io::BufReader::new(file.take(metadata.len()));
+    serde_json::from_reader(text).ok()
 }

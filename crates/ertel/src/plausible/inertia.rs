@@ -39,3 +39,15 @@ pub fn film_reynolds(
         inertia_matters: reynolds > CRITICAL_REYNOLDS || reduced > NEGLIGIBLE_INERTIA,
     }
 }
+
+/// The same of bodies that come near to each other at a velocity V (m/s), a gap h (m) apart, for density ρ (kg/m³), viscosity μ (Pa·s) and radius R (m): oil leaves at
+/// u = V r/h, so that Re = ρ V r/μ at r = √(2Rh), where the gap has doubled, and Re h/r = ρ V h/μ.
+pub fn squeeze_reynolds(
+    density: f64,
+    [velocity, gap]: [f64; 2],
+    viscosity: f64,
+    radius: f64,
+) -> FilmReynolds {
+    let place = (2.0 * radius * gap).sqrt();
+    film_reynolds(density, velocity * place / gap, gap, viscosity, place)
+}

@@ -1,7 +1,7 @@
 //! The table of checks on what a model leaves out, and the line that tells it.
 
 use super::heat::{LARGEST_RISE, SMALLEST_FACTOR, inlet_heat, rise};
-use super::inertia::{FilmReynolds, film_reynolds};
+use super::inertia::{FilmReynolds, film_reynolds, squeeze_reynolds};
 use crate::case::Case;
 use crate::solution::{Neglected, NeglectedHeat};
 use crate::warning::{Warning, WarningKind};
@@ -17,15 +17,31 @@ pub struct Known {
     pub friction_power: f64,
 }
 
-/// Reynolds numbers of the film of a case.
+/// Reynolds numbers of the film of a case; of surfaces at rest those of the squeeze.
 pub fn reynolds(case: &Case, film_central: f64) -> FilmReynolds {
-    film_reynolds(
+    let (density, viscosity) = (
         case.lubricant.ambient_density(),
-        case.motion.entrainment_speed,
-        film_central,
         case.lubricant.ambient_viscosity(),
-        case.hertz().half_width,
-    )
+    );
+    match squeeze(case) {
+        Some(squeeze) => {
+            let radius = case.contact.along_motion().radius;
+            squeeze_reynolds(density, squeeze, viscosity, radius)
+        }
+        None => film_reynolds(
+            density,
+            case.motion.entrainment_speed,
+            film_central,
+            viscosity,
+            case.hertz().half_width,
+        ),
+    }
+}
+
+/// Velocity of approach (m/s) and gap (m) at the start of bodies whose surfaces are at rest.
+pub fn squeeze(case: &Case) -> Option<[f64; 2]> {
+    let transient = case.transient.as_ref()?;
+    transient.squeeze(case)
 }
 
 /// Estimates of what is left out.
@@ -50,7 +66,11 @@ pub fn left_out(case: &Case, known: &Known) -> Neglected {
 
 /// Warnings where what is left out matters.
 pub fn warnings(case: &Case, film_central: f64, left_out: &Neglected) -> Vec<Warning> {
-    let heat = left_out.heat.as_ref().and_then(heat_warning);
+    // Without motion there is no inlet to heat.
+    let heat = match squeeze(case) {
+        None => left_out.heat.as_ref().and_then(heat_warning),
+        Some(_) => None,
+    };
     let reynolds = reynolds(case, film_central);
     let inertia = inertia_warning(&reynolds);
     heat.into_iter().chain(inertia).collect()

@@ -1,18 +1,29 @@
 //! A case in time that stopped, as bytes that a later run goes on from.
 //!
-//! What a run is made of is kept with it: a checkpoint of another case, or of another version of the program, is refused.
+//! ```text
+//!   MAGIC, hash of the rest (16 bytes), program and case, the run
+//! ```
+//! Damaged bytes, a checkpoint of another case and one of another version of the program are refused.
 
 use serde::{Deserialize, Serialize};
+use xxhash_rust::xxh3::{xxh3_64, xxh3_128};
 
 use super::NUMERICS;
 use super::transient::{
     FilmMap, InstantFields, InstantProfile, InstantSolution, TransientSolution,
 };
 use crate::case::Case;
+use crate::params::OutputParams;
 use crate::transient;
 
-/// What the bytes begin with.
-pub const MAGIC: &[u8] = b"ertel checkpoint 2\n";
+/// First bytes of a checkpoint of any version.
+pub const NAME: &[u8] = b"ertel checkpoint ";
+
+/// First bytes of those of this version.
+const MAGIC: &[u8] = b"ertel checkpoint 3\n";
+
+/// Bytes of the hash.
+const HASH: usize = 16;
 
 /// A run that stopped.
 #[derive(Debug, Deserialize, Serialize)]
@@ -43,12 +54,17 @@ struct MadeBy {
 
 impl MadeBy {
     fn of(case: &Case) -> MadeBy {
-        // Tables and maps of files are a part of what is read.
-        let read = format!("{} {:?} {:?}", case.given, case.transient, case.reliefs);
+        // Tables and maps of files are a part of the case; its place and its pictures change no step.
+        let mut case = case.clone();
+        case.source.clear();
+        case.origin = None;
+        case.output = OutputParams::default();
+        case.warnings.clear();
+        let read = format!("{} {case:?}", case.given);
         MadeBy {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             numerics: NUMERICS,
-            case: xxhash_rust::xxh3::xxh3_64(read.as_bytes()),
+            case: xxh3_64(read.as_bytes()),
         }
     }
 }
@@ -60,7 +76,7 @@ pub enum CheckpointError {
     #[error("this is no checkpoint of ertel")]
     Foreign,
     /// They end early, or were changed.
-    #[error("this checkpoint is damaged")]
+    #[error("this checkpoint is damaged: its bytes do not match their hash")]
     Damaged,
     /// They are of another version.
     #[error("this checkpoint was written by another version of ertel, whose results may differ")]
@@ -93,19 +109,29 @@ impl Checkpoint {
 
     /// As bytes.
     pub fn to_bytes(&self) -> Vec<u8> {
-        let mut bytes = MAGIC.to_vec();
         // Numbers, lists and texts have a form in bytes.
-        bytes.extend(postcard::to_allocvec(self).unwrap_or_default());
-        bytes
+        let body = postcard::to_allocvec(self).unwrap_or_default();
+        [MAGIC, &xxh3_128(&body).to_le_bytes(), &body].concat()
     }
 
     /// From bytes, for a case.
     ///
     /// # Errors
-    /// Of something else, or of another case.
+    /// Bytes that are no checkpoint or a damaged one, and checkpoints of another version or another case.
     pub fn from_bytes(bytes: &[u8], case: &Case) -> Result<Checkpoint, CheckpointError> {
-        let body = bytes.strip_prefix(MAGIC).ok_or(CheckpointError::Foreign)?;
-        // Who made them comes first: the rest may have another form.
+        let hashed = bytes
+            .strip_prefix(MAGIC)
+            .ok_or(match bytes.starts_with(NAME) {
+                true => CheckpointError::OtherVersion,
+                false => CheckpointError::Foreign,
+            })?;
+        let (hash, body) = hashed
+            .split_first_chunk::<HASH>()
+            .ok_or(CheckpointError::Damaged)?;
+        if u128::from_le_bytes(*hash) != xxh3_128(body) {
+            return Err(CheckpointError::Damaged);
+        }
+        // Program and case come first: the rest may have another form.
         let (made_by, _): (MadeBy, _) =
             postcard::take_from_bytes(body).map_err(|_| CheckpointError::Damaged)?;
         let own = MadeBy::of(case);

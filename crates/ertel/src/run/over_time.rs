@@ -313,7 +313,7 @@ fn without_bar(name: &str, found: &TransientSolution) -> Option<(f64, Option<f64
         "amplitude_ratio_last" => ratios().next_back(),
         "film_force_highest" => moves().and_then(|()| largest(|i| i.film_force)),
         "approach_highest" => moves().and_then(|()| largest(|i| i.approach)),
-        "coefficient_of_restitution" => Some((found.restitution()?, None)),
+        "coefficient_of_restitution" => Some((found.restitution()?.value, None)),
         "mass_error_highest" => largest(|i| i.mass_error.abs()),
         _ => None,
     }

@@ -18,11 +18,11 @@ use crate::engine::Observer;
 use crate::params::Method;
 use crate::plausible;
 use crate::problem::{largest_cell, problem_by_slices, with_reliefs};
-use crate::solution::{Figure, Measured};
+use crate::solution::{Estimate, Figure, Measured};
 use crate::transient;
 use crate::transient::{
-    Approach, Conditions, Course, Info, Instant, Mover, Params, Speeds, Start, TransientError,
-    TransientObserver, march, resume,
+    Approach, Conditions, Course, Info, Instant, MOST_GAINED, Mover, Params, Speeds, Start,
+    TransientError, TransientObserver, march, resume,
 };
 use crate::volumes::Plan;
 use crate::volumes::engine::LEAST_GRIDS;
@@ -161,8 +161,9 @@ impl TransientSolution {
         self.instants.iter().any(differs)
     }
 
-    /// Coefficient of restitution of a body that fell on the film and has left it: the velocity at which it goes over that at which it came.
-    pub fn restitution(&self) -> Option<f64> {
+    /// Coefficient of restitution of a body that fell on the film and has left it: the velocity at which it goes over that at which it came. The force of the film is
+    /// known as well as the pressure in its middle: the bar adds up the share of each change of the velocity that this pressure errs by.
+    pub fn restitution(&self) -> Option<Estimate> {
         let (first, last) = (self.instants.first()?, self.instants.last()?);
         let largest = self
             .instants
@@ -170,7 +171,20 @@ impl TransientSolution {
             .fold(0.0_f64, |m, i| m.max(i.film_force));
         let has_left = last.film_force < NO_FORCE * largest && last.approach_velocity < 0.0;
         let fell = first.film_force == 0.0 && first.approach_velocity > 0.0;
-        (fell && has_left).then(|| -last.approach_velocity / first.approach_velocity)
+        let unknown = |pair: &[InstantSolution]| {
+            let change = (pair[1].approach_velocity - pair[0].approach_velocity).abs();
+            let pressure = pair[1].measured.estimate(Figure::PressureCentral);
+            let share = match pressure.error {
+                Some(error) if error < pressure.value => error / pressure.value,
+                _ => 1.0,
+            };
+            change * share
+        };
+        let error: f64 = self.instants.windows(2).map(unknown).sum();
+        (fell && has_left).then(|| Estimate {
+            value: -last.approach_velocity / first.approach_velocity,
+            error: Some(error / first.approach_velocity),
+        })
     }
 }
 
@@ -599,8 +613,12 @@ fn warnings(found: &TransientSolution) -> Vec<Warning> {
     // A first instant is that of the steady contact.
     if worst > MASS_ERROR {
         warnings.push(Warning::new(WarningKind::MassBalance, format!(
-            "the film gains or loses up to {} % of what passes the centre in a step: see the column `mass_error`",
-            digits(100.0 * worst, 2)
+            "the film gains or loses up to {} % of what passes the centre in a step: see the column `mass_error`{}",
+            digits(100.0 * worst, 2),
+            match worst > MOST_GAINED {
+                true => ", and no figure of these instants is resolved; move the edges of [mesh] further out",
+                false => "",
+            }
         )));
     }
     warnings

@@ -1,5 +1,10 @@
 //! The journal of a study: a line of JSON for each finished point, appended and brought to the disk one by one.
 //!
+//! ```text
+//!   {"key":"…","converged":true,"fields":[…],"seconds":0.1,"sum":"16 digits"}        sum: xxh3_64 of the line without it
+//! ```
+//! A line whose bytes were changed is reported, and its point is solved again. Journals of versions before have no sums.
+//!
 //! A run that is killed loses what it had not appended; a line that the kill tore is dropped by the next run. Points are
 //! known by the hash of their case, so that a study whose axes or base case have changed keeps what is unchanged.
 
@@ -12,7 +17,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use ertel_input::file::open;
 use serde::{Deserialize, Serialize};
-use xxhash_rust::xxh3::xxh3_128;
+use xxhash_rust::xxh3::{xxh3_64, xxh3_128};
 
 use super::StudyError;
 use crate::case::Case;
@@ -30,6 +35,11 @@ const LONGEST_LINE: u64 = 100_000_000;
 
 /// How every record begins.
 const RECORD_START: &[u8] = br#"{"key":""#;
+
+/// What stands before and after the sum of a line, and its digits.
+const SUM_START: &str = r#","sum":""#;
+const SUM_END: &str = r#""}"#;
+const SUM_DIGITS: usize = 16;
 
 /// Hash of all that a solve sees of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -123,6 +133,7 @@ impl Deref for Title {
 
 /// A finished point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Record {
     /// Which case.
     pub key: PointKey,
@@ -140,7 +151,40 @@ pub struct Record {
     pub seconds: f64,
 }
 
+/// Why a line is no record.
+#[derive(Debug, thiserror::Error)]
+pub enum LineError {
+    /// It is something else.
+    #[error(transparent)]
+    Form(#[from] serde_json::Error),
+    /// Its bytes were changed.
+    #[error("the line does not match its sum")]
+    Sum,
+}
+
 impl Record {
+    /// Its line in a journal, with its end.
+    fn line(&self) -> serde_json::Result<String> {
+        let text = serde_json::to_string(self)?;
+        let sum = xxh3_64(text.as_bytes());
+        let open = text.strip_suffix('}').unwrap_or(&text);
+        Ok(format!("{open}{SUM_START}{sum:016x}{SUM_END}\n"))
+    }
+
+    /// From a line without its end.
+    ///
+    /// # Errors
+    /// [`LineError`].
+    pub fn from_line(line: &[u8]) -> Result<Record, LineError> {
+        let Some((text, sum)) = split_sum(line) else {
+            return Ok(serde_json::from_slice(line)?);
+        };
+        match sum == format!("{:016x}", xxh3_64(&text)).as_bytes() {
+            true => Ok(serde_json::from_slice(&text)?),
+            false => Err(LineError::Sum),
+        }
+    }
+
     /// Whether it has figures that its mesh does not resolve.
     pub fn is_unresolved(&self) -> bool {
         (self.field("unresolved")).is_some_and(|names| !names.is_empty())
@@ -151,6 +195,14 @@ impl Record {
         let (_, value) = self.fields.iter().find(|(own, _)| **own == *name)?;
         Some(value)
     }
+}
+
+/// The record of a line and the digits of its sum; `None` where it has none.
+fn split_sum(line: &[u8]) -> Option<(Vec<u8>, &[u8])> {
+    let rest = line.strip_suffix(SUM_END.as_bytes())?;
+    let (rest, sum) = rest.split_at_checked(rest.len().checked_sub(SUM_DIGITS)?)?;
+    let open = rest.strip_suffix(SUM_START.as_bytes())?;
+    Some(([open, b"}"].concat(), sum))
 }
 
 /// The journal in a folder, locked for this process.
@@ -167,12 +219,10 @@ pub struct Journal {
 pub struct Entries {
     /// The last record of each key.
     pub records: HashMap<PointKey, Record>,
-    /// Lines that could not be read.
+    /// Lines that could not be read, or do not match their sum.
     pub n_damaged: usize,
     /// Bytes up to the end of the last whole line.
     length: u64,
-    /// Whether there is a journal.
-    exists: bool,
     /// Whether what follows the last whole line is no part of a record.
     foreign_end: bool,
 }
@@ -189,10 +239,7 @@ impl Entries {
             Err(e) if e.is_missing() => return Ok(Entries::default()),
             Err(e) => return Err(StudyError::io(&path, e.into())),
         };
-        let mut entries = Entries {
-            exists: true,
-            ..Entries::default()
-        };
+        let mut entries = Entries::default();
         let mut line = Vec::new();
         loop {
             line.clear();
@@ -211,7 +258,7 @@ impl Entries {
                 break;
             };
             entries.length += n as u64;
-            match serde_json::from_slice::<Record>(record) {
+            match Record::from_line(record) {
                 Ok(record) => {
                     entries.records.insert(record.key, record);
                 }
@@ -221,16 +268,9 @@ impl Entries {
         Ok(entries)
     }
 
-    /// Whether it is the journal of another program: a line in it is no record, or its end is no part of one. Beside a
-    /// list of points (`has_points`) lines may be damaged, but not all.
-    pub fn is_foreign(&self, has_points: bool) -> bool {
-        let damaged = self.n_damaged > 0 && (!has_points || self.records.is_empty());
-        damaged || self.foreign_end
-    }
-
-    /// Whether there is a journal, be it an empty one.
-    pub fn exists(&self) -> bool {
-        self.exists
+    /// Whether it is the journal of another program: no line in it is a record, or its end is no part of one.
+    pub fn is_foreign(&self) -> bool {
+        (self.n_damaged > 0 && self.records.is_empty()) || self.foreign_end
     }
 }
 
@@ -316,12 +356,8 @@ impl Journal {
     /// [`StudyError::Io`].
     pub fn append_all(&mut self, records: &[Record]) -> Result<(), StudyError> {
         let mut write = || -> io::Result<()> {
-            let mut lines = Vec::new();
-            for record in records {
-                serde_json::to_writer(&mut lines, record)?;
-                lines.push(b'\n');
-            }
-            self.file.write_all(&lines)?;
+            let lines: String = (records.iter().map(Record::line)).collect::<Result<_, _>>()?;
+            self.file.write_all(lines.as_bytes())?;
             self.file.sync_data()
         };
         write().map_err(|e| StudyError::io(&self.path, e))
@@ -353,6 +389,31 @@ mod tests {
         density = { law = "constant", rho_0 = "870 kg/m^3" }
         viscosity = { law = "constant", mu_0 = "40 mPa.s" }
     "#;
+
+    /// Whichever byte of a line is changed, it is no record any more; without its sum it is one of a version before.
+    #[test]
+    fn changed_bytes_of_a_line_are_found() {
+        let record = Record {
+            key: PointKey(0x1234),
+            converged: true,
+            reason: String::new(),
+            fields: vec![("film_central_m".to_owned().into(), "1.234e-7".into())],
+            warnings: Vec::new(),
+            seconds: 0.25,
+        };
+        let line = record.line().unwrap();
+        let line = line.trim_end().as_bytes();
+        assert_eq!(Record::from_line(line).unwrap(), record);
+        for i in 0..line.len() {
+            for bit in [1, 16] {
+                let mut changed = line.to_vec();
+                changed[i] ^= bit;
+                assert!(Record::from_line(&changed).is_err(), "{i}");
+            }
+        }
+        let before = serde_json::to_vec(&record).unwrap();
+        assert_eq!(Record::from_line(&before).unwrap(), record);
+    }
 
     /// What a solve does not see leaves the key as it is, whatever it sees changes it.
     #[test]

@@ -1,6 +1,7 @@
 //! Records that other processes have made, put into the journal of their study.
 
 use std::collections::{HashMap, HashSet};
+use std::io;
 use std::path::Path;
 
 use super::folder::open;
@@ -58,8 +59,9 @@ impl Collector {
     pub fn append(&mut self, lines: &str) -> Result<usize, SweepError> {
         let mut records = Vec::new();
         for line in lines.lines() {
-            let record: Record = serde_json::from_str(line)
-                .map_err(|e| StudyError::io(Path::new("the journal of a part"), e.into()))?;
+            let record = Record::from_line(line.as_bytes()).map_err(|e| {
+                StudyError::io(Path::new("the journal of a part"), io::Error::other(e))
+            })?;
             let place = self.places.get(&record.key);
             if place.is_some_and(|place| self.finished.insert(*place)) {
                 records.push(record);

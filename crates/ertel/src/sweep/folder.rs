@@ -59,6 +59,9 @@ pub const FILES: [&str; 38] = [
 /// Folder within that of a study, with the results of its points where these are asked for.
 pub const FOLDERS: &str = "points";
 
+/// Folder within that of a study, with its parts.
+pub const SHARDS: &str = "shards";
+
 /// Makes the folder of a study, or opens a former one, and writes the list of points there.
 pub(super) fn open(folder: &Path, echo: &StudyEcho) -> Result<(Journal, Entries), SweepError> {
     // Not even a lock goes into a folder of somebody else.
@@ -67,7 +70,7 @@ pub(super) fn open(folder: &Path, echo: &StudyEcho) -> Result<(Journal, Entries)
     let lock = Lock::new(folder)?;
     let entries = look(folder)?;
     clear_leftovers(folder);
-    // Before the journal: one without a list of points is taken for another program's.
+    // Before the journal: a folder without a list of points is no study.
     echo.write(folder)?;
     let journal = Journal::open(folder, lock, &entries)?;
     Ok((journal, entries))
@@ -100,23 +103,29 @@ pub(super) fn look(folder: &Path) -> Result<Entries, SweepError> {
             )));
         }
     }
-    let is_study = StudyEcho::read(folder)?.is_some();
+    if StudyEcho::read(folder)?.is_none() {
+        // The list of points is the first file of a study: whatever else is there is somebody's.
+        let names = match fs::read_dir(folder) {
+            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Entries::default()),
+            names => names.map_err(|e| StudyError::io(folder, e))?,
+        };
+        let mut names = names.filter_map(|e| Some(e.ok()?.file_name()));
+        return match names.find(|name| !name.to_string_lossy().starts_with('.') && *name != *SHARDS)
+        {
+            None => Ok(Entries::default()),
+            Some(name) => Err(foreign(format!(
+                "it holds {}, but no {POINTS} of ertel",
+                name.display()
+            ))),
+        };
+    }
     let entries = Entries::read(folder)?;
-    if entries.is_foreign(is_study) {
+    if entries.is_foreign() {
         let path = folder.join(JOURNAL);
         return Err(foreign(format!(
             "{} is no journal of a study",
             path.display()
         )));
-    }
-    let names = match fs::read_dir(folder) {
-        Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(entries),
-        names => names.map_err(|e| StudyError::io(folder, e))?,
-    };
-    let mut names = names.filter_map(|e| Some(e.ok()?.file_name()));
-    let is_known = is_study || entries.exists();
-    if !is_known && names.any(|name| !name.to_string_lossy().starts_with('.') && name != "shards") {
-        return Err(foreign("it holds files, but no study of ertel".into()));
     }
     Ok(entries)
 }

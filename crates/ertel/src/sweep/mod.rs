@@ -13,6 +13,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use crate::case::Study;
+use crate::case::study::MOST_POINTS;
 use crate::study::journal::{PointKey, Record};
 use crate::study::plan::Plan;
 use crate::study::walk::Walk;
@@ -23,7 +24,7 @@ use work::Shared;
 
 pub use collect::Collector;
 pub use error::SweepError;
-pub use folder::{FILES, FOLDERS};
+pub use folder::{FILES, FOLDERS, SHARDS};
 pub use merge::merge;
 
 /// How a study is run.
@@ -45,12 +46,24 @@ pub struct SweepParams {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
     /// Which, from 1.
-    pub index: usize,
+    index: usize,
     /// Of how many.
-    pub n: usize,
+    n: usize,
 }
 
 impl Shard {
+    /// Part `index` of `n`; `None` for more parts than the largest study has points, and for an index outside 1 to `n`.
+    pub fn new(index: usize, n: usize) -> Option<Shard> {
+        (1 <= index && index <= n && n <= MOST_POINTS).then_some(Shard { index, n })
+    }
+
+    /// Name of its folder among those of all parts: `03-of-12`.
+    pub fn name(self) -> String {
+        let Shard { index, n } = self;
+        let width = n.to_string().len();
+        format!("{index:0width$}-of-{n}")
+    }
+
     /// Its share of the plan's order: neighbours in the tree stay together.
     fn range(self, n_points: usize) -> std::ops::Range<usize> {
         (self.index - 1) * n_points / self.n..self.index * n_points / self.n

@@ -95,6 +95,11 @@ impl Gap {
         }
     }
 
+    /// Whether the surfaces have reliefs.
+    pub fn has_reliefs(&self) -> bool {
+        (self.terms.iter()).any(|term| matches!(term, GapTerm::Relief(_)))
+    }
+
     /// G and ∇G at (X, Y), X along the entrainment.
     #[inline(always)]
     pub fn at(&self, place: [f64; 2]) -> Height {

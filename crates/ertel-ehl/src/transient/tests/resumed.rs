@@ -1,7 +1,10 @@
 //! Runs that stop and go on.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use super::{Given, Params, line, ramp, steady};
-use crate::contact::Contact;
+use crate::contact::gap::{Body, Form, GapTerm, Relief};
+use crate::contact::{Contact, Pose, Turn};
 use crate::engine::{NoObserver, Observer, Problem};
 use crate::solution::Measured;
 use crate::transient::{
@@ -13,6 +16,9 @@ use crate::volumes::Plan;
 /// Notes the instants, and stops after some of them.
 struct Stopping {
     most: usize,
+    /// How often the solver may ask whether to stop.
+    most_questions: usize,
+    questions: AtomicUsize,
     told: Vec<(f64, Measured, f64, f64)>,
     checkpoint: Option<Checkpoint>,
     quiet: NoObserver,
@@ -22,6 +28,8 @@ impl Stopping {
     fn after(most: usize) -> Stopping {
         Stopping {
             most,
+            most_questions: usize::MAX,
+            questions: AtomicUsize::new(0),
             told: Vec::new(),
             checkpoint: None,
             quiet: NoObserver,
@@ -44,7 +52,8 @@ impl TransientObserver for Stopping {
     }
 
     fn cancelled(&self) -> bool {
-        self.told.len() >= self.most
+        let questions = self.questions.fetch_add(1, Ordering::Relaxed);
+        self.told.len() >= self.most || questions >= self.most_questions
     }
 
     fn checkpoint(&mut self, checkpoint: Checkpoint) {
@@ -59,13 +68,18 @@ fn params() -> Params {
     }
 }
 
-/// Stops a run after each of some numbers of instants, the last one of them, and goes on: to the digit what the run without a stop tells.
+/// Stops a run after some numbers of instants, the last one of them, and within steps, and goes on: to the digit as the run without a stop.
 fn assert_goes_on(problem: &dyn Fn() -> Problem<Plan>, conditions: &Conditions) {
     let mut whole = Stopping::after(usize::MAX);
     let all = march(problem(), conditions, &params(), &mut whole).unwrap();
     let n = whole.told.len();
-    for stop in [2, 3, n / 2, n - 1] {
-        let mut first = Stopping::after(stop);
+    let questions = whole.questions.load(Ordering::Relaxed);
+    let after = [2, 3, n / 2, n - 1].map(Stopping::after);
+    let within = [1, 3, 6].map(|i| Stopping {
+        most_questions: i * questions / 7,
+        ..Stopping::after(usize::MAX)
+    });
+    for mut first in after.into_iter().chain(within) {
         let error = march(problem(), conditions, &params(), &mut first).unwrap_err();
         assert!(matches!(error, TransientError::Interrupted));
         let checkpoint = first.checkpoint.unwrap();
@@ -75,6 +89,41 @@ fn assert_goes_on(problem: &dyn Fn() -> Problem<Plan>, conditions: &Conditions) 
         assert_eq!(first.told, whole.told);
         assert_eq!(info, all);
     }
+}
+
+/// A line with a relief on a body.
+fn with_relief(form: Form, place: f64) -> Problem<Plan> {
+    let mut problem = line().problem();
+    problem.plan.largest_cell = form.finest() / 16.0;
+    problem.shape.gap.terms.push(GapTerm::Relief(Relief {
+        form,
+        body: Body::Second,
+        place: [place, 0.0],
+        moved: Pose::START,
+        turn: Turn::NONE,
+    }));
+    problem
+}
+
+/// Reliefs that move limit the steps by where they are: waves, and a groove that comes, passes and goes, under a speed with kinks.
+#[test]
+fn a_run_with_reliefs_goes_on_to_the_digit() {
+    let waves = Form::Waves {
+        wavelength: 1.0,
+        amplitude: 0.01,
+        direction: 0.0,
+    };
+    assert_goes_on(&|| with_relief(waves.clone(), -1.5), &steady(2.0));
+    let groove = Form::Ridge {
+        half_width: 0.4,
+        height: -0.02,
+        direction: 0.0,
+    };
+    let passing = Conditions {
+        instants: Vec::new(),
+        ..ramp(5.0)
+    };
+    assert_goes_on(&|| with_relief(groove.clone(), -2.0), &passing);
 }
 
 /// Ramps with kinks, cavities that hold what has flown in, and a body that moves by its inertia.

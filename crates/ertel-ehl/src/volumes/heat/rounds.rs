@@ -103,6 +103,8 @@ pub struct Rounds<'a> {
     pub heights: Heights,
     /// Parameters.
     pub params: Params,
+    /// Whether the surfaces have reliefs.
+    has_reliefs: bool,
     /// How temperatures at the nodes of the film and pressures change in time, where they do.
     pub in_time: Option<InTime>,
 }
@@ -134,6 +136,7 @@ impl<'a> Rounds<'a> {
             heat: problem.heat.as_ref()?,
             heights: temperatures::heights(&problem.fluid)?,
             params,
+            has_reliefs: problem.shape.gap.has_reliefs(),
             in_time: None,
         })
     }
@@ -242,6 +245,7 @@ impl<'a> Rounds<'a> {
                     level,
                     iterations: info.iterations,
                     change: info.change,
+                    has_reliefs: self.has_reliefs,
                 });
             }
             let rise = largest_rise(&own, self.heat);

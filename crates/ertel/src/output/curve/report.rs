@@ -203,6 +203,10 @@ fn rows_in_time(curve: &CurveSolution) -> Vec<Vec<String>> {
 
 /// Failures, and warnings with the points that they are about.
 fn write_remarks(text: &mut String, curve: &CurveSolution) {
+    if curve.is_partial() {
+        let (n, all) = (curve.points.len(), curve.n_points);
+        let _ = writeln!(text, "\n  ! interrupted: {n} of {all} points have ended");
+    }
     for (i, point) in curve.points.iter().enumerate() {
         if let Outcome::Failed(reason) = &point.outcome {
             let _ = writeln!(text, "\n  ! point {} failed: {reason}", i + 1);

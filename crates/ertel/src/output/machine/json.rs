@@ -62,7 +62,7 @@ pub fn machine_json(
         "governing_contact": whole.governing + 1,
         "figures": figures,
         "n_contacts": whole.contacts.len(),
-        "n_solved": machine.n_contacts(),
+        "n_solved": machine.n_solved(),
         "n_failed": machine.n_failed(),
         "complete": !machine.is_partial(),
         "wall_seconds": machine.wall_seconds,

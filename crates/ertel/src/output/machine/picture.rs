@@ -12,10 +12,14 @@ use crate::words::{force_unit, pressure_unit};
 
 /// Every picture of a machine.
 pub(in crate::output) fn pictures(title: &str, machine: &MachineSolution) -> Vec<Picture> {
+    let title = match machine.interruption() {
+        Some(text) => format!("{title} ({text})"),
+        None => title.to_owned(),
+    };
     let drawing = match machine.machine.axis {
-        MachineAxis::Around => Picture::new("around", around(title, machine)),
+        MachineAxis::Around => Picture::new("around", around(&title, machine)),
         MachineAxis::LineOfAction | MachineAxis::CamAngle => {
-            Picture::new("path", along(title, machine))
+            Picture::new("path", along(&title, machine))
         }
     };
     vec![drawing]

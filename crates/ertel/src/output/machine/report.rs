@@ -27,11 +27,16 @@ pub fn machine_report(
     write_contacts(&mut out, machine);
     out.warnings(&warnings(machine, figures));
     let mut text = out.text();
-    let n = machine.n_contacts();
     let _ = writeln!(
         text,
-        "\n{} of {n} different contacts solved in {} s",
-        n - machine.n_failed(),
+        "\n{}{} of {} different contacts solved in {} s",
+        if machine.is_partial() {
+            "Interrupted: "
+        } else {
+            ""
+        },
+        machine.n_solved(),
+        machine.n_contacts(),
         digits(machine.wall_seconds, 3)
     );
     if let Some(folder) = folder {
@@ -241,12 +246,19 @@ fn power(solution: &Solution, is_line: bool) -> String {
     }
 }
 
-/// Failures, and warnings of the contacts, those of one kind together.
+/// An interruption, failures, and warnings of the contacts, those of one kind together.
 pub(in crate::output) fn warnings(
     machine: &MachineSolution,
     figures: &MachineFigures,
 ) -> Vec<Warning> {
-    let mut failures = figures.warnings.clone();
+    let interruption = machine.interruption().map(|text| {
+        Warning::new(
+            WarningKind::NotSolved,
+            format!("{text}; sums and extremes over all contacts are left out"),
+        )
+    });
+    let mut failures: Vec<Warning> = interruption.into_iter().collect();
+    failures.extend(figures.warnings.iter().cloned());
     let mut told = Vec::new();
     let n = machine.n_contacts();
     for (place, point) in machine.solved() {

@@ -96,10 +96,12 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
         ("approach_velocity", "m/s"),
         ("film_force", if is_line { "N/m" } else { "N" }),
         ("coefficient_of_restitution", "1"),
+        ("coefficient_of_restitution_error", "1"),
         ("amplitude_ratio", "1"),
     ] {
         units[name] = json!(unit);
     }
+    let restitution = found.restitution();
     Ok(json!({
         "format": TRANSIENT_FORMAT,
         "format_version": FORMAT_VERSION,
@@ -108,7 +110,8 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
         "title": case.title,
         "complete": found.failure.is_none(),
         "reason": found.failure.as_ref().map(ToString::to_string),
-        "coefficient_of_restitution": found.restitution(),
+        "coefficient_of_restitution": restitution.map(|of| of.value),
+        "coefficient_of_restitution_error": restitution.and_then(|of| of.error),
         "over_time": over_time_json(&over_time(found), is_line),
         "steps": found.info.steps,
         "refused_steps": found.info.refused,

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::super::figure::{peak_of, temperature, unit_of_size, with_bar};
+use super::super::figure::{number, peak_of, temperature, unit_of_size, with_bar};
 use super::super::lines::{Lines, Table};
 use super::super::pictures::film_unit;
 use super::AMPLITUDE_RATIO;
@@ -105,8 +105,8 @@ pub(in crate::output) fn write_results(
                 format!("{} at {}", length(instant.approach), at(instant.time, time)),
             );
         }
-        if let Some(share) = found.restitution() {
-            out.row("coefficient of restitution", digits(share, 3));
+        if let Some(restitution) = found.restitution() {
+            out.row("coefficient of restitution", number(restitution));
         }
     }
     out.heading("Instants");
