@@ -9,79 +9,35 @@
 //! root; at least 1 where grids do not resolve the thinnest film. A difference that vanishes by chance is held up by the one before. Where one
 //! turns, or is about to (falls faster than with the cube of the cell), f is what is left where the one before falls with the cell. Films, which grids are refined for, do not fall more slowly than with the cell.
 
+use super::extremes::{extreme, lowest, sharpness};
 use super::fields::profile;
 use super::film::PatchedFilm;
-use super::grid::Grid;
 use super::heat::figures::note_heat;
 use super::level::Level;
+use crate::contact::Scales;
 use crate::engine::figures::{note_film, note_friction, share_of_film};
 use crate::engine::hills::hills;
 use crate::engine::{Film, PointTable, Problem, Profile};
 use crate::solution::{Bar, Bars, Figure, Figures, Reading};
 
-/// Central and minimum film in a²/R, the latter with its place.
-pub fn films(levels: &[Level]) -> (f64, f64, [f64; 2]) {
-    let centre = levels.last().map_or(f64::NAN, |level| {
+/// H at the centre.
+pub fn central(levels: &[Level]) -> f64 {
+    levels.last().map_or(f64::NAN, |level| {
         let grid = &level.system.grid;
         let [i, j] = grid.centre();
         level.films[grid.index(i, j)]
-    });
-    let lowest = (levels.iter().enumerate())
-        .flat_map(|(l, level)| {
-            let nodes = level.system.grid.nodes();
-            nodes
-                .filter(move |[i, j]| super::film::share(levels, l, *i, *j) > 0.0)
-                .map(move |[i, j]| (level, i, j))
-        })
-        .min_by(|a, b| {
-            let film = |(level, i, j): &(&Level, usize, usize)| {
-                level.films[level.system.grid.index(*i, *j)]
-            };
-            film(a).total_cmp(&film(b))
-        });
-    let Some((level, i, j)) = lowest else {
-        return (centre, f64::NAN, [0.0; 2]);
-    };
-    let (minimum, place) = extreme(&level.system.grid, &level.films, i, j);
-    (centre, minimum, place)
-}
-
-/// Vertex of the parabolas through the values at a node that is higher or lower than its neighbours.
-fn extreme(grid: &Grid, values: &[f64], i: usize, j: usize) -> (f64, [f64; 2]) {
-    let [nx, ny] = grid.n;
-    let here = values[grid.index(i, j)];
-    let (mut value, mut at) = (here, grid.on_axes(i, j));
-    let along = (i > 0 && i + 1 < nx).then(|| [grid.index(i - 1, j), grid.index(i + 1, j)]);
-    let across = match j + 1 == ny {
-        true => None,
-        false => (j > 0).then(|| [grid.index(i, j - 1), grid.index(i, j + 1)]),
-    };
-    for (d, sides) in [along, across].into_iter().enumerate() {
-        let Some([low, high]) = sides.map(|sides| sides.map(|k| values[k])) else {
-            continue;
-        };
-        let (slope, curvature) = (0.5 * (high - low), high - 2.0 * here + low);
-        if curvature != 0.0 && slope.abs() <= curvature.abs() {
-            value -= 0.5 * slope * slope / curvature;
-            let along = slope / curvature;
-            let side = if along > 0.0 { j.max(1) - 1 } else { j };
-            at[d] -= along * grid.step(d, side);
-        }
-    }
-    (value, grid.turn.to_motion(at))
+    })
 }
 
 /// Figures of the first grids of a solve, SI.
 pub fn figures<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
     let scales = &problem.scales;
-    let at = |value: f64, place: [f64; 2]| Reading::new(value).at(place.map(|x| x * scales.length));
     let mut figures = Figures::default();
     let Some(finest) = levels.last() else {
         return figures;
     };
-    let (h_c, h_m, place) = films(levels);
-    figures.note(Figure::FilmCentral, Reading::new(scales.film * h_c));
-    figures.note(Figure::FilmMinimum, at(scales.film * h_m, place));
+    let h_c = central(levels);
+    note_films(&mut figures, scales, levels);
     note_pressures(&mut figures, problem, finest, h_c);
     let film = PatchedFilm::new(&problem.shape, levels);
     let profile = profile(&film);
@@ -101,10 +57,30 @@ pub fn figures<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
     note_roller(&mut figures, problem, finest, film.points());
     let heats = finest.warm.is_some();
     note_friction(&mut figures, problem, &problem.fluid, &film, heats);
+    let cell = finest.system.grid.spacing[0];
+    for figure in [Figure::BeyondFirstLimit, Figure::BeyondSecondLimit] {
+        if let Some(share) = figures.value(figure) {
+            note_misfit(&mut figures, figure, cell * boundary_of_share(share));
+        }
+    }
     if let (true, Some(nodes)) = (heats, problem.fluid.nodes()) {
         note_heat(&mut figures, problem, &film, nodes);
     }
     figures
+}
+
+/// Central and minimum film.
+pub fn note_films(figures: &mut Figures, scales: &Scales, levels: &[Level]) {
+    let h_c = scales.film * central(levels);
+    figures.note(Figure::FilmCentral, Reading::new(h_c));
+    if let Some(lowest) = lowest(levels) {
+        let reading = Reading {
+            misfit: scales.film * lowest.misfit,
+            ..Reading::new(scales.film * lowest.film)
+        };
+        let place = lowest.place.map(|x| x * scales.length);
+        figures.note(Figure::FilmMinimum, reading.at(place));
+    }
 }
 
 /// The largest pressures over the outer quarters of a roller, and the moment of the pressure about its middle.
@@ -161,6 +137,12 @@ fn note_roller<Plan>(
         };
         figures.note(figure, reading);
     }
+}
+
+/// What a share of the Hertz zone, counted by nodes, may err by, in cells: half a cell along its boundary, which is taken for as long over the zone as that of a strip
+/// of one half, and vanishes with the share or with what is left of the zone as that of a circle.
+fn boundary_of_share(share: f64) -> f64 {
+    2.0 * (share * (1.0 - share)).max(0.0).sqrt()
 }
 
 /// Says what a figure that is there may be off by on its grid.
@@ -221,6 +203,7 @@ fn note_pressures<Plan>(figures: &mut Figures, problem: &Problem<Plan>, level: &
     let (p, place) = top(found.central);
     let central = Reading {
         size: scales.pressure * share_of_film(p, h_c),
+        misfit: scales.pressure * sharpness(grid, pressure, found.central),
         ..at((p, place))
     };
     figures.note(Figure::PressureCentral, central);
@@ -358,7 +341,11 @@ pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64, least: [f64; 2]) -> Bars
             Figure::FilmMinimum | Figure::FilmCentral if reading.value <= 0.0 => {
                 value.max(2.0 * reading.value.abs())
             }
-            Figure::FilmMinimum | Figure::FilmCentral => value,
+            Figure::FilmCentral => value,
+            // Differences of both may turn by chance, and seldom at once.
+            Figure::FilmMinimum => value
+                .max(reading.misfit)
+                .max(SAFETY * central * reading.size),
             // Nothing is known better than the film that it goes with.
             Figure::FilmCentrelineMinimum => value.max(minimum * reading.size),
             _ => {
@@ -532,6 +519,14 @@ mod tests {
         let share = 1.0 - round / parabola;
         assert_relative_eq!(share, 0.39, epsilon = 0.01);
         assert!(share < SHARE_OF_END);
+    }
+
+    /// By hand: a straight boundary through the middle of a zone leaves half a cell on a strip of two, and none where no part or all of it is beyond.
+    #[test]
+    fn shares_are_known_to_their_boundary() {
+        assert_relative_eq!(boundary_of_share(0.5), 1.0, max_relative = 1e-14);
+        assert_relative_eq!(boundary_of_share(0.01), 0.199, max_relative = 1e-3);
+        assert_eq!([0.0, 1.0].map(boundary_of_share), [0.0; 2]);
     }
 
     /// Nodes of 0.1 with a peak of 1.2 between 1.0 and 0.6: it stands 0.4 above their mean. The pressure's root falls by 0.2 to 0.4 at 1.5 and is zero two steps
