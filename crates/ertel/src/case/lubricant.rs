@@ -51,6 +51,17 @@ pub struct Lubricant {
     pub temperature_ranges: Vec<TemperatureRange>,
     /// Numbers that are estimates, as of an oil given by its data sheet.
     pub estimates: Vec<Datum>,
+    /// Whether shear thinning is estimated by the kind of the oil without being asked for.
+    pub is_shear_by_kind: bool,
+}
+
+/// What is estimated by the kind of the oil where the case does not give it.
+#[derive(Clone, Copy)]
+pub(super) struct Wanted {
+    /// Conductivity and heat capacity.
+    pub heat: bool,
+    /// Shear thinning.
+    pub shear: bool,
 }
 
 impl Lubricant {
@@ -133,13 +144,14 @@ impl Lubricant {
 /// Reads the lubricant at the top level: a name with a top-level `temperature`, or a table.
 ///
 /// Files that it names are in `folder`. `pressure` is the Hertz pressure, Pa. Returns the warnings about the range of the data, too, with that of the thermal
-/// data where there is `heat`.
+/// data where heat is wanted.
 pub(super) fn read(
     root: &mut Table<'_>,
     folder: &Path,
     pressure: f64,
-    heat: bool,
+    wanted: Wanted,
 ) -> Result<(Lubricant, Vec<Warning>), InputError> {
+    let heat = wanted.heat;
     let lubricant = root.required_str_or_table("lubricant");
     let lubricant =
         lubricant.map_err(|error| super::sections::missing(root, "lubricant", error))?;
@@ -150,19 +162,22 @@ pub(super) fn read(
             if heat {
                 fluid.estimate_heat(root, "lubricant")?;
             }
+            let by_kind = wanted.shear && fluid.estimate_shear(root, "lubricant")?;
             let temperature = root
                 .required_quantity("temperature", Dimension::TEMPERATURE, TEMPERATURE)
                 .map_err(|error| {
                     error.with_help("a lubricant given by its name needs the temperature before the first [table]")
                 })?;
-            check(
+            let (mut lubricant, warnings) = check(
                 root,
                 ("lubricant", Some(name)),
                 fluid,
                 temperature,
                 pressure,
                 heat,
-            )
+            )?;
+            lubricant.is_shear_by_kind = by_kind;
+            Ok((lubricant, warnings))
         }
         StrOrTable::Table(mut table) => {
             if root.contains("temperature") {
@@ -208,7 +223,8 @@ pub(super) fn read(
             if heat {
                 fluid.estimate_heat(&table, "")?;
             }
-            let lubricant = check(
+            let by_kind = wanted.shear && fluid.estimate_shear(&table, "")?;
+            let (mut lubricant, warnings) = check(
                 &table,
                 (key, name.as_deref()),
                 fluid,
@@ -217,7 +233,8 @@ pub(super) fn read(
                 heat,
             )?;
             table.finish()?;
-            Ok(lubricant)
+            lubricant.is_shear_by_kind = by_kind;
+            Ok((lubricant, warnings))
         }
     }
 }
@@ -257,6 +274,7 @@ fn check(
         heat_capacity: fluid.heat_capacity,
         temperature_ranges,
         estimates,
+        is_shear_by_kind: false,
     };
     let must_lie = |what: &str, value: f64, bounds: Bounds, unit: &str| {
         if bounds.contains(value) {

@@ -13,7 +13,7 @@ use ertel_machines::bearing::{Geometry, life};
 
 use super::{MachineFigure, Section};
 use crate::case::{BearingMechanics, Case, Contamination};
-use crate::solution::Estimate;
+use crate::mark::Marked;
 use crate::warning::{Warning, WarningKind};
 
 /// Degrees from which on X_0 and Y_0 are those of steep angular contact bearings, halfway from 15 degrees to the 40 of the suffix B.
@@ -68,7 +68,7 @@ impl Collected {
         self.figures.push(MachineFigure {
             name,
             words,
-            estimate: Estimate { value, error: None },
+            estimate: Marked::exact(value),
             unit,
             section,
             source,
