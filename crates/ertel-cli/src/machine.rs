@@ -14,6 +14,10 @@ use crate::failure::Failure;
 use crate::print;
 use crate::solve::{RESOLVE, WRITING, not_shown, place_of};
 
+/// What to do about totals that are not resolved.
+const TOTALS: &str = "where friction is beyond what lubricants transmit, give [lubricant] `shear_thinning`; else a finer [mesh], or more `points` along a path \
+    and over a turn; --accept-unresolved accepts such figures";
+
 /// How the governing contact of a machine is asked for alone: `machine.element=0 and machine.ring=inner`.
 pub fn choice(contacts: &MachineContacts) -> String {
     let machine = &contacts.machine;
@@ -105,6 +109,14 @@ pub fn write(
             "{unresolved} of {all} contacts are not resolved: the error bar of a figure exceeds half its value, or is missing; see the column \
              `unresolved` of {}\n  = help: {RESOLVE}",
             table.display()
+        )));
+    }
+    let unresolved: Vec<&str> = figures.unresolved().map(|figure| figure.words).collect();
+    if !unresolved.is_empty() && !arguments.accept_unresolved {
+        return Err(Failure::Unresolved(format!(
+            "not resolved: {}; see {}\n  = help: {TOTALS}",
+            unresolved.join(", "),
+            folder.join("report.txt").display()
         )));
     }
     shown?;

@@ -37,7 +37,7 @@
 //! | write the files of the program | [`output`] |
 //!
 //! The folder `examples` has a small program for each. The solver is the crate `ertel_ehl`, which reads and writes no files; its modules stand here,
-//! too. Modules use only those below them, `ertel_ehl → files, case → problem → run → point → machine → study → output → sweep`
+//! too. Modules use only those below them, `ertel_ehl → files, case → problem → run → mark → point → machine → study → output → sweep`
 //! (`tests/arrows.rs`).
 
 pub use ertel_ehl::{
@@ -52,6 +52,7 @@ pub mod estimate;
 pub mod files;
 pub mod fit;
 pub mod machine;
+pub mod mark;
 pub mod output;
 pub mod plausible;
 pub mod point;

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::case::{CaseEcho, WholeMachine};
+use crate::mark::Marked;
 use crate::run::over_time::{TimeFigure, over_time};
 use crate::run::transient::TransientSolution;
 use crate::solution::{Estimate, Figure, FilmReduction, FormulaFilm, Solution, ThermalReduction};
@@ -58,7 +59,9 @@ impl PointSolution {
             return !run.unresolved.is_empty();
         }
         let mut solutions = self.solutions().into_iter();
+        let machine = self.machine.as_ref();
         solutions.any(|solution| !solution.unresolved.is_empty())
+            || machine.is_some_and(|machine| machine.figures.unresolved().next().is_some())
     }
 
     /// What to know about it; of the contacts of a machine the worst of each kind.
@@ -301,8 +304,9 @@ pub struct MachineFigure {
     pub name: &'static str,
     /// What it is, in words.
     pub words: &'static str,
-    /// The figure, SI; its bar is that of the solved contacts, `None` where it comes from a formula alone.
-    pub estimate: Estimate,
+    /// The figure, SI, with the marks of what it is made of; its bar is that of the solved contacts and of their distance, `None` where it comes from a
+    /// formula alone.
+    pub estimate: Marked,
     /// Its SI unit; empty of a pure number.
     pub unit: &'static str,
     /// Part of the report.
@@ -362,6 +366,13 @@ pub struct MachineFigures {
 }
 
 impl MachineFigures {
+    /// Those that are not resolved.
+    pub fn unresolved(&self) -> impl Iterator<Item = &MachineFigure> {
+        self.all
+            .iter()
+            .filter(|figure| !figure.estimate.is_resolved())
+    }
+
     /// A figure by its name.
     pub fn find(&self, name: &str) -> Option<&MachineFigure> {
         self.all.iter().find(|figure| figure.name == name)

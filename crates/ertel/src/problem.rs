@@ -110,6 +110,9 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
     if let Some(plan) = &heat_plan {
         fluid = fluid.with_nodes(plan.column.film.clone());
     }
+    let friction = (case.friction_thinning())
+        .filter(|_| thinning.is_none())
+        .map(|law| fluid.clone().with_shear(Some(law), &sliding, &scales));
     let reach = area::reach(
         contact.kind.family(),
         case.elastic_model(),
@@ -181,6 +184,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
         reach: [reach.inlet, reach.side],
         elasticity,
         fluid,
+        friction,
         entrainment: case.motion.entrainment(scales.length),
         load: scales.load,
         // A film that starts too thick closes in from the safe side.

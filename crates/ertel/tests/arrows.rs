@@ -23,7 +23,7 @@ pub const SOLVER: [&str; 15] = [
 ];
 
 /// The modules of the crate `ertel`, likewise; those of the solver are below them all.
-pub const CASES: [&str; 16] = [
+pub const CASES: [&str; 17] = [
     "files",
     "case",
     "reference",
@@ -33,6 +33,7 @@ pub const CASES: [&str; 16] = [
     "run",
     "cross_check",
     "estimate",
+    "mark",
     "point",
     "machine",
     "study",

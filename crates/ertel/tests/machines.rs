@@ -60,13 +60,10 @@ fn a_bearing_under_thrust() {
         let solution = solved.solution(contact).unwrap();
         solution.figure(Figure::FrictionPower).unwrap().value
     };
-    // The films know of no limit of the shear stress, so that spin stands beside them: what they would have of it is far more.
+    // Friction goes by the law though the films are solved without it.
     let parts = value("friction_power_rolling") + value("friction_power_spin");
     let films = 9.0 * (power(0) + power(1));
-    assert!(
-        parts < films && value("friction_power_spin") > 0.0,
-        "{parts} {films}"
-    );
+    assert_relative_eq!(parts, films, max_relative = 1e-12);
     // What spin errs by stays out of the rolling: at both walls it is the same.
     let rolling = found.find("friction_power_rolling").unwrap().estimate;
     let share = rolling.error.unwrap() / rolling.value;
@@ -119,12 +116,7 @@ fn a_bearing_under_thrust() {
     ] {
         assert!(report.contains(expected), "{expected} is not in\n{report}");
     }
-    // Spin of a film without limits is marked, and told by the name of its contact.
-    assert!(report.contains("W (!)"), "{report}");
-    assert!(
-        report.contains("! ball 0, inner ring: a shear stress of"),
-        "{report}"
-    );
+    assert!(!report.contains("(!)"), "{report}");
     // 70 °C are not where this heat leads to.
     assert!(report.contains("solve once more"), "{report}");
 }

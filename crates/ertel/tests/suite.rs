@@ -21,6 +21,7 @@ mod heat_in_time;
 mod limiting_stress;
 mod machines;
 mod main_case;
+mod marks;
 mod plausible;
 mod reliefs;
 mod rollers;

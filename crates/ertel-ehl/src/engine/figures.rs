@@ -62,7 +62,12 @@ pub fn note_friction<Plan>(
     film: &impl Film,
     heats: bool,
 ) {
-    let sums = friction(problem, fluid, film);
+    let sums = friction(problem, problem.friction.as_ref().unwrap_or(fluid), film);
+    // The film's own fluid balances its work: another law does not flow as the film does.
+    let power_misfit = match problem.friction {
+        None => sums.power_misfit(),
+        Some(_) => friction(problem, fluid, film).power_misfit(),
+    };
     let (f, near) = (&sums.here, &sums.shorter);
     let [mid, body_1, body_2] = f.coefficients;
     let [near_mid, near_body_1, near_body_2] = near.coefficients;
@@ -93,7 +98,7 @@ pub fn note_friction<Plan>(
         cut: (f.work - near.work).abs(),
         // Films that heat up expand: their balance is that of the heat of the contact area.
         misfit: match heats {
-            false => sums.power_misfit().abs(),
+            false => power_misfit.abs(),
             true => sums.work_around,
         },
         ..Reading::new(f.work)

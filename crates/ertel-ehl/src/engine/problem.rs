@@ -57,6 +57,8 @@ pub struct Problem<Plan> {
     pub elasticity: Elasticity,
     /// Fluid, with the sliding of the surfaces.
     pub fluid: FilmFluid,
+    /// The same fluid with the law by which friction goes, where the film is solved without that law.
+    pub friction: Option<FilmFluid>,
     /// ū, the mean velocity of the surfaces over the entrainment speed.
     pub entrainment: Planar,
     /// Target of ∫P over the part of the contact area that is solved.
@@ -72,6 +74,11 @@ pub struct Problem<Plan> {
 }
 
 impl<Plan> Problem<Plan> {
+    /// The fluid by which friction goes.
+    pub fn friction_fluid(&self) -> &FilmFluid {
+        self.friction.as_ref().unwrap_or(&self.fluid)
+    }
+
     /// The same contact for an engine that goes about it in another way.
     pub fn with_plan<Other>(self, plan: Other) -> Problem<Other> {
         Problem {
@@ -80,6 +87,7 @@ impl<Plan> Problem<Plan> {
             reach: self.reach,
             elasticity: self.elasticity,
             fluid: self.fluid,
+            friction: self.friction,
             entrainment: self.entrainment,
             load: self.load,
             start_film: self.start_film,

@@ -91,6 +91,7 @@ impl Given {
                 &sliding,
                 &scales,
             ),
+            friction: None,
             entrainment: motion.entrainment(scales.length),
             load: scales.load,
             start_film: self.start_film,

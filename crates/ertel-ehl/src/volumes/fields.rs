@@ -89,7 +89,12 @@ pub fn surface<Plan>(problem: &Problem<Plan>, film: &PatchedFilm) -> (SurfaceFie
         cells: mesh.cells.clone(),
         order: 1,
         elements: corners.clone(),
-        ..surface_of(&points, &problem.shape, &problem.fluid, &problem.scales)
+        ..surface_of(
+            &points,
+            &problem.shape,
+            problem.friction_fluid(),
+            &problem.scales,
+        )
     };
     let linear = |values: &[f64]| Polynomials {
         order: 1,

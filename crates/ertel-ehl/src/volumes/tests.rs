@@ -59,6 +59,7 @@ fn problem_of(contact: &Contact, motion: &Motion, target: f64) -> Problem<Plan> 
         elasticity: Elasticity::half_space(1, &bodies),
         fluid: FilmFluid::new(&density, &viscosity, 313.15, &scales)
             .with_shear(None, &sliding, &scales),
+        friction: None,
         entrainment: motion.entrainment(scales.length),
         load: scales.load,
         start_film: 0.12,

@@ -128,7 +128,7 @@ rows! {
         max_iterations: Count, bounds [1.0, 10_000.0], default "60" => "maximum number of Newton iterations on one mesh";
         error_estimate: Switch, default "true" => r"estimate errors and report error bars; if `false`, the mesh is that of `preset` and only
             the last mesh is solved with the element orders of the case";
-        newtonian: Switch, default "false" => "`true`: neglect shear thinning and use the low-shear viscosity";
+        newtonian: Switch, default "false" => "`true`: neglect shear thinning and use the low-shear viscosity; in machines friction goes by the law [all the same](#friction-of-machines)";
         isothermal: Switch, default "false" => "`true`: neglect the heat of a case that has `[thermal]`";
     }
     /// `[output]`.

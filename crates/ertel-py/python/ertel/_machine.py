@@ -33,10 +33,19 @@ class MachineFigure(Quantity):
         What it is.
     source : str
         Where the formula comes from, or what is left out; may be empty.
+    marks : tuple of str
+        Why the figure is not to be used as it stands: ``"friction-beyond-lubricants"``, ``"not-resolved"``, ``"film-alone"``,
+        ``"between-points"``; empty for results of older versions.
     """
 
     words: str = ""
     source: str = ""
+    marks: tuple[str, ...] = ()
+
+    @property
+    def doubtful(self) -> bool:
+        """Whether the figure is not to be used at all: not resolved, or made of friction that no lubricant transmits."""
+        return not self.resolved or "friction-beyond-lubricants" in self.marks
 
 
 @dataclass(frozen=True)
@@ -135,7 +144,13 @@ class MachineSolution(Tabulated):
         self._document = content
         self.figures = {
             name: MachineFigure(
-                value=entry["value"], error=entry["error"], unit=entry["unit"], words=entry["words"], source=entry["source"]
+                value=entry["value"],
+                error=entry["error"],
+                unit=entry["unit"],
+                words=entry["words"],
+                source=entry["source"],
+                resolved=entry.get("resolved", True),
+                marks=tuple(entry.get("marks", ())),
             )
             for name, entry in content["figures"].items()
         }

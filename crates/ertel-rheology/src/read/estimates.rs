@@ -28,22 +28,34 @@ pub(super) fn shear(
                 kinds()
             )));
     };
-    let estimate = base_oil.shear();
-    let (stress, growth) = (estimate.eyring_stress, estimate.pressure_coefficient);
-    let noted = |key: &str, of: &Estimate, dimension| {
-        inner.estimated_quantity(key, of.value, dimension, of.uncertainty())
-    };
-    let tau_0 = noted("tau_0", &stress, Dimension::PRESSURE);
-    let lambda = noted("limit.lambda", &growth, Dimension::DIMENSIONLESS);
-    let law = |tau_0, lambda| -> Result<ShearThinning, LawError> {
-        Ok(ShearThinning {
-            law: Some(ShearLaw::ReeEyring(ReeEyring::new(tau_0)?)),
-            limit: Some(StressLimit::new(tau_0, lambda)?),
-        })
-    };
-    let law = law(tau_0, lambda).map_err(|error| inner.error("law", error.to_string()))?;
+    let law = law_of_kind(&inner, "", base_oil);
+    let law = law.map_err(|error| inner.error("law", error.to_string()))?;
     inner.finish()?;
-    Ok((law, shear_data(&estimate).to_vec()))
+    Ok((law, shear_data(&base_oil.shear()).to_vec()))
+}
+
+/// The law of a kind of oil, its numbers noted as inputs of `table`, below `path` there.
+fn law_of_kind(
+    table: &Table<'_>,
+    path: &str,
+    base_oil: BaseOil,
+) -> Result<ShearThinning, LawError> {
+    let estimate = base_oil.shear();
+    let noted = |key: &str, of: &Estimate, dimension| {
+        table.estimated_quantity(
+            &format!("{path}{key}"),
+            of.value,
+            dimension,
+            of.uncertainty(),
+        )
+    };
+    let tau_0 = noted("tau_0", &estimate.eyring_stress, Dimension::PRESSURE);
+    let growth = &estimate.pressure_coefficient;
+    let lambda = noted("limit.lambda", growth, Dimension::DIMENSIONLESS);
+    Ok(ShearThinning {
+        law: Some(ShearLaw::ReeEyring(ReeEyring::new(tau_0)?)),
+        limit: Some(StressLimit::new(tau_0, lambda)?),
+    })
 }
 
 /// The kinds, as a list in words.
@@ -101,6 +113,27 @@ impl Fluid {
             data.extend(shear_data(&base_oil.shear()));
         }
         data
+    }
+
+    /// Fills in a law of shear thinning where there is none, by the kind of the base oil where it is known ([`BaseOil::shear`]), with numbers that are estimates
+    /// as those of [`Fluid::estimate_heat`]. Returns whether it did.
+    ///
+    /// # Errors
+    ///
+    /// As [`Fluid::estimate_heat`].
+    pub fn estimate_shear(&mut self, table: &Table<'_>, path: &str) -> Result<bool, InputError> {
+        let (Some(base_oil), None) = (self.base_oil, &self.shear_thinning) else {
+            return Ok(false);
+        };
+        let path = match path {
+            "" => "shear_thinning.".to_owned(),
+            path => format!("{path}.shear_thinning."),
+        };
+        let law = law_of_kind(table, &path, base_oil);
+        let law = law.map_err(|error| table.error_here(error.to_string()))?;
+        self.shear_thinning = Some(law);
+        self.provenance.extend(shear_data(&base_oil.shear()));
+        Ok(true)
     }
 
     /// Fills in what of conductivity and heat capacity is missing, by the kind of the base oil where it is known

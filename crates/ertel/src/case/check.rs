@@ -2,8 +2,8 @@
 
 use ertel_input::{Bounds, InputError, Table};
 
-use super::Case;
 use super::thermal::SolidHeat;
+use super::{Case, Mechanics, machine};
 use crate::contact::{Contact, ContactKind, Hertz, equivalent_body};
 use crate::params::{ElasticModel, Method, SensitivityDemand};
 use crate::volumes;
@@ -422,6 +422,27 @@ fn turns_nearby(case: &Case) -> bool {
 fn rounded(value: f64, direction: fn(f64) -> f64) -> String {
     let step = 10_f64.powf(value.log10().floor() - 3.0);
     digits(direction(value / step) * step, 4)
+}
+
+/// Balls that spin on films with shear thinning: each contact takes minutes.
+pub(super) fn slow_spin(case: &Case) -> Option<Warning> {
+    let Mechanics::Bearing(bearing) = &case.whole.as_ref()?.mechanics else {
+        return None;
+    };
+    let mut contacts = bearing
+        .distribution
+        .elements
+        .iter()
+        .flat_map(|e| &e.contacts);
+    let spins = contacts.any(|contact| contact.spin[0] != contact.spin[1]);
+    let is_slow = spins && bearing.contacts == machine::ContactKind::Ellipses;
+    (is_slow && case.shear_thinning().is_some()).then(|| {
+        Warning::new(
+            WarningKind::UnusualInput,
+            "the balls spin, and films with shear thinning under spin take minutes for each contact: with [solver] newtonian = true films are Newtonian, and \
+             friction still goes by the law of the lubricant",
+        )
+    })
 }
 
 /// What a machine of many contacts does not make of its inputs: neither sensitivities nor what their uncertainties do to its figures.

@@ -53,6 +53,8 @@ pub struct Lubricant {
     pub temperature_ranges: Vec<TemperatureRange>,
     /// Numbers that are estimates, as of an oil given by its data sheet.
     pub estimates: Vec<Datum>,
+    /// Whether shear thinning is estimated by the kind of the oil without being asked for.
+    pub is_shear_by_kind: bool,
 }
 
 impl Lubricant {
@@ -150,6 +152,8 @@ pub(super) struct Conditions {
     pub pressure: f64,
     /// Whether heat counts.
     pub heat: bool,
+    /// Whether a lubricant without a law of shear thinning gets the estimated one of its kind.
+    pub shear: bool,
     /// Temperature of the flanks, K, where a machine states it: oil on them has taken it before it enters the contact.
     pub flank_temperature: Option<f64>,
 }
@@ -173,18 +177,21 @@ pub(super) fn read(
             if conditions.heat {
                 fluid.estimate_heat(root, "lubricant")?;
             }
+            let by_kind = conditions.shear && fluid.estimate_shear(root, "lubricant")?;
             let temperature = root
                 .required_quantity("temperature", Dimension::TEMPERATURE, TEMPERATURE)
                 .map_err(|error| {
                     error.with_help("a lubricant given by its name needs the temperature before the first [table]")
                 })?;
-            check(
+            let (mut lubricant, warnings) = check(
                 root,
                 ("lubricant", Some(name)),
                 fluid,
                 temperature,
                 conditions,
-            )
+            )?;
+            lubricant.is_shear_by_kind = by_kind;
+            Ok((lubricant, warnings))
         }
         StrOrTable::Table(mut table) => {
             if root.contains("temperature") {
@@ -230,7 +237,8 @@ pub(super) fn read(
             if conditions.heat {
                 fluid.estimate_heat(&table, "")?;
             }
-            let lubricant = check(
+            let by_kind = conditions.shear && fluid.estimate_shear(&table, "")?;
+            let (mut lubricant, warnings) = check(
                 &table,
                 (key, name.as_deref()),
                 fluid,
@@ -238,7 +246,8 @@ pub(super) fn read(
                 conditions,
             )?;
             table.finish()?;
-            Ok(lubricant)
+            lubricant.is_shear_by_kind = by_kind;
+            Ok((lubricant, warnings))
         }
     }
 }
@@ -280,6 +289,7 @@ fn check(
         heat_capacity: fluid.heat_capacity,
         temperature_ranges,
         estimates,
+        is_shear_by_kind: false,
     };
     let must_lie = |what: &str, value: f64, bounds: Bounds, unit: &str| {
         if bounds.contains(value) {

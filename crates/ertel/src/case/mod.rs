@@ -40,6 +40,7 @@ pub mod curve;
 mod described;
 mod echo;
 mod files;
+mod friction;
 mod geometry;
 mod inlet;
 mod inputs;
@@ -123,6 +124,8 @@ pub struct Case {
     pub motion: Motion,
     /// The machine that contact and motion were computed from, if the file gives one.
     pub machine: Option<MachineEcho>,
+    /// Whether friction goes by the law of shear thinning of the lubricant though the films are solved without it.
+    pub friction_by_law: bool,
     /// How much oil reaches the contact.
     pub supply: Supply,
     /// Lubricant and its temperature.
@@ -257,7 +260,7 @@ impl Case {
         let Geometry {
             contact,
             motion,
-            machine,
+            mut machine,
             whole,
             hertz,
             body_radii,
@@ -266,7 +269,7 @@ impl Case {
             tables,
         } = tables.read(&mut root, &steel, shapes.as_ref(), folder)?;
         let solver_table = root.optional_table("solver")?;
-        let solver = match solver_table.clone() {
+        let mut solver = match solver_table.clone() {
             Some(table) => params::read_solver(table)?,
             None => SolverParams::default(),
         };
@@ -286,8 +289,18 @@ impl Case {
             lubricant::Conditions {
                 pressure: hertz.pressure,
                 heat,
+                shear: machine.is_some() && !solver.newtonian,
                 flank_temperature: bulk_temperature,
             },
+        )?;
+        let asked = solver_table.clone();
+        let asked = asked.is_some_and(|mut table| table.contains("newtonian"));
+        let friction_by_law = friction::by_law(
+            &mut root,
+            machine.as_mut(),
+            (&lubricant, &mut solver),
+            asked,
+            heat,
         )?;
         let mesh_table = root.optional_table("mesh")?;
         let mesh = match mesh_table.clone() {
@@ -330,6 +343,7 @@ impl Case {
             asperities,
             motion,
             machine,
+            friction_by_law,
             supply,
             lubricant,
             mesh,
@@ -376,6 +390,7 @@ impl Case {
             .extend(surface::check(&case, &mut document.root())?);
         case.warnings.extend(time_warnings::warnings(&case));
         case.warnings.extend(check::inputs_of_machine(&case));
+        case.warnings.extend(check::slow_spin(&case));
         let mut unusual = usual::warnings(case.inputs(), document);
         unusual.extend(usual::of_data(&case, &unusual));
         case.warnings.extend(unusual);
@@ -401,6 +416,13 @@ impl Case {
     pub fn shear_thinning(&self) -> Option<&ShearThinning> {
         let thinning = self.lubricant.shear_thinning.as_ref();
         thinning.filter(|_| !self.solver.newtonian)
+    }
+
+    /// The shear thinning by which friction goes: that of the films, or of films that are solved without it that of the lubricant where
+    /// [`Case::friction_by_law`].
+    pub fn friction_thinning(&self) -> Option<&ShearThinning> {
+        let thinning = self.lubricant.shear_thinning.as_ref();
+        thinning.filter(|_| self.friction_by_law || !self.solver.newtonian)
     }
 
     /// How the bodies are computed: as half-spaces, unless the case says otherwise or asks for what only a body

@@ -12,18 +12,17 @@ use ertel_machines::bearing::kinematics::deformed_radius;
 use super::heat::CELSIUS;
 use super::rolling::rolling_coefficient;
 use super::slip::{Slip, stress};
-use super::{MachineFigure, Section, figure_of, of_model, sum};
+use super::{MachineFigure, Section, figure_of, sum};
 use crate::case::{BearingMechanics, Case, ContactKind};
+use crate::mark::{Mark, Marked, Marks};
+use crate::plausible::LARGEST_TRACTION;
 use crate::point::{MachineSolution, PointSolution};
-use crate::solution::{Estimate, Figure};
+use crate::solution::{Figure, limits};
 use crate::warning::{Warning, WarningKind};
 use crate::words::digits;
 
 /// Tilt of a roller that is told, rad.
 const LEAST_TILT: f64 = 1e-9;
-
-/// Ratio of shear stress to pressure, mean over a contact, that no lubricant transmits.
-const IMPOSSIBLE: f64 = 0.15;
 
 /// Load per length of the heaviest slice of a roller over its mean, from which on a line does not stand for the roller.
 const UNEVEN: f64 = 1.5;
@@ -47,7 +46,7 @@ pub(super) fn figures(
     let figure = |name, words, value, unit| MachineFigure {
         name,
         words,
-        estimate: of_model(value),
+        estimate: Marked::exact(value),
         unit,
         section: Section::Mechanics,
         source: "",
@@ -81,12 +80,8 @@ pub(super) fn figures(
         (ContactKind::Lines, Geometry::TaperedRoller(roller)) => roller.length,
         _ => 1.0,
     };
-    let film = sum(solved, |_, point| {
-        Some(scaled(figure_of(point, Figure::FrictionPower)?, length))
-    });
-    let rolling = sum(solved, |_, point| {
-        Some(scaled(rolling_power(point)?, length))
-    });
+    let film = sum(solved, |_, point| Some(film_power(point)? * length));
+    let rolling = sum(solved, |_, point| Some(rolling_power(point)? * length));
     if let (Some(film), Some(rolling)) = (film, rolling) {
         figures.extend(friction(case, mechanics, solved, [film, rolling], warnings));
     }
@@ -123,18 +118,11 @@ fn heaviest_slice(
     Some(MachineFigure {
         name: "slice_load_ratio",
         words: "its heaviest slice over the mean of the roller",
-        estimate: of_model(share),
+        estimate: Marked::exact(share),
         unit: "",
         section: Section::Mechanics,
         source: "",
     })
-}
-
-fn scaled(estimate: Estimate, factor: f64) -> Estimate {
-    Estimate {
-        value: factor * estimate.value,
-        error: estimate.error.map(|error| factor * error),
-    }
 }
 
 /// Friction by its parts, torque and temperature, from the powers of films and of rolling.
@@ -142,7 +130,7 @@ fn friction(
     case: &Case,
     mechanics: &BearingMechanics,
     solved: &MachineSolution,
-    [film, rolling]: [Estimate; 2],
+    [film, rolling]: [Marked; 2],
     warnings: &mut Vec<Warning>,
 ) -> Vec<MachineFigure> {
     let mut figures = Vec::new();
@@ -169,43 +157,14 @@ fn friction(
     let spins = elements
         .iter()
         .any(|e| e.contacts.iter().any(|c| c.spin[0] != c.spin[1]));
-    let mut film = film;
     if spins {
-        let on_films = Estimate {
-            value: film.value - rolling.value,
-            error: film.error.zip(rolling.error).map(|(a, b)| a + b),
-        };
-        // A film without shear thinning resists spin by stresses that no lubricant has.
-        let limited = match case.solver.newtonian && case.lubricant.shear_thinning.is_some() {
-            true => spin_power(case, mechanics, solved),
-            false => None,
-        };
-        let (spin, source) = match limited {
-            Some(spin) => (
-                of_model(spin),
-                "spin: by the laws of the lubricant at the dry pressure and the central film of each contact, for the films are solved without shear thinning",
-            ),
-            None => (on_films, ""),
-        };
-        if let Some(spin) = limited {
-            film = Estimate {
-                value: rolling.value + spin,
-                error: rolling.error,
-            };
-        } else if case.solver.newtonian && traction_maximum(solved) > IMPOSSIBLE {
-            warnings.push(Warning::new(
-                WarningKind::Friction,
-                "the torque is not to be relied on: the films are solved without shear thinning and resist spin more than any lubricant can; give \
-                 `shear_thinning`, such as `{ law = \"estimate\" }` beside `base_oil`",
-            ));
-        }
         add(
             Section::Friction,
             "friction_power_spin",
             "power lost by spin",
-            spin,
+            film - rolling,
             "W",
-            source,
+            "",
         );
     }
     let slip = match is_ball {
@@ -217,7 +176,7 @@ fn friction(
             Section::Friction,
             "friction_power_differential_slip",
             "power lost by differential slip",
-            of_model(slip),
+            Marked::exact(slip),
             "W",
             "differential slip (Heathcote 1921): by the laws of the lubricant at the dry pressure and the central film of each contact",
         ),
@@ -228,9 +187,9 @@ fn friction(
              stress; give `shear_thinning`, such as `{ law = \"estimate\" }` beside `base_oil`",
         )),
     }
-    let power = Estimate {
+    let power = Marked {
         value: film.value + slip.unwrap_or(0.0),
-        error: film.error,
+        ..film
     };
     add(
         Section::Friction,
@@ -246,10 +205,7 @@ fn friction(
             Section::Friction,
             "friction_torque",
             "friction torque of all contacts",
-            Estimate {
-                value: power.value / relative,
-                error: power.error.map(|error| error / relative),
-            },
+            power / relative,
             "N m",
             match mechanics.bearing.geometry {
                 Geometry::TaperedRoller(_) => {
@@ -262,57 +218,31 @@ fn friction(
         );
     }
     if let Some([resistance, ambient]) = mechanics.life.cooling {
-        let value = ambient + resistance * power.value;
+        let temperature = (power * resistance).above(ambient);
+        let melts = temperature.value > limits::TEMPERATURE;
+        let temperature = temperature.with(Marks::when(melts, Mark::Unresolved));
         add(
             Section::Temperature,
             "bearing_temperature",
             "temperature that this heat leads to",
-            Estimate {
-                value,
-                error: power.error.map(|error| resistance * error),
-            },
+            temperature,
             "K",
             "temperature: that of the surroundings and the thermal resistance times the power of all contacts",
         );
         let own = case.lubricant.temperature;
-        if (value - own).abs() > SAME {
+        if (temperature.value - own).abs() > SAME && !temperature.is_doubtful() {
             warnings.push(Warning::new(
                 WarningKind::OilTemperature,
                 format!(
                     "the heat of the contacts leads to {:.1} °C by the thermal resistance, but the lubricant is taken at {:.1} °C: solve once more at a \
                      temperature between",
-                    value - CELSIUS,
+                    temperature.value - CELSIUS,
                     own - CELSIUS
                 ),
             ));
         }
     }
     figures
-}
-
-/// Power of spin in all contacts within the limits of the lubricant, W.
-fn spin_power(case: &Case, mechanics: &BearingMechanics, solved: &MachineSolution) -> Option<f64> {
-    let spin = sum(solved, |i, point| {
-        let slip = slip_of(mechanics, solved.machine.contacts[i].side, point)?;
-        let [ring, ball] = point.case.motion.spin;
-        Some(of_model(slip.spin(ball - ring, stress_of(case)).power))
-    });
-    spin.map(|spin| spin.value)
-}
-
-/// Largest mean ratio of shear stress to pressure that spin alone asks of a film without shear thinning: friction power over load and mean sliding speed.
-fn traction_maximum(solved: &MachineSolution) -> f64 {
-    let of = |point: &PointSolution| {
-        let [ring, ball] = point.case.motion.spin;
-        let solution = point.outcome.solution()?;
-        let power = figure_of(point, Figure::FrictionPower)?.value - rolling_power(point)?.value;
-        // The mean distance from the middle of an ellipse is at most 2/3 of its longer half-axis.
-        let reach = (solution.hertz.half_width_y?).max(solution.hertz.half_width);
-        let speed = (ball - ring).abs() * reach * 2.0 / 3.0;
-        (speed > 0.0).then(|| power / (point.case.contact.load * speed))
-    };
-    let of = solved.solved().filter_map(|(_, point)| of(point));
-    of.fold(0.0, f64::max)
 }
 
 /// Power of the differential slip in all contacts, W; `None` where it cannot be true.
@@ -324,16 +254,28 @@ fn differential_slip(
     let slip = sum(solved, |i, point| {
         let slip = slip_of(mechanics, solved.machine.contacts[i].side, point)?;
         let found = slip.friction(stress_of(case));
-        (found.mean_traction < IMPOSSIBLE).then_some(of_model(found.power))
+        (found.mean_traction < LARGEST_TRACTION).then_some(Marked::exact(found.power))
     });
     slip.map(|slip| slip.value)
 }
 
 /// Power that rolling alone takes: (µ_2 − µ_1) Q u.
-fn rolling_power(point: &PointSolution) -> Option<Estimate> {
-    let rolling = rolling_coefficient(point)?;
+fn rolling_power(point: &PointSolution) -> Option<Marked> {
     let scale = point.case.contact.load * point.case.motion.entrainment_speed;
-    Some(scaled(rolling, scale))
+    Some(rolling_coefficient(point)? * scale)
+}
+
+/// Power that the surfaces lose on the film. It is not resolved where spin takes more than dry metal would, µ Q times the mean speed of sliding: that of spin
+/// is at most 2/3 of the speed at the longer half-axis.
+fn film_power(point: &PointSolution) -> Option<Marked> {
+    let power = figure_of(point, Figure::FrictionPower)?;
+    let [ring, ball] = point.case.motion.spin;
+    let hertz = &point.outcome.solution()?.hertz;
+    let reach = hertz.half_width_y.unwrap_or(0.0).max(hertz.half_width);
+    let speed = (ball - ring).abs() * reach * 2.0 / 3.0;
+    let dry = limits::TRACTION * point.case.contact.load * speed;
+    let is_beyond = speed > 0.0 && power.value - rolling_power(point)?.value > dry;
+    Some(power.with(Marks::when(is_beyond, Mark::Unresolved)))
 }
 
 /// What slips at a ring; `None` of rollers, and where the contact was not solved.

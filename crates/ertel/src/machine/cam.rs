@@ -14,25 +14,31 @@ use std::f64::consts::TAU;
 use ertel_machines::cam::CamPoint;
 
 use super::curve::Curve;
-use super::{MachineFigure, Section, figure_of, of_model};
+use super::{MachineFigure, Section, figure_of};
 use crate::case::CamMechanics;
+use crate::mark::{Mark, Marked, Marks};
 use crate::point::MachineSolution;
-use crate::solution::{Estimate, Figure};
+use crate::solution::Figure;
+
+/// Angles of a turn over which is summed: forces and speeds are known at each of them, µ and f are linear between the solved contacts.
+const ANGLES: usize = 1440;
 
 /// The figures of a cam.
 pub(super) fn figures(cam: &CamMechanics, solved: &MachineSolution) -> Vec<MachineFigure> {
-    let mut figures = mechanics(cam);
+    let turn = cam.cam.turn(&cam.operation, ANGLES);
+    let turn = turn.unwrap_or_else(|_| cam.points.clone());
+    let mut figures = mechanics(&turn);
     figures.extend(thinnest(cam, solved));
-    figures.extend(friction(cam, solved).into_iter().flatten());
+    figures.extend(friction(cam, &turn, solved).into_iter().flatten());
     figures
 }
 
 /// Pressure and torque.
-fn mechanics(cam: &CamMechanics) -> Vec<MachineFigure> {
+fn mechanics(turn: &[CamPoint]) -> Vec<MachineFigure> {
     let figure = |name, words, value, unit| MachineFigure {
         name,
         words,
-        estimate: of_model(value),
+        estimate: Marked::exact(value),
         unit,
         section: Section::Mechanics,
         source: "",
@@ -40,10 +46,12 @@ fn mechanics(cam: &CamMechanics) -> Vec<MachineFigure> {
     let mut figures = Vec::new();
     // A hair more, so that of equal ones the first is taken.
     let is_higher = |a: &CamPoint, b: &CamPoint| a.hertz_pressure > b.hertz_pressure * (1.0 + 1e-9);
-    let highest = (cam.points.iter()).reduce(|best, point| match is_higher(point, best) {
-        true => point,
-        false => best,
-    });
+    let highest = turn
+        .iter()
+        .reduce(|best, point| match is_higher(point, best) {
+            true => point,
+            false => best,
+        });
     if let Some(highest) = highest {
         let bar = (cam.cam.bars(&cam.operation, highest.angle)).hertz_pressure;
         let mut pressure = figure(
@@ -70,7 +78,7 @@ fn mechanics(cam: &CamMechanics) -> Vec<MachineFigure> {
         "rad",
     ));
     let torque = |point: &CamPoint| point.force.max(0.0) * point.lift_velocity;
-    let torques = cam.points.iter().map(|point| torque(point).abs());
+    let torques = turn.iter().map(|point| torque(point).abs());
     figures.push(MachineFigure {
         source: "T = F ds/dθ, without friction; over a turn it cancels",
         ..figure(
@@ -89,53 +97,108 @@ fn thinnest(cam: &CamMechanics, solved: &MachineSolution) -> Option<MachineFigur
     Some(MachineFigure {
         name: "film_minimum_angle",
         words: "smallest film at the angle of the cam",
-        estimate: of_model(cam.points[i].angle),
+        estimate: Marked::exact(cam.points[i].angle),
         unit: "rad",
         section: Section::Films,
         source: "films are steady ones: where the entrainment nearly vanishes, squeeze leaves more",
     })
 }
 
-/// Friction over a turn, where all contacts are solved.
-fn friction(cam: &CamMechanics, solved: &MachineSolution) -> Option<[MachineFigure; 2]> {
-    let mut coefficient = Vec::new();
-    let mut resistance = Vec::new();
-    for (i, at) in cam.points.iter().enumerate() {
-        if solved.machine.contacts[i].like.is_none() {
-            continue;
-        }
-        let point = solved.of(i)?;
-        let mu = figure_of(point, Figure::TractionCoefficient)?;
-        let power = figure_of(point, Figure::FrictionPower)?;
-        let slide = at.load_per_length * at.sliding_speed.abs();
-        let speed = at.entrainment_speed.abs();
-        let mu = Estimate {
-            value: mu.value.abs(),
-            error: mu.error,
-        };
-        coefficient.push((at.angle, mu));
-        let rolling = Estimate {
-            value: (power.value - mu.value * slide) / speed,
-            error: None,
-        };
-        resistance.push((at.angle, rolling));
-    }
-    let (coefficient, resistance) = (round(coefficient)?, round(resistance)?);
-    let mean = |of: &dyn Fn(&CamPoint) -> f64| {
-        let touching = cam.points.iter().filter(|point| !point.contact_lost);
-        touching.map(of).sum::<f64>() * cam.operation.width / cam.points.len() as f64
+/// The smallest of values at angles. Next to where the entrainment reverses, steady films vanish between the contacts: no parabola leads there, and the bar
+/// holds what every second contact differs by.
+pub(super) fn smallest(cam: &CamMechanics, values: Vec<(f64, Marked)>) -> Option<Marked> {
+    let (every, other): (Vec<_>, Vec<_>) =
+        (values.iter().enumerate()).partition(|(i, _)| i % 2 == 0);
+    let least = |half: Vec<(usize, &(f64, Marked))>| {
+        let values = half.into_iter().map(|(_, (_, value))| value.value);
+        values.fold(f64::INFINITY, f64::min)
     };
-    let slide = |point: &CamPoint| point.load_per_length * point.sliding_speed.abs();
-    let value = mean(&|point| {
-        coefficient.at(point.angle) * slide(point)
-            + resistance.at(point.angle) * point.entrainment_speed.abs()
+    let halves = (least(every) - least(other)).abs();
+    let (i, smallest) = round(values.clone())?.smallest();
+    // The curve starts with the last of the values.
+    let (angle, own) = values[(i + values.len() - 1) % values.len()];
+    let step = TAU / cam.points.len() as f64;
+    let reverses = (cam.reversals.iter()).any(|at| {
+        let apart = (at - angle).rem_euclid(TAU);
+        apart.min(TAU - apart) < step
     });
-    let bar = mean(&|point| coefficient.bar_at(point.angle) * slide(point));
-    let power = Estimate {
+    Some(match reverses && halves.is_finite() {
+        true => (own.wider(halves)).with(Marks::when(true, Mark::BetweenPoints)),
+        false => smallest,
+    })
+}
+
+/// µ and f of the solved contacts, those whose place among them is kept.
+struct Rubbing {
+    coefficient: Curve,
+    resistance: Curve,
+}
+
+impl Rubbing {
+    fn of(
+        cam: &CamMechanics,
+        solved: &MachineSolution,
+        keeps: impl Fn(usize) -> bool,
+    ) -> Option<Rubbing> {
+        let mut coefficient = Vec::new();
+        let mut resistance = Vec::new();
+        for (i, at) in cam.points.iter().enumerate() {
+            if solved.machine.contacts[i].like.is_none() || !keeps(i) {
+                continue;
+            }
+            let point = solved.of(i)?;
+            let mu = figure_of(point, Figure::TractionCoefficient)?.abs();
+            let power = figure_of(point, Figure::FrictionPower)?;
+            let slide = at.load_per_length * at.sliding_speed.abs();
+            let rolling = (power.value - mu.value * slide) / at.entrainment_speed.abs();
+            coefficient.push((at.angle, mu));
+            resistance.push((at.angle, Marked::exact(rolling)));
+        }
+        Some(Rubbing {
+            coefficient: round(coefficient)?,
+            resistance: round(resistance)?,
+        })
+    }
+
+    /// Power over a turn, W, where friction per length is `of` at a point.
+    fn mean(cam: &CamMechanics, turn: &[CamPoint], of: impl Fn(&CamPoint) -> f64) -> f64 {
+        let touching = turn.iter().filter(|point| !point.contact_lost);
+        touching.map(of).sum::<f64>() * cam.operation.width / turn.len() as f64
+    }
+
+    /// Power lost over a turn, W.
+    fn power(&self, cam: &CamMechanics, turn: &[CamPoint]) -> f64 {
+        Rubbing::mean(cam, turn, |point| {
+            self.coefficient.at(point.angle) * slide(point)
+                + self.resistance.at(point.angle) * point.entrainment_speed.abs()
+        })
+    }
+}
+
+/// w |u_2 − u_1|, W/m.
+fn slide(point: &CamPoint) -> f64 {
+    point.load_per_length * point.sliding_speed.abs()
+}
+
+/// Friction over a turn, where all contacts are solved. Its bar allows for the distance of the contacts: every second of them leads to another power.
+fn friction(
+    cam: &CamMechanics,
+    turn: &[CamPoint],
+    solved: &MachineSolution,
+) -> Option<[MachineFigure; 2]> {
+    let all = Rubbing::of(cam, solved, |_| true)?;
+    let value = all.power(cam, turn);
+    let bar = Rubbing::mean(cam, turn, |point| {
+        all.coefficient.bar_at(point.angle) * slide(point)
+    });
+    let halves = [0, 1].map(|odd| Rubbing::of(cam, solved, |i| i % 2 == odd));
+    let spacing = (halves.iter().flatten()).map(|half| (half.power(cam, turn) - value).abs());
+    let power = Marked {
         value,
-        error: coefficient.has_bars().then_some(bar),
+        error: all.coefficient.has_bars().then_some(bar),
+        marks: all.coefficient.marks(),
     };
-    let speed = cam.operation.speed.abs();
+    let power = power.wider(spacing.fold(0.0, f64::max));
     let figure = |name, words, estimate, unit, source| MachineFigure {
         name,
         words,
@@ -155,10 +218,7 @@ fn friction(cam: &CamMechanics, solved: &MachineSolution) -> Option<[MachineFigu
         figure(
             "friction_torque",
             "mean friction torque",
-            Estimate {
-                value: power.value / speed,
-                error: power.error.map(|error| error / speed),
-            },
+            power / cam.operation.speed.abs(),
             "N m",
             "",
         ),
@@ -166,7 +226,7 @@ fn friction(cam: &CamMechanics, solved: &MachineSolution) -> Option<[MachineFigu
 }
 
 /// A curve that goes round: the last point before the first, and the first behind the last.
-fn round(mut points: Vec<(f64, Estimate)>) -> Option<Curve> {
+fn round(mut points: Vec<(f64, Marked)>) -> Option<Curve> {
     let (first, last) = (*points.first()?, *points.last()?);
     points.insert(0, (last.0 - TAU, last.1));
     points.push((first.0 + TAU, first.1));

@@ -16,10 +16,13 @@ use ertel_machines::gear::{FlashMethod, PathPoint, ThermalBody};
 
 use super::curve::Curve;
 use super::rolling::rolling_coefficient;
-use super::{MachineFigure, Section, figure_of, of_model};
+use super::{MachineFigure, Section, figure_of};
 use crate::case::{Body, Case, GearMechanics};
+use crate::mark::{Mark, Marked, Marks};
 use crate::point::{MachineSolution, PointSolution};
-use crate::solution::{Estimate, Figure};
+use crate::solution::{FULL_FROM, Figure, limits, roughness_warning};
+use crate::warning::Warning;
+use crate::words::length;
 
 /// σ over Ra of normally distributed heights, as quoted.
 const RMS_OVER_RA: f64 = 1.25;
@@ -29,9 +32,11 @@ pub(super) fn figures(
     case: &Case,
     gears: &GearMechanics,
     solved: &MachineSolution,
+    warnings: &mut Vec<Warning>,
 ) -> Vec<MachineFigure> {
     let mut figures = mechanics(gears);
     figures.extend(thinnest(gears, solved));
+    warnings.extend(rough(gears, solved));
     figures.extend(friction(case, gears, solved));
     let hot = temperatures(case, gears, solved);
     figures.extend(hot);
@@ -44,7 +49,7 @@ fn mechanics(gears: &GearMechanics) -> Vec<MachineFigure> {
     let figure = |name, words, value, unit| MachineFigure {
         name,
         words,
-        estimate: of_model(value),
+        estimate: Marked::exact(value),
         unit,
         section: Section::Mechanics,
         source: "",
@@ -96,42 +101,66 @@ fn thinnest(gears: &GearMechanics, solved: &MachineSolution) -> Option<MachineFi
     Some(MachineFigure {
         name: "film_minimum_position",
         words: "smallest film at the distance from the pitch point",
-        estimate: of_model(gears.path[i].position),
+        estimate: Marked::exact(gears.path[i].position),
         unit: "m",
         section: Section::Films,
         source: "",
     })
 }
 
+/// Composite rms roughness of the flanks by their Ra, m.
+fn composite(gears: &GearMechanics) -> Option<f64> {
+    let [pinion, wheel] = gears.limits.roughness?;
+    Some(RMS_OVER_RA * pinion.hypot(wheel))
+}
+
+/// Says so where the smallest film does not separate flanks whose Ra is given.
+fn rough(gears: &GearMechanics, solved: &MachineSolution) -> Option<Warning> {
+    let film = super::smallest(solved, |point| figure_of(point, Figure::FilmMinimum))?;
+    let words = format!("the smallest film of the path, {},", length(film.value));
+    let warning = roughness_warning(&words, film.value, composite(gears)?)?;
+    let text = format!(
+        "{warning}: friction, losses, flash temperature and safety against scuffing are those of the film alone, and asperities add to them (compare the \
+         friction after Schlenk)"
+    );
+    Some(Warning { text, ..warning })
+}
+
+/// The coefficient of traction of a contact, and whether it is that of a film that does not separate the flanks.
+fn traction(gears: &GearMechanics, point: &PointSolution) -> Option<Marked> {
+    let film = figure_of(point, Figure::FilmMinimum)?.value;
+    let is_alone = composite(gears).is_some_and(|rough| film < FULL_FROM * rough);
+    let found = figure_of(point, Figure::TractionCoefficient)?;
+    Some(found.with(Marks::when(is_alone, Mark::FilmAlone)))
+}
+
 /// A solved contact: its coefficient of traction, the resistance to rolling f per length, and the bar of the whole loss over u_m, N/m.
 struct Rubbing {
-    coefficient: Estimate,
-    resistance: Estimate,
-    total_bar: Estimate,
+    coefficient: Marked,
+    resistance: Marked,
+    total_bar: Marked,
 }
 
 /// Friction of a contact at a point of the path.
 ///
 /// f = (p − µ w |u_2 − u_1|)/u_m
-fn rubbing(at: &PathPoint, point: &PointSolution) -> Option<Rubbing> {
-    let coefficient = figure_of(point, Figure::TractionCoefficient)?;
+fn rubbing(gears: &GearMechanics, at: &PathPoint, point: &PointSolution) -> Option<Rubbing> {
+    let coefficient = traction(gears, point)?;
     let power = figure_of(point, Figure::FrictionPower)?;
     let sliding = at.load_per_length * at.sliding_speed.abs();
-    let coefficient = Estimate {
-        value: coefficient.value.abs(),
-        error: coefficient.error,
-    };
-    let resistance = Estimate {
+    let coefficient = coefficient.abs();
+    let resistance = Marked {
         value: (power.value - coefficient.value * sliding) / at.entrainment_speed,
         error: (power.error.zip(coefficient.error)).map(|(power, mu)| {
             let both = (power + mu * sliding) / at.entrainment_speed;
             let own = rolling_coefficient(point).and_then(|f| Some(f.error? * at.load_per_length));
             own.map_or(both, |own| both.min(own))
         }),
+        marks: Marks::default(),
     };
-    let total_bar = Estimate {
+    let total_bar = Marked {
         value: 0.0,
-        error: power.error.map(|error| error / at.entrainment_speed),
+        ..power / at.entrainment_speed
     };
     Some(Rubbing {
         coefficient,
@@ -153,10 +182,6 @@ fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec
     let mut figures = Vec::new();
     if let Some(loss) = loss(gears, solved) {
         let input = gears.operation.power();
-        let scaled = |e: Estimate, factor: f64| Estimate {
-            value: factor * e.value,
-            error: e.error.map(|error| factor * error),
-        };
         figures.extend([
             figure(
                 "friction_coefficient_mean",
@@ -189,24 +214,21 @@ fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec
             figure(
                 "mesh_loss",
                 "over the power at the pinion",
-                scaled(loss.total, 1.0 / input),
+                loss.total / input,
                 "",
                 "",
             ),
             figure(
                 "mesh_efficiency",
                 "efficiency of the mesh",
-                Estimate {
-                    value: 1.0 - loss.total.value / input,
-                    error: loss.total.error.map(|e| e / input),
-                },
+                efficiency(loss.total / input),
                 "",
                 "",
             ),
             figure(
                 "loss_factor",
                 "loss factor H_V of this load sharing",
-                of_model(loss.factor),
+                Marked::exact(loss.factor),
                 "",
                 "H_V: Wimmer 2006",
             ),
@@ -216,7 +238,7 @@ fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec
     figures.push(figure(
         "loss_factor_ohlendorf",
         "loss factor H_V after Ohlendorf",
-        of_model(ohlendorf),
+        Marked::exact(ohlendorf),
         "",
         "Ohlendorf 1958, for even load sharing",
     ));
@@ -225,7 +247,7 @@ fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec
         figures.push(figure(
             "friction_coefficient_schlenk",
             "mean coefficient of friction after Schlenk",
-            of_model(model),
+            Marked::exact(model),
             "",
             match (gears.limits.oil_factor, source) {
                 (Some(_), RoughnessFrom::Gears) => {
@@ -245,7 +267,7 @@ fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec
         figures.push(figure(
             "friction_power_models",
             "power lost after Ohlendorf and Schlenk",
-            of_model(gears.operation.power() * ohlendorf * model),
+            Marked::exact(gears.operation.power() * ohlendorf * model),
             "W",
             "",
         ));
@@ -253,12 +275,18 @@ fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec
     figures
 }
 
+/// Efficiency by the loss over the power at the pinion, which cannot exceed that power.
+fn efficiency(loss: Marked) -> Marked {
+    let is_beyond = !loss.is_resolved() || loss.value > 1.0;
+    (Marked::exact(1.0) - loss).with(Marks::when(is_beyond, Mark::Unresolved))
+}
+
 /// Losses from the solved contacts.
 struct Loss {
-    sliding: Estimate,
-    rolling: Estimate,
-    total: Estimate,
-    mean_friction: Estimate,
+    sliding: Marked,
+    rolling: Marked,
+    total: Marked,
+    mean_friction: Marked,
     factor: f64,
 }
 
@@ -271,7 +299,7 @@ fn loss(gears: &GearMechanics, solved: &MachineSolution) -> Option<Loss> {
         if solved.machine.contacts[i].like.is_none() {
             continue;
         }
-        let rubbing = rubbing(at, solved.of(i)?)?;
+        let rubbing = rubbing(gears, at, solved.of(i)?)?;
         coefficient.push((at.position, rubbing.coefficient));
         resistance.push((at.position, rubbing.resistance));
         total.push((at.position, rubbing.total_bar));
@@ -319,22 +347,27 @@ fn loss(gears: &GearMechanics, solved: &MachineSolution) -> Option<Loss> {
     };
     let at_friction_1 = sliding.loss_factor * gears.operation.power();
     let sliding_bar = bar(coefficient.has_bars(), sliding_bar, 0);
+    let marks = coefficient.marks();
     Some(Loss {
-        sliding: Estimate {
+        sliding: Marked {
             value: sliding.power,
             error: sliding_bar,
+            marks,
         },
-        rolling: Estimate {
+        rolling: Marked {
             value: rolling,
             error: bar(resistance.has_bars(), rolling_bar, 1),
+            marks: resistance.marks(),
         },
-        total: Estimate {
+        total: Marked {
             value: sliding.power + rolling,
             error: bar(total.has_bars(), total_bar, 2),
+            marks,
         },
-        mean_friction: Estimate {
+        mean_friction: Marked {
             value: sliding.mean_friction,
             error: sliding_bar.map(|bar| bar / at_friction_1),
+            marks,
         },
         factor: sliding.loss_factor,
     })
@@ -415,7 +448,7 @@ fn temperatures(
     let mut figures = vec![figure(
         "bulk_temperature",
         "bulk temperature of the teeth",
-        of_model(bulk),
+        Marked::exact(bulk),
         "K",
         of_films,
     )];
@@ -425,10 +458,6 @@ fn temperatures(
     let rises = of_flanks.as_ref().unwrap_or(&blok);
     let Some((position, flash)) = hottest(rises) else {
         return figures;
-    };
-    let over_bulk = |rise: Estimate| Estimate {
-        value: bulk + rise.value,
-        ..rise
     };
     const BLOK: &str = "flash temperature: Blok 1937, from the solved friction, at the smooth-surface pressure of Hertz";
     let source = match is_solved {
@@ -446,14 +475,14 @@ fn temperatures(
         figure(
             "flash_temperature_position",
             "at the distance from the pitch point",
-            of_model(position),
+            Marked::exact(position),
             "m",
             "",
         ),
         figure(
             "contact_temperature",
             "largest contact temperature",
-            over_bulk(flash),
+            contact(flash, bulk),
             "K",
             "contact temperature: bulk temperature and flash temperature",
         ),
@@ -470,7 +499,7 @@ fn temperatures(
             figure(
                 "contact_temperature_blok",
                 "contact temperature after Blok, to compare",
-                over_bulk(flash),
+                contact(flash, bulk),
                 "K",
                 "",
             ),
@@ -480,12 +509,20 @@ fn temperatures(
     figures
 }
 
-/// Rises of temperature with the places of their contacts, m.
-type Rises = Vec<(f64, Estimate)>;
+/// The temperature of a flank that is warmer by a rise than the temperature `bulk` (K); not resolved where nothing stays an oil.
+fn contact(rise: Marked, bulk: f64) -> Marked {
+    let hot = rise.above(bulk);
+    let melts = hot.value > limits::TEMPERATURE;
+    hot.with(Marks::when(melts, Mark::Unresolved))
+}
 
-/// The largest of them.
-fn hottest(rises: &Rises) -> Option<(f64, Estimate)> {
-    (rises.iter().copied()).max_by(|a, b| a.1.value.total_cmp(&b.1.value))
+/// Rises of temperature with the places of their contacts, m.
+type Rises = Vec<(f64, Marked)>;
+
+/// The largest of them, with its place.
+fn hottest(rises: &Rises) -> Option<(f64, Marked)> {
+    let (i, rise) = Curve::new(rises.clone())?.largest();
+    Some((rises[i].0, rise))
 }
 
 /// Flash temperatures after Blok from the solved friction, of teeth at the temperature `bulk` (K); none where a body lacks its thermal data.
@@ -495,16 +532,17 @@ fn blok_rises(case: &Case, gears: &GearMechanics, solved: &MachineSolution, bulk
         return Vec::new();
     };
     let of = |(i, point): (usize, &PathPoint)| {
-        let friction = figure_of(solved.of(i)?, Figure::TractionCoefficient)?;
-        let rise = |mu| {
+        let friction = traction(gears, solved.of(i)?)?;
+        let rise = |mu: f64| {
             let flash = point.flash(mu, [pinion, wheel], FlashMethod::AnySpeed);
             flash.rise
         };
-        let rise = Estimate {
+        let flash = Marked {
             value: rise(friction.value.abs()),
             error: friction.error.map(rise),
+            ..friction
         };
-        Some((point.position, rise))
+        Some((point.position, flash))
     };
     gears.path.iter().enumerate().filter_map(of).collect()
 }
@@ -519,9 +557,10 @@ fn solved_rises(gears: &GearMechanics, solved: &MachineSolution, bulk: f64) -> R
         ];
         let flanks = flanks.into_iter().filter_map(|flank| figure_of(own, flank));
         let hotter = flanks.max_by(|a, b| a.value.total_cmp(&b.value))?;
-        let rise = Estimate {
+        let marks = traction(gears, own).map_or(Marks::default(), |friction| friction.marks);
+        let rise = Marked {
             value: (hotter.value - bulk).max(0.0),
-            ..hotter
+            ..hotter.with(marks)
         };
         Some((point.position, rise))
     };
@@ -536,12 +575,14 @@ fn scuffing_safety(
     bulk: f64,
 ) -> Option<MachineFigure> {
     let limit = gears.limits.scuffing_temperature?;
-    let flashes: Vec<f64> = rises.iter().map(|(_, rise)| rise.value).collect();
-    let found = scuffing(&flashes, bulk, case.lubricant.oil_temperature(), limit).ok()?;
+    let oil = case.lubricant.oil_temperature();
+    let (_, flash) = hottest(rises)?;
+    let safety = |flash: f64| scuffing(&[flash.max(0.0)], bulk, oil, limit).map(|s| s.safety);
+    let nominal = safety(flash.value).ok()?;
     Some(MachineFigure {
         name: "scuffing_safety",
         words: "safety against scuffing S_B",
-        estimate: of_model(found.safety),
+        estimate: flash.map(|flash| safety(flash).unwrap_or(nominal)),
         unit: "",
         section: Section::Safety,
         source: "S_B = (Θ_S − Θ_oil)/(Θ_B,max − Θ_oil): ISO/TS 6336-20",
@@ -557,23 +598,20 @@ fn specific_film(
     let Some((roughness, source)) = roughness(case, gears) else {
         return Vec::new();
     };
-    let films: Vec<(f64, Estimate)> = (gears.path.iter().enumerate())
-        .filter_map(|(i, at)| Some((at.position, figure_of(solved.of(i)?, Figure::FilmMinimum)?)))
-        .collect();
-    let values: Vec<f64> = films.iter().map(|(_, film)| film.value).collect();
-    let limit = gears.limits.permissible_lambda;
-    let Ok(found) = micropitting(&values, roughness, limit.unwrap_or(1.0)) else {
+    let films = (gears.path.iter().enumerate())
+        .filter_map(|(i, at)| Some((at.position, figure_of(solved.of(i)?, Figure::FilmMinimum)?)));
+    let Some(films) = Curve::new(films.collect()) else {
         return Vec::new();
     };
-    let bar = films[found.index].1.error;
-    let relative = bar.map(|bar| bar / values[found.index]);
+    let (_, thinnest) = films.smallest();
+    let limit = gears.limits.permissible_lambda;
+    let Ok(found) = micropitting(&[thinnest.value], roughness, limit.unwrap_or(1.0)) else {
+        return Vec::new();
+    };
     let figure = |name, words, value: f64, source| MachineFigure {
         name,
         words,
-        estimate: Estimate {
-            value,
-            error: relative.map(|r| r * value),
-        },
+        estimate: thinnest * (value / thinnest.value),
         unit: "",
         section: Section::Safety,
         source,

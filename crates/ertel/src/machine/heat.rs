@@ -9,6 +9,7 @@ use ertel_input::InputError;
 
 use super::figures;
 use crate::case::{Case, MachineContacts, Mechanics};
+use crate::mark::Marked;
 use crate::point::MachineSolution;
 
 /// K by which the temperature that the heat leads to may differ from that of the lubricant.
@@ -40,16 +41,24 @@ pub struct Balance {
     pub rest: f64,
     /// Rounds, each with all contacts.
     pub rounds: usize,
+    /// Whether the heat of the last round is not to be used.
+    pub is_doubtful: bool,
 }
 
 impl Balance {
     /// Whether it was found.
     pub fn is_found(&self) -> bool {
-        self.rest.abs() < TOLERANCE
+        self.rest.abs() < TOLERANCE && !self.is_doubtful
     }
 
     /// How it was not found, in words.
     pub fn words(&self) -> String {
+        if self.is_doubtful {
+            return format!(
+                "no balance of heat: with the lubricant at {:.1} °C the friction of the contacts is not to be used",
+                self.temperature - CELSIUS
+            );
+        }
         format!(
             "no balance of heat in {} rounds: with the lubricant at {:.1} °C the heat leads to {:.1} °C",
             self.rounds,
@@ -87,11 +96,12 @@ pub(crate) fn solve_by(
         let own = solved.case.lubricant.temperature;
         let balance = Balance {
             temperature: own,
-            rest: aim - own,
+            rest: aim.value - own,
             rounds,
+            is_doubtful: aim.is_doubtful(),
         };
         solved.balance = Some(balance);
-        if balance.is_found() || rounds == ROUNDS {
+        if balance.is_found() || balance.is_doubtful || rounds == ROUNDS {
             break;
         }
         let next = own + step(before, [own, balance.rest]);
@@ -116,9 +126,9 @@ fn asks_for_balance(solution: &MachineSolution) -> bool {
 }
 
 /// The temperature that the heat of all contacts leads to, K.
-fn temperature(solved: &SolvedMachine) -> Option<f64> {
+fn temperature(solved: &SolvedMachine) -> Option<Marked> {
     let figures = figures(&solved.case, &solved.solution);
-    Some(figures.find("bearing_temperature")?.estimate.value)
+    Some(figures.find("bearing_temperature")?.estimate)
 }
 
 /// The next step, K, from the points (temperature, rest) before and now: half of the rest at first, then by the secant, which must fall.
@@ -143,6 +153,7 @@ fn tell(solved: &mut SolvedMachine) {
             balance.temperature - CELSIUS,
             balance.rounds
         ),
+        false if balance.is_doubtful => balance.words(),
         false => format!(
             "not found in {} rounds: the lubricant was at {:.1} °C in the last one, and the heat led {rest} further",
             balance.rounds,

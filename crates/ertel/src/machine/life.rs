@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 use ertel_machines::bearing::geometry::{BallGeometry, Ring};
 use ertel_machines::bearing::{Geometry, Material, life};
 
-use super::{MachineFigure, Section, of_model};
+use super::{MachineFigure, Section};
 use crate::case::{BearingMechanics, Case, Contamination, RatingBasis};
 use crate::solution::Estimate;
 use crate::warning::{Warning, WarningKind};
@@ -51,7 +51,8 @@ impl Collected {
         unit: &'static str,
         source: &'static str,
     ) {
-        self.add_estimate(section, names, of_model(value), unit, source);
+        let estimate = Estimate { value, error: None };
+        self.add_estimate(section, names, estimate, unit, source);
     }
 
     pub(super) fn warn(&mut self, kind: WarningKind, text: impl Into<String>) {
@@ -69,7 +70,7 @@ impl Collected {
         self.figures.push(MachineFigure {
             name,
             words,
-            estimate,
+            estimate: estimate.into(),
             unit,
             section,
             source,

@@ -13,10 +13,12 @@ mod slip;
 pub(crate) use heat::solve_by;
 pub use heat::{Balance, SolvedMachine};
 
+use self::curve::Curve;
 use crate::case::{Case, Mechanics};
+use crate::mark::Marked;
 pub use crate::point::{MachineFigure, MachineFigures, Section};
 use crate::point::{MachineSolution, PointSolution};
-use crate::solution::{Estimate, Figure};
+use crate::solution::Figure;
 use crate::warning::silence;
 
 /// The figures of a machine; sums and extremes over its contacts only where all of them are solved: the thinnest film may be that of a contact which is missing.
@@ -35,7 +37,7 @@ pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
         Mechanics::Bearing(bearing) => {
             all.extend(bearing::figures(case, bearing, solved, &mut warnings));
         }
-        Mechanics::Gears(gears) => all.extend(gears::figures(case, gears, solved)),
+        Mechanics::Gears(gears) => all.extend(gears::figures(case, gears, solved, &mut warnings)),
         Mechanics::Cam(cam) => all.extend(cam::figures(cam, solved)),
     }
     silence(&mut warnings, &case.output.silence);
@@ -54,11 +56,6 @@ pub fn unsolved(case: &Case) -> Option<(MachineSolution, MachineFigures)> {
     Some((solution, figures))
 }
 
-/// A figure without bar: that of a formula.
-fn of_model(value: f64) -> Estimate {
-    Estimate { value, error: None }
-}
-
 /// The contact with the smallest film, by its place among the contacts.
 fn thinnest(solved: &MachineSolution) -> Option<usize> {
     let films = solved
@@ -69,45 +66,53 @@ fn thinnest(solved: &MachineSolution) -> Option<usize> {
 }
 
 /// A figure of a contact.
-fn figure_of(point: &PointSolution, figure: Figure) -> Option<Estimate> {
-    let found = point.outcome.solution()?.figure(figure)?;
-    Some(found.estimate())
+fn figure_of(point: &PointSolution, figure: Figure) -> Option<Marked> {
+    Marked::of(point.outcome.solution()?, figure)
 }
 
-/// Sum over all contacts that something presses, those that are alike counted as often as they are there. Bars of contacts that are solved in one
-/// way err in one way: they add. `None` where one of them has no value.
+/// Sum over all contacts that something presses, those that are alike counted as often as they are there. `None` where one of them has no value.
 fn sum(
     solved: &MachineSolution,
-    value: impl Fn(usize, &PointSolution) -> Option<Estimate>,
-) -> Option<Estimate> {
+    value: impl Fn(usize, &PointSolution) -> Option<Marked>,
+) -> Option<Marked> {
     let machine = &solved.machine;
-    let mut sum = Estimate {
-        value: 0.0,
-        error: Some(0.0),
-    };
     let own = machine.contacts.iter().enumerate();
-    for (i, _) in own.filter(|(i, contact)| contact.like == Some(*i)) {
-        let of = value(i, solved.of(i)?)?;
-        let n = machine.count(i) as f64;
-        sum.value += n * of.value;
-        sum.error = sum.error.zip(of.error).map(|(sum, error)| sum + n * error);
+    let own = own.filter(|(i, contact)| contact.like == Some(*i));
+    let of = own.map(|(i, _)| Some(value(i, solved.of(i)?)? * machine.count(i) as f64));
+    let nothing = Marked {
+        error: Some(0.0),
+        ..Marked::exact(0.0)
+    };
+    of.into_iter().try_fold(nothing, |sum, of| Some(sum + of?))
+}
+
+/// The smallest value of all contacts. Along a path and over a turn its bar allows for what lies between the contacts.
+fn smallest(
+    solved: &MachineSolution,
+    value: impl Fn(&PointSolution) -> Option<Marked>,
+) -> Option<Marked> {
+    let contacts = solved.machine.contacts.iter().enumerate();
+    let values = contacts.filter_map(|(i, at)| Some((at.place, value(solved.of(i)?)?)));
+    let values: Vec<(f64, Marked)> = values.collect();
+    match &solved.machine.mechanics {
+        Mechanics::Bearing(_) => {
+            let values = values.into_iter().map(|(_, value)| value);
+            values.min_by(|a, b| a.value.total_cmp(&b.value))
+        }
+        Mechanics::Gears(_) => Some(Curve::new(values)?.smallest().1),
+        Mechanics::Cam(cam) => cam::smallest(cam, values),
     }
-    Some(sum)
 }
 
 /// The smallest film of all, and the smallest film over roughness.
 fn films(solved: &MachineSolution) -> Vec<MachineFigure> {
-    let smallest = |value: &dyn Fn(&PointSolution) -> Option<Estimate>| {
-        let of = solved.solved().filter_map(|(_, point)| value(point));
-        of.min_by(|a, b| a.value.total_cmp(&b.value))
-    };
-    let film = smallest(&|point| figure_of(point, Figure::FilmMinimum));
-    let central = smallest(&|point| figure_of(point, Figure::FilmCentral));
-    let lambda = smallest(&|point| {
+    let film = smallest(solved, |point| figure_of(point, Figure::FilmMinimum));
+    let central = smallest(solved, |point| figure_of(point, Figure::FilmCentral));
+    let lambda = smallest(solved, |point| {
         let mixed = point.outcome.solution()?.mixed.as_ref()?;
-        Some(mixed.lambda_minimum)
+        Some(Marked::from(mixed.lambda_minimum))
     });
-    let figure = |name, words, unit, estimate: Option<Estimate>| {
+    let figure = |name, words, unit, estimate: Option<Marked>| {
         Some(MachineFigure {
             name,
             words,

@@ -3,11 +3,13 @@
 //! ```text
 //!   f = µ_2 − µ_1 = ∫ h ∂p/∂x dA/Q
 //! ```
-//! Traction of sliding and spin is the same at both walls: what it errs by goes out of the difference.
+//! Traction of sliding and spin is the same at both walls: what it errs by goes out of the difference, and so do the marks of friction that no lubricant
+//! transmits.
 
 use super::figure_of;
+use crate::mark::{Marked, Marks};
 use crate::point::PointSolution;
-use crate::solution::{Estimate, Figure};
+use crate::solution::Figure;
 
 const WALLS: [Figure; 2] = [
     Figure::TractionCoefficientBody1,
@@ -16,7 +18,7 @@ const WALLS: [Figure; 2] = [
 
 /// f of a contact. Its bar is the share of itself that the traction at the walls errs by, and what the balance of f with the offset of the load is off by; no
 /// more than the bars of both walls together.
-pub(super) fn rolling_coefficient(point: &PointSolution) -> Option<Estimate> {
+pub(super) fn rolling_coefficient(point: &PointSolution) -> Option<Marked> {
     let figures = &point.outcome.solution()?.measured.figures;
     let [one, two] = WALLS.map(|wall| Some((figure_of(point, wall)?, figures.get(wall)?)));
     let ((one, at_1), (two, at_2)) = (one?, two?);
@@ -30,7 +32,11 @@ pub(super) fn rolling_coefficient(point: &PointSolution) -> Option<Estimate> {
             at_1.misfit + at_2.misfit,
         )
     });
-    Some(Estimate { value, error })
+    Some(Marked {
+        value,
+        error,
+        marks: Marks::default(),
+    })
 }
 
 /// The bar of f by those of both walls, the sizes that these belong to, and the misfit of f.

@@ -1,5 +1,4 @@
-//! Friction of a ball by differential slip: ball and groove touch on a curved surface, of which only two lines roll; and by spin where the film is solved
-//! without the limits of its shear stress.
+//! Friction of a ball by differential slip: ball and groove touch on a curved surface, of which only two lines roll.
 //!
 //! ```text
 //!   Δu(y) = u (c y² − s),  c = 1/(2 R_d R_x)        surfaces apart from their mean u; s: slip in the middle
@@ -69,20 +68,6 @@ impl Slip {
         }
         let [_, power, size] = sums(0.5 * (low + high));
         let load = points.iter().map(|(_, p, area)| p * area).sum::<f64>();
-        SlipFriction {
-            power,
-            mean_traction: size / load,
-        }
-    }
-
-    /// Friction of surfaces that turn against each other at Δω (rad/s) about the normal in the middle: Δu = Δω r.
-    pub fn spin(&self, relative_spin: f64, stress: impl Fn(f64, f64) -> f64) -> SlipFriction {
-        let [power, size, load] =
-            (self.points().iter()).fold([0.0; 3], |[power, size, load], ([x, y], p, area)| {
-                let slide = relative_spin.abs() * x.hypot(*y);
-                let pull = stress(*p, slide / self.film) * area;
-                [power + pull * slide, size + pull, load + p * area]
-            });
         SlipFriction {
             power,
             mean_traction: size / load,
@@ -178,23 +163,6 @@ mod tests {
         };
         let expected = 4.0 * 40e6 * SLIP.speed * SLIP.curvature * a * b.powi(3) * within(4000);
         assert_relative_eq!(power, expected, max_relative = 5e-3);
-    }
-
-    /// Constant viscosity: P = µ Δω²/h ∫ r² dA = µ Δω² π a b (a² + b²)/(4 h). One stress τ everywhere on a circle: P = τ Δω ⅔ π a³.
-    #[test]
-    fn spin_of_constant_viscosity_and_stress() {
-        let [a, b] = SLIP.half_widths;
-        let power = SLIP.spin(-100.0, |_, rate| 0.02 * rate).power;
-        let expected = 0.02 * 1e4 * PI * a * b * (a * a + b * b) / (4.0 * SLIP.film);
-        assert_relative_eq!(power, expected, max_relative = 1e-3);
-        let circle = Slip {
-            half_widths: [1e-3; 2],
-            ..SLIP
-        };
-        let found = circle.spin(100.0, |_, _| 40e6);
-        let expected = 40e6 * 100.0 * 2.0 / 3.0 * PI * 1e-9;
-        assert_relative_eq!(found.power, expected, max_relative = 1e-3);
-        assert_relative_eq!(found.mean_traction, 60e6 / 2e9, max_relative = 1e-3);
     }
 
     /// Eyring: τ = τ₀ asinh(μγ̇/τ₀).

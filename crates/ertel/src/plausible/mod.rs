@@ -77,7 +77,7 @@ pub fn smallest_radius(case: &Case) -> f64 {
 
 /// What a case leaves out of what limits friction.
 fn left_out_of_friction(case: &Case) -> Vec<&'static str> {
-    let thinning = case.shear_thinning();
+    let thinning = case.friction_thinning();
     [
         (
             thinning.is_some(),

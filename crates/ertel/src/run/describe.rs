@@ -8,9 +8,9 @@ use crate::plausible::left_out::Known;
 use crate::post;
 use crate::problem::groups as groups_of;
 use crate::solution::{
-    Asked, BodyField, Centreline, ElementFields, FilmReduction, IterationRecord, Measured,
-    Sensitivities, Solution, Starvation, Stats, Summary, SurfaceField, Thermal, Uncertainties,
-    Unresolved,
+    Asked, BodyField, Centreline, ElementFields, Figure, FilmReduction, IterationRecord, Measured,
+    Section, Sensitivities, Solution, Starvation, Stats, Summary, SurfaceField, Thermal,
+    Uncertainties, Unresolved,
 };
 use crate::solve::SolveError;
 use crate::warning::{Warning, WarningKind};
@@ -150,6 +150,11 @@ pub(super) fn describe<Plan>(
 pub(super) fn side_of<Plan>(problem: &Problem<Plan>, side: f64) -> f64 {
     let roller = problem.shape.zone.roller.as_ref();
     roller.map_or(side, |roller| roller.half_length())
+}
+
+/// Whether derivatives of a figure can be told: not of friction by a law that the film, which the derivatives go by, is solved without.
+pub(super) fn has_derivatives(case: &Case, figure: Figure) -> bool {
+    !(case.friction_by_law && figure.section() == Section::Traction)
 }
 
 /// Adds how much each input counts, and what the uncertainty of the inputs comes to. A solution without is still one.

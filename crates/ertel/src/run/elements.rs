@@ -2,7 +2,7 @@
 
 use ertel_fem::platform::Instant;
 
-use super::describe::{Found, describe, note_sensitivities, side_of};
+use super::describe::{Found, describe, has_derivatives, note_sensitivities, side_of};
 use super::{Recorder, peak_memory};
 use crate::case::Case;
 use crate::contact::Scales;
@@ -103,7 +103,7 @@ fn sensitivities(
     (start, rough): (&Start, Option<RoughAdjoints>),
     observer: &mut dyn Observer,
 ) -> Result<Sensitivities, SolveError> {
-    let resolved = |figure| solution.resolves(figure);
+    let resolved = |figure| solution.resolves(figure) && has_derivatives(case, figure);
     match &problem.heat {
         Some(_) => {
             let only_uncertain = case.output.sensitivities != SensitivityDemand::All;
@@ -161,8 +161,8 @@ fn found(case: &Case, problem: &Problem, solved: &Finished) -> Result<Found, Sol
     }
     Ok(Found {
         film_reduction: post::summary::film_reduction(levels, &measured),
-        centreline: post::fields::centreline(finest, &problem.fluid, scales),
-        surface: post::fields::surface(finest, &problem.fluid, scales),
+        centreline: post::fields::centreline(finest, problem.friction_fluid(), scales),
+        surface: post::fields::surface(finest, problem.friction_fluid(), scales),
         elements: post::elements::elements(finest, scales),
         body: (case.output.body_field)
             .then(|| post::fields::body(finest, scales))

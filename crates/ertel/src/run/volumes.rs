@@ -2,7 +2,7 @@
 
 use ertel_fem::platform::Instant;
 
-use super::describe::{Found, describe, note_sensitivities};
+use super::describe::{Found, describe, has_derivatives, note_sensitivities};
 use super::{Recorder, peak_memory};
 use crate::case::Case;
 use crate::engine::{Engine, Problem, Solved};
@@ -107,7 +107,7 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
         centreline: centreline_of(
             &fields::profile(&film),
             &problem.shape,
-            &problem.fluid,
+            problem.friction_fluid(),
             &problem.scales,
         ),
         surface,
@@ -120,7 +120,9 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
     drop(film);
     if case.wants_sensitivities() {
         let own = problem_by_slices(case);
-        let tangents = Tangents::new(&own, &solved, |figure| solution.resolves(figure));
+        let tangents = Tangents::new(&own, &solved, |figure| {
+            solution.resolves(figure) && has_derivatives(case, figure)
+        });
         let found = by_derivatives(case, &own, &tangents, SensitivityMethod::LinearSolves);
         note_sensitivities(&mut solution, case, Ok(found))?;
     }

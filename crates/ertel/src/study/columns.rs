@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::{MachinePoint, Outcome, PointSolution, RunInTime};
+use crate::mark::{Mark, Marked, of_figure};
 use crate::solution::{Estimate, Figure, Kind, MixedLubrication, Solution, Thermal, Unresolved};
 
 /// A column of a table, and beside it that of its error bar if it has one.
@@ -95,10 +96,14 @@ impl Column {
         }
     }
 
-    /// Whether the error bar of a point is narrow enough for a number.
-    fn is_resolved(&self, point: &PointSolution) -> bool {
+    /// Whether the value of a point is to be used: its error bar is narrow enough for a number, and no mark forbids it.
+    fn is_usable(&self, point: &PointSolution) -> bool {
         match self.source {
-            Source::Figure(figure) => solved(point, figure).is_none_or(|at| at.resolved),
+            Source::Figure(figure) => {
+                let doubtful = |s: &Solution| of_figure(s, figure).iter().any(Mark::forbids);
+                solved(point, figure).is_none_or(|at| at.resolved)
+                    && !point.outcome.solution().is_some_and(doubtful)
+            }
             Source::Estimate(_, value) => value(point).is_none_or(|e| e.is_resolved()),
             Source::Plain(..) => true,
         }
@@ -135,7 +140,7 @@ fn machine_fields(point: &PointSolution, machine: &MachinePoint) -> Vec<(String,
         count("contacts_failed", solution.n_failed()),
     ];
     for figure in &figures.all {
-        let Estimate { value, error } = figure.estimate;
+        let Marked { value, error, .. } = figure.estimate;
         let of = titled(figure.name, figure.unit);
         let error_of = titled(&format!("{}_error", figure.name), figure.unit);
         fields.extend([(of, Cell::Number(value)), (error_of, error.into())]);
@@ -152,13 +157,14 @@ fn machine_fields(point: &PointSolution, machine: &MachinePoint) -> Vec<(String,
             unresolved.push(name);
         }
     }
-    let uncertain = (figures.all.iter()).filter(|figure| !figure.estimate.is_resolved());
+    let uncertain = (figures.all.iter()).filter(|figure| figure.estimate.is_doubtful());
     let uncertain: Vec<&str> = uncertain.map(|figure| figure.name).collect();
     fields.extend([
         count("newton_iterations", sum(newton_iterations)),
         count("krylov_iterations", sum(krylov_iterations)),
         text("unresolved", unresolved.join(" ")),
         text("uncertain_figures", uncertain.join(" ")),
+        text("warnings", warnings(point)),
         ("seconds".to_owned(), Cell::Number(point.seconds)),
         text(
             "reason",
@@ -200,6 +206,7 @@ fn fields_in_time(
             ),
             text("unresolved", run.unresolved.join(" ")),
             text("uncertain_figures", uncertain.join(" ")),
+            text("warnings", warnings(point)),
         ]);
     }
     fields.extend([
@@ -302,12 +309,25 @@ pub fn columns() -> impl Iterator<Item = Column> {
         .chain(DERIVED.iter().copied())
 }
 
-/// Names of the figures of a point whose error bars are too wide for a number: largest pressures are lower bounds then.
+/// Names of the figures of a point that are not to be used: error bars are too wide for a number (largest pressures are lower bounds then), or a mark forbids it.
 fn uncertain_figures(point: &PointSolution) -> Cell {
     let names = columns()
-        .filter(|column| !column.is_resolved(point))
+        .filter(|column| !column.is_usable(point))
         .map(|column| column.name);
     Cell::Text(names.collect::<Vec<_>>().join(" "))
+}
+
+/// The codes of the warnings of a point, without notes and those that are silenced.
+fn warnings(point: &PointSolution) -> String {
+    let mut names: Vec<&str> = Vec::new();
+    let all = point.warnings();
+    for warning in all.iter().filter(|warning| warning.is_shown()) {
+        let name = warning.kind.code();
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names.join(" ")
 }
 
 fn film_central(solution: Option<&crate::solution::Solution>) -> Option<Estimate> {
@@ -427,6 +447,7 @@ const DERIVED: &[Column] = &[
         None => Cell::Empty,
     }),
     Column::plain("uncertain_figures", "", uncertain_figures),
+    Column::plain("warnings", "", |point| Cell::Text(warnings(point))),
     Column::plain("seconds", "", |point| Cell::Number(point.seconds)),
     Column::plain("reason", "", |point| {
         let reason = |outcome: &Option<Outcome>, name: &str| {

@@ -65,6 +65,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
             heat_capacity: None,
             temperature_ranges: Vec::new(),
             estimates: Vec::new(),
+            is_shear_by_kind: false,
         },
         mesh: MeshParams::preset(MeshPreset::Coarse, kind),
         solver: SolverParams::default(),
@@ -83,6 +84,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
         contacts: None,
         origin: None,
         machine: None,
+        friction_by_law: false,
         supply: ertel::contact::Supply::Flooded,
     }
 }

@@ -34,8 +34,10 @@ fn figure(point: &PointSolution, name: &str) -> Option<Shown> {
         return Some(Shown { words, estimate });
     }
     let found = point.machine.as_ref()?.figures.find(name)?;
-    let (words, estimate) = (found.words, found.estimate);
-    Some(Shown { words, estimate })
+    Some(Shown {
+        words: found.words,
+        estimate: found.estimate.estimate(),
+    })
 }
 
 /// Figures over the quantity, with the bars that they have; `None` where no point has one.

@@ -7,6 +7,7 @@ use super::super::result_json::{FORMAT_VERSION, units};
 use super::warnings;
 use crate::case::{CaseEcho, RINGS};
 use crate::machine::MachineFigures;
+use crate::mark::Mark;
 use crate::run::NUMERICS;
 use crate::study::MachineSolution;
 use crate::warning::{codes, silenced, texts};
@@ -79,9 +80,13 @@ pub fn machine_json(
 pub(in crate::output) fn machine_figures_json(figures: &MachineFigures) -> Map<String, Value> {
     (figures.all.iter())
         .map(|figure| {
+            let estimate = figure.estimate;
+            let marks: Vec<&str> = estimate.marks.iter().map(Mark::name).collect();
             let value = json!({
-                "value": figure.estimate.value,
-                "error": figure.estimate.error,
+                "value": estimate.value,
+                "error": estimate.error,
+                "resolved": estimate.is_resolved(),
+                "marks": marks,
                 "unit": figure.unit,
                 "words": figure.words,
                 "source": figure.source,

@@ -8,9 +8,10 @@ use super::super::lines::{Lines, Table};
 use super::super::report::write_case;
 use crate::case::CaseEcho;
 use crate::machine::{MachineFigure, MachineFigures, Section};
+use crate::mark::{Mark, Marks, of_figure};
 use crate::solution::{Estimate, Figure, Solution};
 use crate::study::{MachineSolution, Outcome};
-use crate::warning::{Warning, WarningKind, by_kind};
+use crate::warning::{Warning, by_kind};
 use crate::words::{digits, force, pressure};
 
 /// The machine, its figures, its contacts as a table, failures, warnings.
@@ -60,6 +61,10 @@ pub(in crate::output) fn write_figures(out: &mut Lines, figures: &MachineFigures
         for figure in &of {
             out.row(figure.words, shown(figure));
         }
+        let marks: Marks = of.iter().map(|figure| figure.estimate.marks).sum();
+        for mark in marks.iter().filter(|mark| !mark.symbol().is_empty()) {
+            out.note(mark.words());
+        }
         let mut told: Vec<&str> = Vec::new();
         for figure in of.iter().filter(|f| !f.source.is_empty()) {
             if !told.contains(&figure.source) {
@@ -73,9 +78,18 @@ pub(in crate::output) fn write_figures(out: &mut Lines, figures: &MachineFigures
 /// Rises, and no temperatures.
 const FLASH: [&str; 2] = ["flash_temperature", "flash_temperature_blok"];
 
-/// A figure with its unit as people read it.
+/// A figure with its unit as people read it, and with the symbols of its marks; without a number where what it is made of is not resolved.
 pub(in crate::output) fn shown(figure: &MachineFigure) -> String {
-    let e = figure.estimate;
+    let marks = figure.estimate.marks;
+    match marks.has(Mark::Unresolved) {
+        true => format!("not resolved{}", marks.symbols()),
+        false => with_unit(figure) + &marks.symbols(),
+    }
+}
+
+/// A figure with its unit.
+fn with_unit(figure: &MachineFigure) -> String {
+    let e = figure.estimate.estimate();
     match figure.unit {
         "m" => estimate(&e),
         "K" if FLASH.contains(&figure.name) => in_unit(e, 1.0, "K"),
@@ -174,9 +188,13 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
                 estimate(&s.summary.film_central),
                 estimate(&s.summary.film_minimum),
                 (s.mixed.as_ref()).map_or_else(none, |m| number(m.lambda_minimum)),
-                marked(number(s.traction.coefficient), s),
+                marked(
+                    number(s.traction.coefficient),
+                    s,
+                    Figure::TractionCoefficient,
+                ),
                 (s.traction.across.as_ref()).map_or_else(none, |a| number(a.coefficient)),
-                marked(power(s, whole.is_line), s),
+                marked(power(s, whole.is_line), s, Figure::FrictionPower),
                 (s.thermal.as_ref())
                     .map_or_else(none, |t| temperature(t.film_maximum.estimate(), None)),
             ],
@@ -200,31 +218,18 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
     };
     let widths = (0..head.len()).map(|j| (width(j), 2)).collect();
     out.table(Table { head, rows, widths });
-    let mut solved = machine.solved().filter_map(|(_, p)| p.outcome.solution());
-    if solved.any(beyond_lubricants) {
-        out.note(BEYOND);
+    let marks: Marks = solutions()
+        .map(|s| of_figure(s, Figure::FrictionPower))
+        .sum();
+    for mark in marks.iter() {
+        out.note(mark.words());
     }
     write_idle(out, machine);
 }
 
-/// Stands after friction that no lubricant transmits.
-const MARK: &str = " (!)";
-
-/// What the mark means.
-const BEYOND: &str =
-    "(!) friction that no lubricant transmits, of films without what limits it: not to be used";
-
-/// Whether the friction of a contact is beyond what lubricants transmit.
-fn beyond_lubricants(solution: &Solution) -> bool {
-    let mut kinds = solution.warnings.iter().map(|w| w.kind);
-    kinds.any(|kind| kind == WarningKind::Friction)
-}
-
-fn marked(text: String, solution: &Solution) -> String {
-    match beyond_lubricants(solution) {
-        true => text + MARK,
-        false => text,
-    }
+/// The text of a figure of a contact with the symbols of its marks.
+fn marked(text: String, solution: &Solution, figure: Figure) -> String {
+    text + &of_figure(solution, figure).symbols()
 }
 
 /// How many contacts have no films, and why.
