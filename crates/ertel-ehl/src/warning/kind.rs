@@ -330,6 +330,16 @@ kinds! {
         "The follower leaves the cam.",
         "Contact force below zero.",
         "Stiffen or preload the spring, or lower the speed.";
+    /// A steep pressure angle of a cam.
+    PressureAngle "pressure-angle" Caution,
+        "The force of the cam acts at a steep angle to the motion of the follower, which may jam.",
+        "30 degrees of followers that move along a straight line, 45 degrees of those on an arm (Norton 2002, chapter 7; VDI 2142).",
+        "Increase the base radius, or reduce the offset.";
+    /// A table of lifts whose digits leave its curvature open.
+    LiftTable "lift-table" Caution,
+        "The digits of the table of lifts do not resolve the radius of curvature of the cam.",
+        "A bar of the radius, from half of the last digit, that is wider than half of the radius.",
+        "Give lifts with more digits, or the law of the motion.";
     /// Rollers as lines whose heaviest slice carries much more than the mean.
     UnevenRoller "uneven-roller" Caution,
         "Rollers are solved as lines under their mean load per length, but one slice carries much more.",

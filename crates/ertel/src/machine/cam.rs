@@ -27,14 +27,14 @@ const ANGLES: usize = 1440;
 pub(super) fn figures(cam: &CamMechanics, solved: &MachineSolution) -> Vec<MachineFigure> {
     let turn = cam.cam.turn(&cam.operation, ANGLES);
     let turn = turn.unwrap_or_else(|_| cam.points.clone());
-    let mut figures = mechanics(&turn);
+    let mut figures = mechanics(cam, &turn);
     figures.extend(thinnest(cam, solved));
     figures.extend(friction(cam, &turn, solved).into_iter().flatten());
     figures
 }
 
 /// Pressure and torque.
-fn mechanics(turn: &[CamPoint]) -> Vec<MachineFigure> {
+fn mechanics(cam: &CamMechanics, turn: &[CamPoint]) -> Vec<MachineFigure> {
     let figure = |name, words, value, unit| MachineFigure {
         name,
         words,
@@ -70,7 +70,7 @@ fn mechanics(turn: &[CamPoint]) -> Vec<MachineFigure> {
             "rad",
         ));
     }
-    let angles = cam.points.iter().map(|point| point.pressure_angle.abs());
+    let angles = turn.iter().map(|point| point.pressure_angle.abs());
     figures.push(figure(
         "pressure_angle_maximum",
         "largest pressure angle",

@@ -11,7 +11,7 @@ use crate::machine::{MachineFigure, MachineFigures, Section};
 use crate::mark::{Mark, Marks, of_figure};
 use crate::solution::{Estimate, Figure, Solution};
 use crate::study::{MachineSolution, Outcome};
-use crate::warning::{Warning, by_kind};
+use crate::warning::{Warning, WarningKind, by_kind};
 use crate::words::{digits, force, pressure};
 
 /// The machine, its figures, its contacts as a table, failures, warnings.
