@@ -340,6 +340,21 @@ kinds! {
         "The bearing is outside the range of a rating; lives or ratings are missing.",
         "Range of the standard that the message names.",
         "Use the manufacturer's ratings.";
+    /// A speed beyond what bearing makers recommend.
+    BearingSpeed "bearing-speed" Caution,
+        "The bearing turns faster than makers recommend for its kind with a standard cage.",
+        "Speed factor n d_m beyond 5e5 mm/min (balls), 4.5e5 (cylindrical) or 3.5e5 (tapered rollers): SKF, General catalogue, 2006, page 238; NSK's limits in oil are about a fifth higher.",
+        "Ask the maker for the limiting speed.";
+    /// A suffix of a designation that would change the figures, which are computed without it.
+    DesignationSuffix "designation-suffix" Caution,
+        "A suffix of the designation names something that the bearing is computed without.",
+        "Ceramic balls (HC), sets of bearings (DB, DF, DT), clearances that are not in the tables.",
+        "Follow the message.";
+    /// A model of friction outside its range.
+    FrictionModelRange "friction-model-range" Caution,
+        "A model of the friction torque is left out: the oil is too thick for it at this speed.",
+        "The rolling part of SKF's model no longer rises with the viscosity.",
+        "Compare with another model, or warm the oil.";
     /// An oil temperature that does not agree with the heat of the contacts.
     OilTemperature "oil-temperature" Caution,
         "The heat of the contacts leads to another temperature than that of the oil.",

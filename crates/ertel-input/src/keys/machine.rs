@@ -65,13 +65,13 @@ rows! {
         radial_clearance: LENGTH => "radial internal clearance, negative where the balls are squeezed; in place of `contact_angle`";
         radial_load: FORCE => r#"force on the inner ring across the axis, at ball 0; with this key, `axial_load` or `axial_preload` the file describes
             [a bearing under its loads](#a-bearing-under-its-loads)"#;
-        axial_load: FORCE => "force on the inner ring along the axis; optional, 0";
+        axial_load: FORCE => "force on the inner ring along the axis; optional, 0, but for angular contact bearings, which it must press together";
         axial_preload: LENGTH => "axial shift of the rings against each other beyond first touch, in place of `axial_load`";
         moment: Quantity(&[D::ENERGY]) => "tilting moment on the inner ring in the plane of the radial load; optional: the rings do not tilt";
         misalignment: ANGLE => "tilt of the inner ring in that plane, in place of `moment`";
         element: Count => "number of one ball, from 0 at the radial load on: with `ring`, its contact alone";
         folders: Switch => "whether the results of each contact are written into a folder of its own, too; optional, false";
-        dynamic_load_rating, static_load_rating, fatigue_load_limit: FORCE => "C, C_0 and C_u of the catalogue; optional, computed by ISO 281 and ISO 76";
+        dynamic_load_rating, static_load_rating, fatigue_load_limit: FORCE => "C, C_0 and C_u of the bearing's maker; optional";
         contamination_factor: Number => "e_C of ISO 281, above 0 up to 1; without it, `cleanliness` or `grease_cleanliness` there is no modified life";
         grease_cleanliness: Choice(&["high", "normal", "typical-contamination", "severe-contamination", "very-severe-contamination"]) => r"e_C of a
             grease by its cleanliness, in place of `contamination_factor`";
@@ -111,7 +111,7 @@ rows! {
             rollers over their whole length with relief and tilt"#;
         element: Count => "number of one roller, from 0 at the radial load on: with `ring`, its contact alone";
         folders: Switch => "whether the results of each contact are written into a folder of its own, too; optional, false";
-        dynamic_load_rating, static_load_rating, fatigue_load_limit: FORCE => "C, C_0 and C_u of the catalogue; optional, those of its catalogue for tapered rollers, else computed by ISO 281 and ISO 76";
+        dynamic_load_rating, static_load_rating, fatigue_load_limit: FORCE => "C, C_0 and C_u of the bearing's maker; optional";
         contamination_factor: Number => "e_C of ISO 281, above 0 up to 1; without it, `cleanliness` or `grease_cleanliness` there is no modified life";
         grease_cleanliness: Choice(&["high", "normal", "typical-contamination", "severe-contamination", "very-severe-contamination"]) => r"e_C of a
             grease by its cleanliness, in place of `contamination_factor`";

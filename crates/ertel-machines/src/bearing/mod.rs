@@ -105,6 +105,21 @@ impl Geometry {
         }
     }
 
+    /// Centrifugal force of an element of some density (kg/m³) on its orbit at the contact angle without load, N.
+    ///
+    /// F_c = m d_m ω_m²/2,  ω_m = [ω_i (1 − γ) + ω_o (1 + γ)]/2
+    pub fn centrifugal_force(&self, density: f64, speeds: Speeds) -> f64 {
+        let (diameter, pitch) = (self.element_diameter(), self.pitch_diameter());
+        let mass = match self {
+            Geometry::Ball(ball) => ball.mass(density),
+            Geometry::CylindricalRoller(roller) => roller.mass(density),
+            Geometry::TaperedRoller(roller) => roller.mass(density),
+        };
+        let gamma = diameter * self.free_angle().cos() / pitch;
+        let orbit = 0.5 * (speeds.inner * (1.0 - gamma) + speeds.outer * (1.0 + gamma));
+        0.5 * mass * pitch * orbit * orbit
+    }
+
     /// Free contact angle, rad: 0 of cylindrical rollers, that of the cup of tapered ones. Ratings go with the nominal one, which is 0 of deep
     /// groove ball bearings.
     pub fn free_angle(&self) -> f64 {

@@ -88,7 +88,8 @@ pub use inputs::Origin;
 pub use lubricant::Lubricant;
 pub use machine::{
     BearingMechanics, CamMechanics, ContactKind, Contamination, GearLimits, GearMechanics,
-    LifeInputs, MachineAxis, MachineContact, MachineContacts, Mechanics, RINGS, WholeMachine,
+    LifeInputs, MachineAxis, MachineContact, MachineContacts, Mechanics, RINGS, RatingBasis,
+    WholeMachine,
 };
 pub use params::{read_mesh, read_solver};
 pub use study::Study;

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use ertel_input::keys::{Kind, rows_of};
 use ertel_input::tree::{Node, Value};
 use ertel_input::{Document, InputError};
 use toml_edit::{DocumentMut, Item, TableLike};
@@ -94,17 +95,28 @@ fn parse(text: &str) -> Result<Setting, String> {
         return Err(format!("`{key}` gets no value: {form}"));
     }
     let start = text.len() - value.len();
-    let node = toml_value(value, start).unwrap_or_else(|| {
-        let indent = value.len() - value.trim_start().len();
-        Node {
-            span: start + indent..start + value.trim_end().len(),
-            value: Value::Str(value.trim().to_owned()),
-        }
-    });
+    // A text that looks like a number, such as the designation 6306.
+    let is_meant =
+        |node: &Node| !matches!(node.value, Value::Integer(_) | Value::Float(_)) || !is_text(key);
+    let node = toml_value(value, start)
+        .filter(is_meant)
+        .unwrap_or_else(|| {
+            let indent = value.len() - value.trim_start().len();
+            Node {
+                span: start + indent..start + value.trim_end().len(),
+                value: Value::Str(value.trim().to_owned()),
+            }
+        });
     Ok(Setting {
         key: key.to_owned(),
         node,
     })
+}
+
+/// Whether the value of a key is always a text.
+fn is_text(key: &str) -> bool {
+    let rows = rows_of(key);
+    !rows.is_empty() && rows.iter().all(|row| matches!(row.kind, Kind::Text))
 }
 
 /// The value as TOML has it, where it is one alone: a number, a switch, a list, a text in quotes. `start` is where it stands.
@@ -196,6 +208,18 @@ mod tests {
         Case::from_text_with("case.toml", CASE, Path::new(""), &settings)
     }
 
+    /// Texts that look like numbers: a designation, a title.
+    #[test]
+    fn texts_need_no_quotes() {
+        let case = read(&["title=6306"]).unwrap();
+        assert_eq!(case.title, "6306");
+        assert!(case.source.contains("title = \"6306\""));
+        let bearing = include_str!("../../../../cases/machine/bearing-6206.toml");
+        let settings = ["machine.designation=6306".to_owned()];
+        let read = Case::from_text_with("bearing.toml", bearing, Path::new(""), &settings);
+        assert!(read.unwrap().source.contains("designation = \"6306\""));
+    }
+
     #[test]
     fn values_stand_in_the_case_and_in_its_text() {
         let case = read(&[
@@ -267,7 +291,7 @@ mod tests {
                 "`contact.load` is a string, not a table",
             ),
             (&["title=a", "title=b"], "`title` is set twice"),
-            (&["title=5"], "`title` must be a string, not an integer"),
+            (&["title=[5]"], "`title` must be a string"),
             (
                 &["nonsense.key=5"],
                 "unknown key `nonsense` at the top level",

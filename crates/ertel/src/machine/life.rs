@@ -7,30 +7,16 @@
 
 use std::f64::consts::TAU;
 
-use ertel_machines::bearing::catalogue::Series;
-use ertel_machines::bearing::geometry::{BallGeometry, Play, Ring};
-use ertel_machines::bearing::{Geometry, life};
+use ertel_machines::bearing::geometry::{BallGeometry, Ring};
+use ertel_machines::bearing::{Geometry, Material, life};
 
-use super::{MachineFigure, Section};
-use crate::case::{BearingMechanics, Case, Contamination};
+use super::{MachineFigure, Section, of_model};
+use crate::case::{BearingMechanics, Case, Contamination, RatingBasis};
 use crate::solution::Estimate;
 use crate::warning::{Warning, WarningKind};
 
 /// Degrees from which on X_0 and Y_0 are those of steep angular contact bearings, halfway from 15 degrees to the 40 of the suffix B.
 const STEEP: f64 = 27.5;
-
-/// The nominal contact angle that ratings take, rad: that of the series; else 0 of deep groove ball bearings, whose free angle comes from their clearance.
-fn nominal_angle(mechanics: &BearingMechanics, geometry: &BallGeometry) -> f64 {
-    let series = mechanics
-        .entry
-        .as_ref()
-        .map(|entry| entry.designation.series);
-    let of_series = series.and_then(Series::nominal_angle);
-    of_series.unwrap_or(match geometry.play {
-        Play::FreeAngle(angle) => angle,
-        Play::Clearance(_) => 0.0,
-    })
-}
 
 /// Ratings, loads and lives; what is out of the range of a norm is left out and told.
 pub(super) fn figures(
@@ -60,15 +46,30 @@ impl Collected {
     pub(super) fn add(
         &mut self,
         section: Section,
-        (name, words): (&'static str, &'static str),
+        names: (&'static str, &'static str),
         value: f64,
+        unit: &'static str,
+        source: &'static str,
+    ) {
+        self.add_estimate(section, names, of_model(value), unit, source);
+    }
+
+    pub(super) fn warn(&mut self, kind: WarningKind, text: impl Into<String>) {
+        self.warnings.push(Warning::new(kind, text));
+    }
+
+    fn add_estimate(
+        &mut self,
+        section: Section,
+        (name, words): (&'static str, &'static str),
+        estimate: Estimate,
         unit: &'static str,
         source: &'static str,
     ) {
         self.figures.push(MachineFigure {
             name,
             words,
-            estimate: Estimate { value, error: None },
+            estimate,
             unit,
             section,
             source,
@@ -77,28 +78,65 @@ impl Collected {
 }
 
 const ISO_281: &str = "ISO 281:2007; ISO 76 for C_0";
-const ISO_16281: &str = "ISO/TS 16281:2008: L_10r by the load of each element on each ring";
-const ISO_16281_ROLLERS: &str = "ISO/TS 16281:2008: L_10r by the load of each slice of each roller on each ring, pressure at the ends by its eq. 60";
-const CATALOGUE: &str = "C and C_0 of the catalogue: NSK, Rolling Bearings, E1102";
+const WIDE_GROOVES: &str = "ISO 281:2007, ISO 76; grooves wider than their 0.52 and 0.53 reduce C as in the formula of Lundberg and Palmgren, C_0 by the load under one Hertz pressure";
+const ISO_16281: &str = "L_10r (ISO/TS 16281:2008) counts the load of each ball on each ring, with clearance, contact angles and inertia; L_10 takes P, for which half of the balls carry, as without clearance: the two differ";
+const ISO_16281_ROLLERS: &str = "L_10r (ISO/TS 16281:2008) counts the load of each slice of each roller on each ring, pressure at the ends by its eq. 60, and goes with the fourth power of the load; L_10 takes P with the power 10/3: the two differ, most under light loads";
+const CATALOGUE: &str = "C and C_0 of the catalogue: NSK, Rolling Bearings, E1102e; those of other makers differ, give `dynamic_load_rating` and `static_load_rating`";
 const GIVEN: &str = "C and C_0 as given";
+const GIVEN_LIMIT: &str = "C_u as given";
+const ESTIMATED: &str = "C and C_0: ISO 281:2007, ISO 76, of dimensions that are estimated; ± by which such ratings miss those of NSK's catalogue (twice the root mean square of the series), in all that follows from them. Give `dynamic_load_rating` and `static_load_rating` of the maker";
+const SIMPLE_LIMIT: &str =
+    "C_u by C_0 (ISO 281:2007, annex B, simple method), for the dimensions inside are estimated";
 
 /// A rating and how it is known.
 struct Rating {
     value: f64,
+    /// Relative error; 0 where none is known of.
+    error: f64,
     source: &'static str,
 }
 
-/// C, in this order: given, of the catalogue, computed; likewise C_0.
+impl Rating {
+    fn estimate(&self) -> Estimate {
+        with_error(self.value, self.error)
+    }
+}
+
+/// A value and its relative error, if any.
+fn with_error(value: f64, relative: f64) -> Estimate {
+    Estimate {
+        value,
+        error: (relative > 0.0).then_some(value * relative),
+    }
+}
+
+/// C (0) or C_0 (1), in this order: given, of the catalogue, computed.
 fn rating(
-    given: Option<f64>,
-    published: Option<f64>,
+    mechanics: &BearingMechanics,
+    which: usize,
     computed: impl FnOnce() -> Result<f64, life::Error>,
 ) -> Result<Rating, life::Error> {
-    let known = |value, source| Ok(Rating { value, source });
-    match (given, published) {
-        (Some(value), _) => known(value, GIVEN),
-        (None, Some(value)) => known(value, CATALOGUE),
-        (None, None) => known(computed()?, ISO_281),
+    let inputs = &mechanics.life;
+    let known = |value, error, source| {
+        Ok(Rating {
+            value,
+            error,
+            source,
+        })
+    };
+    match (
+        [inputs.dynamic_rating, inputs.static_rating][which],
+        mechanics.ratings,
+    ) {
+        (Some(value), _) => known(value, 0.0, GIVEN),
+        (None, RatingBasis::Catalogue(ratings)) => known(ratings[which], 0.0, CATALOGUE),
+        (None, RatingBasis::Estimated(error)) => known(computed()?, error, ESTIMATED),
+        (None, RatingBasis::Geometry) => match &mechanics.bearing.geometry {
+            Geometry::Ball(ball) if life::has_wide_grooves(ball) => {
+                known(computed()?, 0.0, WIDE_GROOVES)
+            }
+            _ => known(computed()?, 0.0, ISO_281),
+        },
     }
 }
 
@@ -116,7 +154,7 @@ impl<'a> Rated<'a> {
         match &mechanics.bearing.geometry {
             Geometry::Ball(geometry) => Rated::Balls {
                 geometry,
-                nominal: nominal_angle(mechanics, geometry),
+                nominal: life::nominal_angle(&mechanics.bearing.geometry, mechanics.series()),
             },
             Geometry::CylindricalRoller(roller) => Rated::Rollers(roller.into()),
             Geometry::TaperedRoller(roller) => Rated::Rollers(roller.into()),
@@ -177,10 +215,12 @@ impl<'a> Rated<'a> {
         mechanics: &BearingMechanics,
         rating: f64,
     ) -> Result<life::ReferenceLife, life::Error> {
-        let turning = match mechanics.speeds.inner != 0.0 {
-            true => Ring::Inner,
-            false => Ring::Outer,
-        };
+        // The load stands still: a ring that turns does so against it. At rest, the inner ring counts as turning.
+        let speeds = mechanics.speeds;
+        let turning = [
+            speeds.inner != 0.0 || speeds.outer == 0.0,
+            speeds.outer != 0.0,
+        ];
         let found = &mechanics.distribution;
         match self {
             Rated::Balls { geometry, nominal } => {
@@ -194,21 +234,31 @@ impl<'a> Rated<'a> {
         }
     }
 
-    /// C_u by the contacts of balls, and by the static rating of rollers.
+    /// C_u, its relative error and source: by the contacts of balls under the standard's modulus, else by the static rating.
     fn fatigue_limit(
         &self,
         mechanics: &BearingMechanics,
-        static_rating: f64,
-    ) -> Result<f64, life::Error> {
-        let bearing = &mechanics.bearing;
-        match self {
-            Rated::Balls { geometry, nominal } => {
-                Ok(life::fatigue_limit(geometry, bearing.material, *nominal))
+        fixed: &Rating,
+    ) -> Result<Rating, life::Error> {
+        let is_known = mechanics.ratings == RatingBasis::Geometry;
+        let (value, source) = match self {
+            Rated::Balls { geometry, nominal } if is_known || fixed.error > 0.0 => (
+                life::fatigue_limit(geometry, Material::STEEL, *nominal),
+                ISO_281,
+            ),
+            _ => {
+                let pitch = mechanics.bearing.geometry.pitch_diameter();
+                (
+                    life::simple_fatigue_limit(self.kind(), fixed.value, pitch)?,
+                    SIMPLE_LIMIT,
+                )
             }
-            Rated::Rollers(row) => {
-                life::simple_fatigue_limit(self.kind(), static_rating, row.pitch_diameter)
-            }
-        }
+        };
+        Ok(Rating {
+            value,
+            error: fixed.error,
+            source,
+        })
     }
 }
 
@@ -237,15 +287,11 @@ fn collect(
         false => None,
     };
     let rated = Rated::of(mechanics);
-    let published = mechanics.entry.as_ref().and_then(|entry| entry.ratings);
-    let published = published.map(|ratings| ratings.value);
-    let dynamic = rating(inputs.dynamic_rating, published.map(|r| r[0]), || {
-        rated.dynamic_rating()
-    })?;
-    out.add(
+    let dynamic = rating(mechanics, 0, || rated.dynamic_rating())?;
+    out.add_estimate(
         Section::Life,
         ("dynamic_load_rating", "dynamic load rating C"),
-        dynamic.value,
+        dynamic.estimate(),
         "N",
         dynamic.source,
     );
@@ -258,23 +304,22 @@ fn collect(
         ISO_281,
     );
     let basic = life::basic_life(dynamic.value, equivalent, rated.exponent())?;
-    let keys = ("basic_rating_life", "basic_rating_life_time");
-    lives(out, keys, basic, relative);
-    let fixed = rating(inputs.static_rating, published.map(|r| r[1]), || {
-        rated.static_rating()
-    });
+    // A life goes with the power p of C: the upper bound of its bar.
+    let of_rating = (1.0 + dynamic.error).powf(rated.exponent()) - 1.0;
+    lives(out, &BASIC, with_error(basic, of_rating), relative, ISO_281);
+    let fixed = rating(mechanics, 1, || rated.static_rating());
     // Ratings of some geometries are beyond the tables of ISO 76: the life goes on without them.
     let fixed = fixed.ok();
     if let Some(fixed) = &fixed {
-        out.add(
+        out.add_estimate(
             Section::Life,
             ("static_load_rating", "static load rating C_0"),
-            fixed.value,
+            fixed.estimate(),
             "N",
             fixed.source,
         );
         let load = rated.static_equivalent_load(mechanics.loads)?;
-        static_safety(out, fixed.value, load);
+        static_safety(out, fixed, load);
         super::moments::add(mechanics, viscosity, [fixed.value, load], out);
     }
     let reference = rated.reference_life(mechanics, dynamic.value)?;
@@ -282,8 +327,8 @@ fn collect(
         Rated::Balls { .. } => ISO_16281,
         Rated::Rollers(_) => ISO_16281_ROLLERS,
     };
-    let keys = ("reference_rating_life", "reference_rating_life_time");
-    lives_of(out, keys, reference.life, relative, source);
+    let life = with_error(reference.life, of_rating);
+    lives(out, &REFERENCE, life, relative, source);
     out.add(
         Section::Life,
         (
@@ -295,26 +340,27 @@ fn collect(
         source,
     );
     let limit = match (inputs.fatigue_limit, &fixed) {
-        (Some(given), _) => Some(given),
-        (None, Some(fixed)) => Some(rated.fatigue_limit(mechanics, fixed.value)?),
+        (Some(value), _) => Some(Rating {
+            value,
+            error: 0.0,
+            source: GIVEN_LIMIT,
+        }),
+        (None, Some(fixed)) => Some(rated.fatigue_limit(mechanics, fixed)?),
         (None, None) => None,
     };
-    if let Some(limit) = limit {
-        out.add(
+    if let Some(limit) = &limit {
+        out.add_estimate(
             Section::Life,
             ("fatigue_load_limit", "fatigue load limit C_u"),
-            limit,
+            limit.estimate(),
             "N",
-            ISO_281,
+            limit.source,
         );
     }
     let (Some(limit), Some(kappa), Some(contamination)) = (limit, kappa, inputs.contamination)
     else {
         if inputs.contamination.is_none() {
-            out.warnings.push(Warning::new(
-                WarningKind::MissingData,
-                "no modified rating life: give `cleanliness`, or `contamination_factor` e_C from 0 to 1 (ISO 281, annex A)",
-            ));
+            out.warn(WarningKind::MissingData, "no modified rating life: give `cleanliness`, or `contamination_factor` e_C from 0 to 1 (ISO 281, annex A)");
         }
         return Ok(());
     };
@@ -331,11 +377,14 @@ fn collect(
         contamination: factor,
         additives: inputs.additives,
     };
-    let a_iso = life::life_factor(rated.kind(), oil, limit, reference.equivalent_load)?;
-    out.add(
+    let load = reference.equivalent_load;
+    let factor_of = |limit: f64| life::life_factor(rated.kind(), oil, limit, load);
+    let a_iso = factor_of(limit.value)?;
+    let high = factor_of(limit.value * (1.0 + limit.error))?;
+    out.add_estimate(
         Section::Life,
         ("life_factor", "life factor a_ISO"),
-        a_iso,
+        with_error(a_iso, high / a_iso - 1.0),
         "",
         ISO_281,
     );
@@ -348,8 +397,14 @@ fn collect(
         ISO_281,
     );
     let modified = life::modified_life(reference.life, a_1, a_iso);
-    let keys = ("modified_rating_life", "modified_rating_life_time");
-    lives(out, keys, modified, relative);
+    let error = (1.0 + of_rating) * high / a_iso - 1.0;
+    lives(
+        out,
+        &MODIFIED,
+        with_error(modified, error),
+        relative,
+        "L_nmr = a_1 a_ISO(P_ref) L_10r",
+    );
     Ok(())
 }
 
@@ -375,12 +430,12 @@ fn contamination_factor(
 }
 
 /// C_0/P_0, and what is damaged where it is too low.
-fn static_safety(out: &mut Collected, rating: f64, load: f64) {
-    let safety = rating / load;
-    out.add(
+fn static_safety(out: &mut Collected, rating: &Rating, load: f64) {
+    let safety = rating.value / load;
+    out.add_estimate(
         Section::Safety,
         ("static_safety_factor", "static safety C_0/P_0"),
-        safety,
+        with_error(safety, rating.error),
         "",
         "static safety: ISO 76",
     );
@@ -388,48 +443,54 @@ fn static_safety(out: &mut Collected, rating: f64, load: f64) {
         out.warnings.push(Warning::new(
             WarningKind::Strength,
             format!(
-                "the static equivalent load of {load:.0} N is beyond the static rating of {rating:.0} N: raceways are dented for good"
+                "the static equivalent load of {load:.0} N is beyond the static rating of {:.0} N: raceways are dented for good",
+                rating.value
             ),
         ));
     }
 }
 
-/// A life in revolutions and in time.
-fn lives(out: &mut Collected, names: (&'static str, &'static str), life: f64, speed: f64) {
-    let source = match names.0 {
-        "basic_rating_life" => ISO_281,
-        _ => "L_nmr = a_1 a_ISO(P_ref) L_10r",
-    };
-    lives_of(out, names, life, speed, source);
-}
+/// Names and words of a life in revolutions, and of the same in time.
+type LifeNames = [(&'static str, &'static str); 2];
 
-/// The same with its source.
-fn lives_of(
+const BASIC: LifeNames = [
+    ("basic_rating_life", "basic rating life L_10"),
+    ("basic_rating_life_time", "basic rating life L_10h"),
+];
+const REFERENCE: LifeNames = [
+    ("reference_rating_life", "reference rating life L_10r"),
+    ("reference_rating_life_time", "reference rating life L_10rh"),
+];
+const MODIFIED: LifeNames = [
+    ("modified_rating_life", "modified rating life L_nmr"),
+    ("modified_rating_life_time", "modified rating life L_nmrh"),
+];
+
+/// A life, given in revolutions, in revolutions and in time.
+fn lives(
     out: &mut Collected,
-    (name, time): (&'static str, &'static str),
-    life: f64,
+    [in_turns, in_time]: &LifeNames,
+    life: Estimate,
     speed: f64,
     source: &'static str,
 ) {
-    let (words, of_time) = match name {
-        "basic_rating_life" => ("basic rating life L_10", "  L_10h"),
-        "reference_rating_life" => ("reference rating life L_10r", "  L_10rh"),
-        _ => ("modified rating life L_nmr", "  L_nmrh"),
+    let scaled = |factor: f64| Estimate {
+        value: life.value * factor,
+        error: life.error.map(|error| error * factor),
     };
-    out.add(
+    let millions = scaled(1e-6);
+    out.add_estimate(
         Section::Life,
-        (name, words),
-        1e-6 * life,
+        *in_turns,
+        millions,
         "million revolutions",
         source,
     );
     if speed > 0.0 {
-        out.add(
-            Section::Life,
-            (time, of_time),
-            life * TAU / speed,
-            "s",
-            source,
-        );
+        out.add_estimate(Section::Life, *in_time, scaled(TAU / speed), "s", source);
     }
 }
+
+#[cfg(test)]
+#[path = "life_tests.rs"]
+mod tests;

@@ -42,6 +42,18 @@ pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
     MachineFigures { all, warnings }
 }
 
+/// A machine none of whose contacts is solved, with the figures that need no film: loads, ratings, lives, models of friction. `None` of single contacts.
+pub fn unsolved(case: &Case) -> Option<(MachineSolution, MachineFigures)> {
+    let machine = case.whole.clone()?;
+    let solution = MachineSolution {
+        contacts: vec![None; machine.contacts.len()],
+        machine,
+        wall_seconds: 0.0,
+    };
+    let figures = figures(case, &solution);
+    Some((solution, figures))
+}
+
 /// A figure without bar: that of a formula.
 fn of_model(value: f64) -> Estimate {
     Estimate { value, error: None }

@@ -1,13 +1,15 @@
 //! Frictional moments of bearings by the models of catalogues, beside what the films say.
 
 use ertel_machines::bearing::friction::{
-    PalmgrenOil, SkfParams, SkfState, palmgren_load, palmgren_moment, skf_moment,
+    PalmgrenOil, SkfMoment, SkfParams, SkfState, palmgren_load, palmgren_moment, skf_moment,
 };
 use ertel_machines::bearing::{Geometry, life};
 
 use super::Section;
 use super::life::Collected;
 use crate::case::BearingMechanics;
+use crate::warning::WarningKind;
+use crate::words::digits;
 
 /// Adds them where the bearing has a series; viscosity in m²/s, C_0 and P_0 in N.
 pub(super) fn add(
@@ -42,7 +44,14 @@ pub(super) fn add(
         ..SkfParams::default()
     };
     let series = entry.designation.series;
-    if let Ok(moment) = skf_moment(series.skf(), &state, &params) {
+    let skf = skf_moment(series.skf(), &state, &params).ok();
+    if skf.is_some_and(|moment| !moment.rises_with_viscosity()) {
+        out.warn(WarningKind::FrictionModelRange, format!(
+            "SKF's model of the torque is left out: at {} mm²/s and this speed it has the torque fall with a thicker oil, which is beyond its range",
+            digits(1e6 * viscosity, 3)
+        ));
+    }
+    if let Some(moment) = skf.filter(SkfMoment::rises_with_viscosity) {
         out.add(
             Section::Friction,
             ("friction_torque_skf", "for comparison: torque, SKF model"),

@@ -15,8 +15,8 @@ pub enum ClearanceClass {
 }
 
 impl ClearanceClass {
-    /// The class that a suffix ends with, and what stands before it.
-    pub(super) fn at_the_end(suffix: &str) -> (Option<ClearanceClass>, &str) {
+    /// The class that a suffix names, and what stands before and after it: `C3` of `2RSC3`, `C3P6QE6`, `C3WT`, and `P63` for the class P6 with C3.
+    pub(super) fn within(suffix: &str) -> (Option<ClearanceClass>, Vec<&str>) {
         let classes = [
             ("C2", ClearanceClass::C2),
             ("CN", ClearanceClass::Normal),
@@ -25,11 +25,25 @@ impl ClearanceClass {
             ("C4", ClearanceClass::C4),
         ];
         for (name, class) in classes {
-            if let Some(rest) = suffix.strip_suffix(name) {
-                return (Some(class), rest);
+            // A further digit would make it another suffix.
+            let ends = |at: usize| !suffix[at + 2..].starts_with(|c: char| c.is_ascii_digit());
+            if let Some(at) = suffix.find(name).filter(|at| ends(*at)) {
+                return (Some(class), vec![&suffix[..at], &suffix[at + 2..]]);
             }
         }
-        (None, suffix)
+        // Tolerance class and clearance in one, as ISO 5753 has it: P63 is P6 with C3.
+        let merged = [
+            ("P62", ClearanceClass::C2),
+            ("P63", ClearanceClass::C3),
+            ("P64", ClearanceClass::C4),
+            ("P52", ClearanceClass::C2),
+            ("P53", ClearanceClass::C3),
+            ("P54", ClearanceClass::C4),
+        ];
+        match merged.iter().find(|(name, _)| *name == suffix) {
+            Some((_, class)) => (Some(*class), vec![&suffix[..2]]),
+            None => (None, vec![suffix]),
+        }
     }
 
     fn place(self) -> usize {

@@ -14,6 +14,8 @@ pub struct Designation {
     pub clearance: ClearanceClass,
     /// Suffixes that change nothing of what is calculated, such as those of seals, cages and tolerances.
     pub ignored: Vec<String>,
+    /// Suffixes that would change what is calculated, which is done without them: what they stand for.
+    pub left_out: Vec<&'static str>,
 }
 
 impl Designation {
@@ -24,6 +26,7 @@ impl Designation {
             code,
             clearance: ClearanceClass::Normal,
             ignored: Vec::new(),
+            left_out: Vec::new(),
         }
     }
 
@@ -36,34 +39,80 @@ impl Designation {
 
 /// Why a designation names no bearing of the catalogue.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("no bearing `{given}` in the catalogue; the nearest ones are {}", .nearest.join(", "))]
+#[error("no bearing `{given}` in the catalogue{}", .kind.map_or(String::new(), |kind| format!(": {kind} are not covered")))]
 pub struct DesignationError {
     /// What was given.
     pub given: String,
-    /// The nearest designations.
+    /// What kind of bearing the designation stands for, of kinds that are not covered.
+    pub kind: Option<&'static str>,
+    /// The nearest designations; none of kinds that are not covered.
     pub nearest: Vec<String>,
 }
 
-/// Designations with the longest common beginning, then the nearest numbers.
+/// Kinds of bearings that are not covered, by the beginning and the number of digits of their designations (ISO 15 and makers' catalogues).
+const NOT_COVERED: [(&str, usize, &str); 20] = [
+    ("12", 4, "self-aligning ball bearings"),
+    ("13", 4, "self-aligning ball bearings"),
+    ("22", 4, "self-aligning ball bearings"),
+    ("23", 4, "self-aligning ball bearings"),
+    ("213", 5, "spherical roller bearings"),
+    ("22", 5, "spherical roller bearings"),
+    ("23", 5, "spherical roller bearings"),
+    ("24", 5, "spherical roller bearings"),
+    ("29", 5, "spherical roller thrust bearings"),
+    ("32", 4, "double-row angular contact ball bearings"),
+    ("33", 4, "double-row angular contact ball bearings"),
+    ("42", 4, "double-row deep groove ball bearings"),
+    ("43", 4, "double-row deep groove ball bearings"),
+    ("51", 5, "thrust ball bearings"),
+    ("52", 5, "thrust ball bearings"),
+    ("53", 5, "thrust ball bearings"),
+    ("81", 5, "cylindrical roller thrust bearings"),
+    ("HK", 4, "needle roller bearings"),
+    ("NA", 4, "needle roller bearings"),
+    ("QJ", 3, "four-point contact ball bearings"),
+];
+
+/// The kind of a designation that is none of the catalogue.
+fn not_covered(wanted: &str) -> Option<&'static str> {
+    let digits = wanted
+        .trim_start_matches(|c: char| c.is_ascii_alphabetic())
+        .chars()
+        .take_while(char::is_ascii_digit)
+        .count();
+    let found =
+        (NOT_COVERED.iter()).find(|(start, n, _)| wanted.starts_with(start) && digits == *n);
+    found.map(|(_, _, kind)| *kind)
+}
+
+/// Designations with the same first sign and bore code, then with the longest common beginning, then the nearest numbers.
 pub(super) fn unknown(given: &str) -> DesignationError {
     let wanted: String = compact(given);
     let number = |text: &str| {
         let digits: String = text.chars().filter(char::is_ascii_digit).take(5).collect();
         digits.parse::<i64>().unwrap_or(0)
     };
+    // Four digits, such as 6806: the last two are the bore code.
+    let is_long = wanted.len() == 4 && wanted.chars().all(|c| c.is_ascii_digit());
+    let bore = is_long.then(|| &wanted[2..]);
     let mut known: Vec<String> = super::all().collect();
     known.sort_by_key(|name| {
         let common = (name.chars().zip(wanted.chars()))
             .take_while(|(a, b)| a == b)
             .count();
+        let is_of_bore =
+            bore.is_some_and(|bore| name.trim_end_matches('B').ends_with(bore)) && common > 0;
         (
+            std::cmp::Reverse(is_of_bore),
             std::cmp::Reverse(common),
             (number(name) - number(&wanted)).abs(),
         )
     });
-    known.truncate(4);
+    let kind = not_covered(&wanted);
+    known.truncate(if kind.is_some() { 0 } else { 4 });
     DesignationError {
         given: given.trim().to_string(),
+        kind,
         nearest: known,
     }
 }
@@ -76,9 +125,40 @@ fn compact(text: &str) -> String {
         .collect()
 }
 
+/// Makers, whose names people write before a designation.
+const MAKERS: [&str; 16] = [
+    "SCHAEFFLER",
+    "TIMKEN",
+    "NACHI",
+    "JTEKT",
+    "KOYO",
+    "SKF",
+    "FAG",
+    "INA",
+    "NSK",
+    "NTN",
+    "SNR",
+    "NKE",
+    "ZVL",
+    "ZKL",
+    "NMB",
+    "RHP",
+];
+
+/// A designation without the name of its maker.
+fn without_maker(upper: &str) -> &str {
+    let rests = MAKERS.iter().filter_map(|maker| upper.strip_prefix(maker));
+    // NSK 6206, but no letters that go on.
+    let mut rests = rests.filter(|rest| !rest.starts_with(|c: char| c.is_ascii_alphabetic()));
+    rests.next().map_or(upper, str::trim_start)
+}
+
 /// Takes a designation apart: series, bore code, suffixes.
 pub(super) fn parse(given: &str) -> Result<Designation, DesignationError> {
     let upper = given.trim().to_ascii_uppercase();
+    let upper = without_maker(&upper);
+    // N, NJ and NUP have the raceways of NU, and ribs elsewhere, which do not count here.
+    let (upper, design) = as_nu(upper);
     let fail = || unknown(given);
     // Blanks within the number, as in `NU 206`, do not count.
     let head_length = |prefix: &str| {
@@ -116,7 +196,8 @@ pub(super) fn parse(given: &str) -> Result<Designation, DesignationError> {
     });
     let (series, affix, code, mut tokens) = found.ok_or_else(fail)?;
     let mut clearance = ClearanceClass::Normal;
-    let mut ignored = Vec::new();
+    let (mut ignored, mut left_out) = (Vec::new(), Vec::new());
+    ignored.extend(design.map(str::to_string));
     // 72 and 73 have other angles without the B, and E of cylindrical roller bearings is all that is made today.
     if affix == "B" {
         match tokens.first_mut() {
@@ -125,21 +206,23 @@ pub(super) fn parse(given: &str) -> Result<Designation, DesignationError> {
         }
     }
     for token in tokens {
-        let (class, rest) = ClearanceClass::at_the_end(&token);
-        if let Some(class) = class {
-            clearance = class;
-        }
-        // B, C and D of tapered roller bearings are those of other contact angles, or of pairs.
-        if series.is_tapered() && rest.starts_with(['B', 'C', 'D']) {
-            return Err(fail());
-        }
-        let is_design = (affix == "E" && rest == "E") || affix == "X";
-        let rest = match is_design {
-            true => rest.strip_prefix(affix).unwrap_or(rest),
-            false => rest,
-        };
-        if !rest.is_empty() {
-            ignored.push(rest.to_string());
+        let (class, parts) = ClearanceClass::within(&token);
+        clearance = class.unwrap_or(clearance);
+        for part in parts.into_iter().filter(|part| !part.is_empty()) {
+            // B, C and D of tapered roller bearings are those of other contact angles, or of pairs.
+            if series.is_tapered() && part.starts_with(['B', 'C', 'D']) {
+                return Err(fail());
+            }
+            let is_design = (affix == "E" && part == "E") || affix == "X";
+            let part = match is_design {
+                true => part.strip_prefix(affix).unwrap_or(part),
+                false => part,
+            };
+            match left_out_of(part) {
+                Some(what) => left_out.push(what),
+                None if part.is_empty() => {}
+                None => ignored.push(part.to_string()),
+            }
         }
     }
     Ok(Designation {
@@ -147,7 +230,35 @@ pub(super) fn parse(given: &str) -> Result<Designation, DesignationError> {
         code,
         clearance,
         ignored,
+        left_out,
     })
+}
+
+/// Cylindrical roller bearings N, NJ and NUP as NU, and what they are.
+fn as_nu(upper: &str) -> (String, Option<&'static str>) {
+    for design in ["NUP", "NJ", "N"] {
+        let rest = upper.strip_prefix(design).map(str::trim_start);
+        if let Some(rest) = rest.filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit())) {
+            return (format!("NU{rest}"), Some(design));
+        }
+    }
+    (upper.to_owned(), None)
+}
+
+/// What a suffix stands for that would change what is calculated.
+fn left_out_of(suffix: &str) -> Option<&'static str> {
+    let is_of = |names: &[&str]| names.contains(&suffix);
+    let is_hybrid = suffix.starts_with("HC") && suffix[2..].chars().all(|c| c.is_ascii_digit());
+    match suffix {
+        _ if is_hybrid => Some("HC, ceramic balls: give their material as body_2"),
+        _ if is_of(&["DB", "DF", "DT", "TBT", "TFT", "QBC", "QFC"]) => {
+            Some("DB, DF or DT, a set: one bearing of it is calculated, under its own loads")
+        }
+        _ if is_of(&["C1", "C5"]) => {
+            Some("C1 or C5, a clearance that is not in the tables: give it")
+        }
+        _ => None,
+    }
 }
 
 /// Suffixes of seals and shields that begin with a digit.

@@ -186,7 +186,7 @@ const TAPER_ANGLE: &str = "ISO 355";
 const TAPER_DIAMETER_RULE: &str = "D_w = (D − d)/4";
 const TAPER_LENGTH_RULE: &str = "L = 0.8 C";
 const TAPER_NUMBER_RULE: &str = "Z = 0.9 π d_m/D_w, rounded: elements and bars of a cage";
-const NSK: &str = "NSK, Rolling Bearings, catalogue E1102";
+const NSK: &str = "NSK, Rolling Bearings, catalogue E1102e";
 
 /// Ratings that a maker publishes, kN, in N.
 pub(super) fn published_ratings(ratings: [f64; 2]) -> Sourced<[f64; 2]> {

@@ -67,7 +67,7 @@ pub struct Entry {
     pub boundary: Boundary,
     /// Its internal geometry.
     pub internal: Internal,
-    /// Load ratings C and C_0, N, and who gives them; known of tapered roller bearings.
+    /// Load ratings C and C_0, N, and who gives them.
     pub ratings: Option<Sourced<[f64; 2]>>,
 }
 

@@ -1,7 +1,8 @@
 use super::*;
 use crate::bearing::kinematics::Speeds;
 use crate::bearing::life::{
-    RollerRow, ball_rating, roller_factors, roller_rating, roller_static_rating,
+    RollerRow, ball_rating, deep_groove_static_rating, roller_factors, roller_rating,
+    roller_static_rating,
 };
 use crate::bearing::load::{Loads, Params};
 use crate::bearing::{Bearing, Geometry};
@@ -98,18 +99,6 @@ fn the_rule_for_tapered_rollers_against_a_catalogue() {
     }
 }
 
-/// The rule for cylindrical rollers: C_r of NU 206 E and NU 2210's smaller sister NU 210 E by ISO 281 within 15 % of 44 kN and 73.5 kN (SKF).
-#[test]
-fn the_rule_for_cylindrical_rollers_against_a_catalogue() {
-    for (name, rating) in [("NU206E", 44e3), ("NU210E", 73.5e3), ("NU306E", 58.5e3)] {
-        let Geometry::CylindricalRoller(geometry) = find(name).unwrap().geometry() else {
-            panic!("{name}")
-        };
-        let found = roller_rating(&RollerRow::from(&geometry)).unwrap();
-        assert_relative_eq!(found, rating, max_relative = 0.15);
-    }
-}
-
 /// Bore codes say the bore in all series, widths are those of the diameter series, and all bearings that have a model make a geometry.
 #[test]
 fn the_whole_catalogue() {
@@ -137,27 +126,48 @@ fn the_whole_catalogue() {
     assert_eq!(number, 24 * 4 + 23 + 22 + 20 + 18 + 102);
 }
 
-/// The rule against catalogues: ratings by ISO 281 of the estimated geometries of 61 deep groove ball bearings are on average within 3 % of
-/// those of catalogues in series 62 and 63 and within 8 % in series 60, and single ones within 20 %. Balls of 6206: 9.6 mm against 9.525
-/// mm, and nine of both.
+/// The rules against a catalogue: twice the root mean square by which ratings by ISO 281 and ISO 76 of estimated geometries miss those of NSK is the spread of their
+/// series, rounded up. Balls of 6206: 9.6 mm against 9.525 mm, and nine of both.
 #[test]
-fn the_rule_against_catalogues() {
-    for (series, mean) in [("60", 0.08), ("62", 0.03), ("63", 0.03)] {
-        let rows = include_str!("data/ratings.csv").lines();
-        let ratios: Vec<f64> = rows
-            .filter(|row| row.starts_with(series))
-            .map(|row| {
-                let (name, rating) = row.split_once(',').unwrap();
-                let entry = find(name).unwrap();
-                let Geometry::Ball(geometry) = entry.geometry() else {
-                    panic!("{name}")
-                };
-                ball_rating(&geometry, 0.0).unwrap() / (1e3 * rating.parse::<f64>().unwrap())
-            })
-            .collect();
-        assert!(ratios.len() >= 20 && ratios.iter().all(|r| (r - 1.0).abs() < 0.2));
-        let average = ratios.iter().sum::<f64>() / ratios.len() as f64;
-        assert!((average - 1.0).abs() < mean, "{series}: {average}");
+fn the_rules_against_a_catalogue() {
+    let mut misses: Vec<(Series, Vec<f64>)> = Vec::new();
+    for name in all() {
+        let entry = find(&name).unwrap();
+        let Some(ratings) = entry.ratings else {
+            continue;
+        };
+        let series = entry.designation.series;
+        let nominal = series.nominal_angle().unwrap_or(0.0);
+        let found = match entry.geometry() {
+            Geometry::Ball(ball) => [
+                ball_rating(&ball, nominal).unwrap(),
+                deep_groove_static_rating(&ball, nominal).unwrap(),
+            ],
+            Geometry::CylindricalRoller(roller) => of_row(&(&roller).into()),
+            Geometry::TaperedRoller(roller) => of_row(&(&roller).into()),
+        };
+        let pairs = found.iter().zip(ratings.value);
+        let miss = pairs.map(|(found, rating)| found / rating - 1.0);
+        match misses.iter_mut().find(|(of, _)| *of == series) {
+            Some((_, all)) => all.extend(miss),
+            None => misses.push((series, miss.collect())),
+        }
+    }
+    let spreads: Vec<(Series, f64)> = misses
+        .iter()
+        .map(|(series, all)| {
+            let square = all.iter().map(|m| m * m).sum::<f64>() / all.len() as f64;
+            (*series, 2.0 * square.sqrt())
+        })
+        .collect();
+    for series in Series::ALL {
+        let given = series.rating_spread();
+        let alike = spreads.iter().filter(|(of, _)| of.rating_spread() == given);
+        let largest = alike.map(|(_, spread)| *spread).fold(0.0, f64::max);
+        assert!(
+            largest <= given && given <= 1.25 * largest,
+            "{series:?}: {largest} {given}"
+        );
     }
     let boundary = find("6206").unwrap().boundary;
     assert_relative_eq!(
@@ -166,6 +176,29 @@ fn the_rule_against_catalogues() {
         max_relative = 8e-3
     );
     assert_eq!((0.6 * std::f64::consts::PI * 46.0 / 9.6).round(), 9.0);
+}
+
+fn of_row(row: &RollerRow) -> [f64; 2] {
+    [roller_rating(row).unwrap(), roller_static_rating(row)]
+}
+
+/// Ratings of the catalogue against a public list of those of the usual catalogues: within 10 %, but for a few that their maker changed.
+#[test]
+fn ratings_against_another_list() {
+    let rows = include_str!("data/ratings.csv").lines();
+    let mut number = 0;
+    for row in rows.filter(|row| row.starts_with('6')) {
+        let (name, rating) = row.split_once(',').unwrap();
+        let [dynamic, fixed] = find(name).unwrap().ratings.unwrap().value;
+        assert_relative_eq!(
+            dynamic,
+            1e3 * rating.parse::<f64>().unwrap(),
+            max_relative = 0.1
+        );
+        assert!(fixed < dynamic && fixed > 0.4 * dynamic, "{name}");
+        number += 1;
+    }
+    assert!(number > 60);
 }
 
 #[test]
@@ -189,6 +222,28 @@ fn designations() {
         ("NU206-E-TVP2-C4", "NU206E", ClearanceClass::C4, &["TVP2"]),
         ("NU1010-M1", "NU1010", normal, &["M1"]),
         ("30206-A", "30206", normal, &["A"]),
+        ("SKF 6206", "6206", normal, &[]),
+        ("NSK6206DDU", "6206", normal, &["DDU"]),
+        ("FAG NU 206-E", "NU206E", normal, &[]),
+        ("NJ 206 E", "NU206E", normal, &["NJ"]),
+        ("N1010", "NU1010", normal, &["N"]),
+        (
+            "6205-2RS C3P6QE6",
+            "6205",
+            ClearanceClass::C3,
+            &["2RS", "P6QE6"],
+        ),
+        ("6205-2RSC3", "6205", ClearanceClass::C3, &["2RS"]),
+        ("6206-2Z/C3WT", "6206", ClearanceClass::C3, &["2Z", "WT"]),
+        (
+            "6206-2RS1/C3HT",
+            "6206",
+            ClearanceClass::C3,
+            &["2RS1", "HT"],
+        ),
+        ("6206/P63", "6206", ClearanceClass::C3, &["P6"]),
+        ("6206/HC5C3", "6206", ClearanceClass::C3, &[]),
+        ("7210 B-DB", "7210B", normal, &[]),
     ] {
         assert_eq!(
             parts(text),
@@ -198,6 +253,47 @@ fn designations() {
     }
 }
 
+/// What would change the figures is said, not ignored; seals and cages are not.
+#[test]
+fn suffixes_that_are_left_out() {
+    let of = |text: &str| find(text).unwrap().designation.left_out;
+    assert!(of("6206-2RS/C3").is_empty());
+    for (text, what) in [
+        ("6206/HC5C3", "ceramic"),
+        ("7210 BDF", "a set"),
+        ("6206 C5", "clearance"),
+    ] {
+        let [said] = of(text)[..] else {
+            panic!("{text}")
+        };
+        assert!(said.contains(what), "{text}: {said}");
+    }
+}
+
+/// Kinds that are not covered are named, without bearings of other kinds as the nearest.
+#[test]
+fn kinds_that_are_not_covered() {
+    for (text, kind) in [
+        ("22206", "spherical roller bearings"),
+        ("SKF 22220 E", "spherical roller bearings"),
+        ("51206", "thrust ball bearings"),
+        ("29412", "spherical roller thrust bearings"),
+        ("2206", "self-aligning ball bearings"),
+        ("3206", "double-row angular contact ball bearings"),
+        ("HK2020", "needle roller bearings"),
+        ("QJ 206", "four-point contact ball bearings"),
+    ] {
+        let error = find(text).unwrap_err();
+        assert_eq!(error.kind, Some(kind), "{text}");
+        assert!(error.nearest.is_empty());
+        assert!(error.to_string().contains("are not covered"));
+    }
+    assert_eq!(
+        find("6806").unwrap_err().nearest[..3],
+        ["6306", "6206", "6006"]
+    );
+}
+
 #[test]
 fn unknown_designations_name_the_nearest() {
     let error = |text: &str| find(text).unwrap_err();
@@ -205,7 +301,7 @@ fn unknown_designations_name_the_nearest() {
     assert_eq!(error("7210").nearest[0], "7210B");
     assert_eq!(error("NU200").nearest[0], "NU202E");
     assert_eq!(error("62066").given, "62066");
-    for text in ["", "B", "6", "äöü", "620", "NU", "22220", "62 ö 06"] {
+    for text in ["", "B", "6", "äöü", "620", "NU", "62 ö 06"] {
         assert_eq!(error(text).nearest.len(), 4, "{text}");
     }
     assert!(error("6299").to_string().starts_with("no bearing `6299`"));
@@ -267,7 +363,7 @@ fn from_designation_to_life_and_friction() {
         )
         .unwrap();
     let [inner, outer] = Ring::BOTH.map(|ring| found.loads(ring));
-    let life = reference_life(&geometry, nominal, rating, [&inner, &outer], Ring::Inner).unwrap();
+    let life = reference_life(&geometry, nominal, rating, [&inner, &outer], [true, false]).unwrap();
     assert!(
         life.life < 0.95 * 920e6 && life.life > 0.8 * 920e6,
         "{life:?}"

@@ -68,6 +68,14 @@ impl SkfMoment {
     pub fn total(&self) -> f64 {
         self.rolling + self.sliding
     }
+
+    /// Whether its rolling part rises with the viscosity of the oil. Beyond, φ_rs takes more away than a thicker oil adds, and the moment of a cold bearing falls: the
+    /// model does not hold there.
+    ///
+    /// d ln M_rr/d ln ν = 0.6 + ln φ_rs − 0.64 (1 − φ_ish)
+    pub fn rises_with_viscosity(&self) -> bool {
+        0.6 + self.starvation.ln() - 0.64 * (1.0 - self.inlet_heating) > 0.0
+    }
 }
 
 /// Frictional moment of a bearing.
@@ -175,6 +183,30 @@ mod tests {
         let found = skf_moment(SkfSeries::Tapered302, &state, &SkfParams::default()).unwrap();
         assert_relative_eq!(found.rolling, 158.86e-3, max_relative = 1e-3);
         assert_relative_eq!(found.sliding, 30.351e-3, max_relative = 1e-3);
+    }
+
+    /// A 6205 at 1500/min: the slope of the formula is that of differences, and the moment no longer rises between 400 and 800 mm²/s: K_rs ν n (d + D) √(3.1/54) = 0.6 − 0.64 (1 −
+    /// φ_ish) there.
+    #[test]
+    fn thick_oils_are_beyond_the_model() {
+        let at = |viscosity: f64| {
+            let state = SkfState {
+                bore: 0.025,
+                outside: 0.052,
+                speed: 1500.0 * std::f64::consts::PI / 30.0,
+                viscosity: viscosity * 1e-6,
+                radial: 500.0,
+                axial: 0.0,
+                static_rating: 7850.0,
+                axial_factor: 0.0,
+            };
+            skf_moment(SkfSeries::S62, &state, &SkfParams::default()).unwrap()
+        };
+        for viscosity in [10.0, 100.0, 400.0, 800.0, 1e4] {
+            let rises = at(1.001 * viscosity).rolling > at(viscosity).rolling;
+            assert_eq!(at(viscosity).rises_with_viscosity(), rises, "{viscosity}");
+            assert_eq!(rises, viscosity < 500.0, "{viscosity}");
+        }
     }
 
     #[test]

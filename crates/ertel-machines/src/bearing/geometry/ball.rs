@@ -45,13 +45,21 @@ impl BallGeometry {
                 return Err(GeometryError::Groove { ring, value });
             }
         }
-        let angle = self.free_angle();
-        if !(0.0..=STEEPEST).contains(&angle) || !self.clearance().is_finite() {
-            return Err(GeometryError::Angle {
-                degrees: angle.to_degrees(),
-            });
+        match self.play {
+            Play::FreeAngle(angle) if !(0.0..=STEEPEST).contains(&angle) => {
+                Err(GeometryError::Angle {
+                    degrees: angle.to_degrees(),
+                })
+            }
+            Play::Clearance(value) => {
+                let largest = 2.0 * self.centre_distance() * (1.0 - STEEPEST.cos());
+                match value <= largest && value.is_finite() {
+                    true => Ok(()),
+                    false => Err(GeometryError::Clearance { value, largest }),
+                }
+            }
+            Play::FreeAngle(_) => Ok(()),
         }
-        Ok(())
     }
 
     /// Distance of the centres of both grooves when the balls touch without load, m.
@@ -262,5 +270,15 @@ pub(crate) mod tests {
             },
         ];
         assert!(bad.iter().all(|b| b.check().is_err()));
+        // 2 · 0.381 mm (1 − cos 85°) = 695.6 µm
+        let wide = BallGeometry {
+            play: Play::Clearance(2e-3),
+            ..good
+        };
+        let said = wide.check().unwrap_err().to_string();
+        assert!(
+            said.contains("2000 µm") && said.contains("695.6 µm"),
+            "{said}"
+        );
     }
 }

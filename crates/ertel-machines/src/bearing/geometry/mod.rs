@@ -8,6 +8,8 @@ pub use ball::{BallGeometry, Play};
 pub use roller::{RollerGeometry, RollerProfile};
 pub use tapered::TaperedGeometry;
 
+use ertel_ehl::words::digits;
+
 /// A ring of a bearing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ring {
@@ -91,13 +93,23 @@ pub enum GeometryError {
         /// Radius of the groove over diameter of the ball.
         value: f64,
     },
-    /// A clearance that no contact angle up to a right angle goes with, or an angle outside of 0 to 90 degrees.
-    #[error(
-        "free contact angle {degrees} degrees, or the clearance that goes with it, is out of range: 0 to 85 degrees"
-    )]
+    /// A free contact angle outside of 0 to 85 degrees.
+    #[error("free contact angle {degrees} degrees is out of range: 0 to 85 degrees")]
     Angle {
-        /// The angle, degrees; NaN of a clearance that goes with none.
+        /// The angle, degrees.
         degrees: f64,
+    },
+    /// A clearance that no free contact angle up to 85 degrees goes with.
+    #[error(
+        "radial clearance {} µm; the largest of these balls and grooves is {} µm, with a free contact angle of 85 degrees",
+        digits(1e6 * .value, 4),
+        digits(1e6 * .largest, 4)
+    )]
+    Clearance {
+        /// The clearance, m.
+        value: f64,
+        /// The largest one, m.
+        largest: f64,
     },
     /// A profile that is not one.
     #[error("crown radius {0} m; it must be longer than half of the roller")]

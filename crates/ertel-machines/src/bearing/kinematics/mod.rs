@@ -11,6 +11,8 @@ pub use ball::{BallMotion, RacewayControl};
 pub use heathcote::{deformed_radius, heathcote_number, heathcote_slip};
 pub use roller::RollerMotion;
 
+use super::Geometry;
+
 /// Speeds of both rings, rad/s, in the same direction of rotation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Speeds {
@@ -24,5 +26,22 @@ impl Speeds {
     /// ω_i − ω_o.
     pub fn relative(&self) -> f64 {
         self.inner - self.outer
+    }
+}
+
+/// Speed factor n d_m, mm/min: speed of the rings against each other times pitch diameter (m).
+pub fn speed_factor(speeds: Speeds, pitch_diameter: f64) -> f64 {
+    speeds.relative().abs() * 30.0 / std::f64::consts::PI * pitch_diameter * 1e3
+}
+
+/// Largest speed factor that a maker recommends for bearings with standard cages under light loads (C/P of 15 and more) in grease, mm/min. Makers' limiting speeds in
+/// oil are about a fifth above those in grease.
+///
+/// Source: SKF, General catalogue, 2006, page 238, table 1; oil: NSK, Rolling Bearings, catalogue E1102e, bearing tables.
+pub fn recommended_speed_factor(geometry: &Geometry) -> f64 {
+    match geometry {
+        Geometry::Ball(_) => 5.0e5,
+        Geometry::CylindricalRoller(_) => 4.5e5,
+        Geometry::TaperedRoller(_) => 3.5e5,
     }
 }

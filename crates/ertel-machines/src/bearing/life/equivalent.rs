@@ -87,8 +87,20 @@ pub fn dynamic_equivalent_load(
     axial: f64,
 ) -> Result<f64, Error> {
     let (radial, axial) = (radial.abs(), axial.abs());
+    Ok(dynamic_factors(geometry, nominal_angle, axial)?.equivalent_load(radial, axial))
+}
+
+/// [`factors`] under an axial load, N.
+///
+/// # Errors
+/// Angles beyond 45 degrees.
+pub fn dynamic_factors(
+    geometry: &BallGeometry,
+    nominal_angle: f64,
+    axial: f64,
+) -> Result<Factors, Error> {
     let area = geometry.number as f64 * geometry.ball_diameter.powi(2);
-    Ok(factors(nominal_angle, axial / area)?.equivalent_load(radial, axial))
+    factors(nominal_angle, axial / area)
 }
 
 /// Static equivalent radial load P_0, N, with the factors X_0 and Y_0 of the bearing's type.

@@ -8,6 +8,7 @@ mod contamination;
 mod equivalent;
 mod factor;
 mod fatigue_limit;
+mod induced;
 mod rating;
 mod reference;
 mod roller_rating;
@@ -17,12 +18,15 @@ mod table;
 use ertel_ehl::words::digits;
 
 pub use contamination::{Cleanliness, GuideCleanliness, contamination_factor, contamination_guide};
-pub use equivalent::{Factors, dynamic_equivalent_load, factors, static_equivalent_load};
+pub use equivalent::{
+    Factors, dynamic_equivalent_load, dynamic_factors, factors, static_equivalent_load,
+};
 pub use factor::{
     Kind, Lubrication, life_factor, reference_viscosity, reliability_factor, viscosity_ratio,
 };
 pub use fatigue_limit::{fatigue_limit, fatigue_limit_of_contact, simple_fatigue_limit};
-pub use rating::{ball_rating, ball_rating_factor, deep_groove_static_rating};
+pub use induced::{induced_axial_load, is_one_sided, nominal_angle};
+pub use rating::{ball_rating, ball_rating_factor, deep_groove_static_rating, has_wide_grooves};
 pub use reference::{ReferenceLife, equivalent_element_load, reference_life};
 pub use roller_rating::{
     RollerRow, roller_equivalent_load, roller_factors, roller_rating, roller_rating_factor,

@@ -30,7 +30,7 @@ pub fn equivalent_element_load(loads: &[f64], turns: bool) -> f64 {
 }
 
 /// Basic reference rating life of a single-row ball bearing with the rating C_r (N) at the nominal contact angle (rad), under the loads of
-/// all balls on inner and outer ring (N); `turning` is the ring that turns against the load.
+/// all balls on inner and outer ring (N); `turning` says of each ring whether it turns against the load.
 ///
 /// ```text
 ///   T = 1.044 ((1 − γ)/(1 + γ))^1.72 [(r_i/r_e)(2r_e − D)/(2r_i − D)]^0.41
@@ -46,7 +46,7 @@ pub fn reference_life(
     nominal_angle: f64,
     dynamic_rating: f64,
     loads: [&[f64]; 2],
-    turning: Ring,
+    turning: [bool; 2],
 ) -> Result<ReferenceLife, Error> {
     let rating = positive("rating", dynamic_rating)?;
     let gamma = geometry.gamma(nominal_angle);
@@ -57,7 +57,7 @@ pub fn reference_life(
     let both = |sign: f64| (1.0 + t.powf(sign * 10.0 / 3.0)).powf(0.3);
     let rating_of = [each / 0.407 * both(1.0), each / 0.389 * both(-1.0)];
     let equivalent =
-        Ring::BOTH.map(|ring| equivalent_element_load(loads[ring.index()], ring == turning));
+        Ring::BOTH.map(|ring| equivalent_element_load(loads[ring.index()], turning[ring.index()]));
     positive(
         "equivalent load of a ball",
         equivalent[0].max(equivalent[1]),
@@ -123,8 +123,8 @@ mod tests {
                 .unwrap();
             let [inner, outer] = Ring::BOTH.map(|ring| solved.loads(ring));
             let rating = ball_rating(&geometry, nominal).unwrap();
-            let life =
-                reference_life(&geometry, nominal, rating, [&inner, &outer], Ring::Inner).unwrap();
+            let life = reference_life(&geometry, nominal, rating, [&inner, &outer], [true, false])
+                .unwrap();
             let gamma = geometry.gamma(nominal);
             let limits = Ring::BOTH
                 .map(|ring| fatigue_limit_of_contact(&geometry, Material::STEEL, ring, nominal));
@@ -160,7 +160,7 @@ mod tests {
             play: Play::Clearance(0.0),
         };
         let none = [0.0; 9];
-        assert!(reference_life(&geometry, 0.0, 2e4, [&none, &none], Ring::Inner).is_err());
+        assert!(reference_life(&geometry, 0.0, 2e4, [&none, &none], [true, false]).is_err());
         assert_relative_eq!(
             equivalent_element_load(&[500.0; 9], true),
             500.0,

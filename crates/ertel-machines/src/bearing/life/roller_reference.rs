@@ -24,7 +24,7 @@ pub fn stress_riser(k: usize, n: usize) -> f64 {
 }
 
 /// Basic reference rating life of a single-row roller bearing with the rating C_r (N) under the loads of all slices (N) of all rollers on inner and
-/// outer ring; `turning` is the ring that turns against the load.
+/// outer ring; `turning` says of each ring whether it turns against the load.
 ///
 /// ```text
 ///   Q_ci = C_r/(0.378 λν Z cos α) {1 + [1.038 ((1 − γ)/(1 + γ))^(143/108)]^(9/2)}^(2/9),   λν = 0.83
@@ -41,7 +41,7 @@ pub fn roller_reference_life(
     row: &RollerRow,
     dynamic_rating: f64,
     loads: [&[Vec<f64>]; 2],
-    turning: Ring,
+    turning: [bool; 2],
 ) -> Result<ReferenceLife, Error> {
     let rating = positive("rating", dynamic_rating)?;
     let base = 1.038 * rings(row.gamma());
@@ -49,7 +49,11 @@ pub fn roller_reference_life(
     let both = |sign: f64| (1.0 + base.powf(sign * RESTING)).powf(2.0 / 9.0);
     let rating_of = [each / 0.378 * both(1.0), each / 0.364 * both(-1.0)];
     let equivalent = Ring::BOTH.map(|ring| {
-        let p = if ring == turning { TURNING } else { RESTING };
+        let p = if turning[ring.index()] {
+            TURNING
+        } else {
+            RESTING
+        };
         of_slices(loads[ring.index()], p)
     });
     positive(
@@ -118,7 +122,7 @@ mod tests {
         let mut slices = vec![0.0; 41];
         slices[20] = 1000.0;
         let rollers = vec![slices; 3];
-        let found = roller_reference_life(&ROW, 50e3, [&rollers, &rollers], Ring::Inner).unwrap();
+        let found = roller_reference_life(&ROW, 50e3, [&rollers, &rollers], [true, false]).unwrap();
         assert_relative_eq!(found.rating[0], 54_321.0, max_relative = 1e-3);
         assert_relative_eq!(found.rating[1], 92_965.0, max_relative = 1e-3);
         assert_relative_eq!(found.life * 1e-6, 77.66, max_relative = 3e-3);
@@ -128,7 +132,7 @@ mod tests {
             max_relative = 1e-3
         );
         let none = vec![vec![0.0; 41]; 3];
-        assert!(roller_reference_life(&ROW, 50e3, [&none, &none], Ring::Inner).is_err());
+        assert!(roller_reference_life(&ROW, 50e3, [&none, &none], [true, false]).is_err());
     }
 
     /// Rollers with the reference profile without clearance and tilt live about as long as the rating says, which is what λν and the factor at the ends are
@@ -155,7 +159,7 @@ mod tests {
                 .solve(&loads, Speeds::default(), &Params::default())
                 .unwrap();
             let [inner, outer] = Ring::BOTH.map(|ring| found.slice_loads(ring));
-            let found = roller_reference_life(&row, rating, [&inner, &outer], Ring::Inner);
+            let found = roller_reference_life(&row, rating, [&inner, &outer], [true, false]);
             found.unwrap()
         };
         let straight = life(0.0);

@@ -17,7 +17,7 @@ mod whole;
 
 pub use cam_turn::CamMechanics;
 pub use gears::{GearLimits, GearMechanics};
-pub use loaded_bearing::{BearingMechanics, ContactKind, Contamination, LifeInputs};
+pub use loaded_bearing::{BearingMechanics, ContactKind, Contamination, LifeInputs, RatingBasis};
 pub(super) use passage::Passage;
 pub(super) use whole::contacts;
 pub use whole::{Axis as MachineAxis, MachineContact, MachineContacts, RINGS, WholeMachine};

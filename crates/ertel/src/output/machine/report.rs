@@ -86,9 +86,22 @@ pub(in crate::output) fn shown(figure: &MachineFigure) -> String {
         },
         "W" if e.value.abs() < 1.0 => in_unit(e, 1e3, "mW"),
         "N m" if e.value.abs() < 1.0 => in_unit(e, 1e3, "N mm"),
-        "s" => format!("{} h", digits(e.value / 3600.0, 4)),
+        "s" => life(e, 1.0 / 3600.0, "h"),
+        "million revolutions" => life(e, 1.0, figure.unit),
         "rad" => in_unit(e, 1f64.to_degrees(), "deg"),
         unit => in_unit(e, 1.0, unit),
+    }
+}
+
+/// Numbers from here on have a power of ten: their digits are none that a life has.
+const MANY: f64 = 1e6;
+
+/// A rating life.
+fn life(e: Estimate, factor: f64, unit: &str) -> String {
+    match (e.error, factor * e.value) {
+        (None, value) if value >= MANY => format!("{value:.3e} {unit}"),
+        (None, value) => format!("{} {unit}", digits(value, 4)),
+        (Some(_), _) => in_unit(e, factor, unit),
     }
 }
 

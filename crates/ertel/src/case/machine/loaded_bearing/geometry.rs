@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use ertel_input::{Bounds, InputError, Table};
 use ertel_machines::bearing::Geometry;
-use ertel_machines::bearing::catalogue::{self, Entry, Internal, Origin, Sourced, Special};
+use ertel_machines::bearing::catalogue::{self, Entry, Internal, Origin, Series, Sourced, Special};
 use ertel_machines::bearing::geometry::{BallGeometry, Play};
 use ertel_quantity::Dimension;
 
@@ -76,14 +76,49 @@ impl Elements {
     }
 }
 
+/// Where load ratings come from that the file does not give.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum RatingBasis {
+    /// C and C_0 of the catalogue, N: inside, the bearing is estimated, and the file replaces nothing that ratings take.
+    Catalogue([f64; 2]),
+    /// Dimensions of which some are estimated; relative error of C and C_0.
+    Estimated(f64),
+    /// Known dimensions.
+    Geometry,
+}
+
+impl RatingBasis {
+    /// By how the size and number of elements are known, and the other dimensions that ratings take.
+    pub(super) fn of(entry: Option<&Entry>, sizes: &[Origin], others: &[Origin]) -> RatingBasis {
+        let is_estimated = sizes.iter().any(|how| matches!(how, Origin::Estimated(_)));
+        let is_replaced = sizes.iter().chain(others).any(|how| *how == Origin::Given);
+        match (entry, is_estimated) {
+            (Some(entry), true) => match entry.ratings {
+                Some(ratings) if !is_replaced => RatingBasis::Catalogue(ratings.value),
+                _ => RatingBasis::Estimated(entry.designation.series.rating_spread()),
+            },
+            _ => RatingBasis::Geometry,
+        }
+    }
+}
+
 /// A bearing as the file describes it.
 pub(super) struct Inside {
     /// Its geometry.
     pub geometry: Geometry,
+    /// Where its load ratings come from.
+    pub ratings: RatingBasis,
     /// What the catalogue says of it, if it has a designation.
     pub entry: Option<Entry>,
     /// Rows of the report: values, and how they are known.
     pub rows: Vec<(String, String)>,
+}
+
+impl Inside {
+    /// Its series, if it has a designation.
+    pub fn series(&self) -> Option<Series> {
+        self.entry.as_ref().map(|entry| entry.designation.series)
+    }
 }
 
 /// Reads designation and dimensions.
@@ -92,7 +127,6 @@ pub(super) fn read(table: &mut Table<'_>, elements: Elements) -> Result<Inside, 
         Some(given) => Some(find(table, given, elements)?),
         None => None,
     };
-    let known = entry.as_ref().map(|entry| entry.internal);
     let mut rows = Rows::default();
     if let Some(entry) = &entry {
         let boundary = &entry.boundary;
@@ -113,14 +147,22 @@ pub(super) fn read(table: &mut Table<'_>, elements: Elements) -> Result<Inside, 
         );
         let ignored = &entry.designation.ignored;
         if !ignored.is_empty() {
-            rows.text("suffixes without effect here", ignored.join(", "));
+            rows.text("designs and suffixes without effect", ignored.join(", "));
         }
     }
-    let geometry = match elements {
-        Elements::Balls => Geometry::Ball(balls(table, known, &mut rows)?),
-        Elements::Rollers => Geometry::CylindricalRoller(rollers::read(table, known, &mut rows)?),
+    let entry_of = entry.as_ref();
+    let (geometry, ratings) = match elements {
+        Elements::Balls => {
+            let (balls, ratings) = balls(table, entry_of, &mut rows)?;
+            (Geometry::Ball(balls), ratings)
+        }
+        Elements::Rollers => {
+            let (rollers, ratings) = rollers::read(table, entry_of, &mut rows)?;
+            (Geometry::CylindricalRoller(rollers), ratings)
+        }
         Elements::TaperedRollers => {
-            Geometry::TaperedRoller(rollers::read_tapered(table, known, &mut rows)?)
+            let (rollers, ratings) = rollers::read_tapered(table, entry_of, &mut rows)?;
+            (Geometry::TaperedRoller(rollers), ratings)
         }
     };
     geometry
@@ -128,6 +170,7 @@ pub(super) fn read(table: &mut Table<'_>, elements: Elements) -> Result<Inside, 
         .map_err(|error| table.error_here(error.to_string()))?;
     Ok(Inside {
         geometry,
+        ratings,
         entry,
         rows: rows.0,
     })
@@ -136,12 +179,12 @@ pub(super) fn read(table: &mut Table<'_>, elements: Elements) -> Result<Inside, 
 /// The bearing of a designation, of the kind that the file says.
 fn find(table: &Table<'_>, given: &str, elements: Elements) -> Result<Entry, InputError> {
     let entry = catalogue::find(given).map_err(|error| {
-        let near = error.nearest.join(", ");
-        table
-            .error("designation", format!("no bearing `{given}` in the catalogue"))
-            .with_help(format!(
-                "the nearest ones are {near}; a bearing that is not in it is described by its dimensions"
-            ))
+        let by_dimensions = "a bearing that is not in it is described by its dimensions";
+        let help = match error.kind {
+            Some(_) => "deep groove and angular contact ball bearings, cylindrical and tapered roller bearings of one row are covered".to_owned(),
+            None => format!("the nearest ones are {}; {by_dimensions}", error.nearest.join(", ")),
+        };
+        table.error("designation", error.to_string()).with_help(help)
     })?;
     let own = Elements::of(&entry);
     if own == elements {
@@ -194,9 +237,9 @@ pub(super) fn number_or(
 
 fn balls(
     table: &mut Table<'_>,
-    known: Option<Internal>,
+    entry: Option<&Entry>,
     rows: &mut Rows,
-) -> Result<BallGeometry, InputError> {
+) -> Result<(BallGeometry, RatingBasis), InputError> {
     let (mut d, mut pitch, mut number, mut groove, mut play) = (None, None, None, None, None);
     if let Some(Internal::Ball {
         ball_diameter,
@@ -204,7 +247,7 @@ fn balls(
         number: n,
         groove: f,
         play: p,
-    }) = known
+    }) = entry.map(|entry| entry.internal)
     {
         (d, pitch, number) = (Some(ball_diameter), Some(pitch_diameter), Some(n));
         (groove, play) = (Some(f), Some(p));
@@ -252,10 +295,22 @@ fn balls(
         play: play.value,
     };
     let clearance = format!("{} µm", digits(1e6 * geometry.clearance(), 4));
-    rows.text("radial clearance", told(clearance, play.origin));
-    let angle = digits(geometry.free_angle().to_degrees(), 4);
-    rows.text("contact angle without load", format!("{angle} deg"));
-    Ok(geometry)
+    let angle = format!("{} deg", digits(geometry.free_angle().to_degrees(), 4));
+    let [of_clearance, of_angle] = match play.value {
+        Play::Clearance(_) => [told(clearance, play.origin), angle],
+        Play::FreeAngle(_) => [
+            format!("{clearance} (by the contact angle)"),
+            told(angle, play.origin),
+        ],
+    };
+    rows.text("radial clearance", of_clearance);
+    rows.text("contact angle without load", of_angle);
+    let ratings = RatingBasis::of(
+        entry,
+        &[ball_diameter.origin, number.origin],
+        &[pitch_diameter.origin, grooves[0].origin, grooves[1].origin],
+    );
+    Ok((geometry, ratings))
 }
 
 /// `radial_clearance` or `contact_angle`.

@@ -6,16 +6,20 @@ mod refusal;
 mod rollers;
 
 use ertel_input::{Bounds, InputError, Table};
-use ertel_machines::bearing::catalogue::Entry;
+use ertel_machines::bearing::catalogue::{Entry, Series};
 use ertel_machines::bearing::geometry::Ring;
-use ertel_machines::bearing::kinematics::{RacewayControl, Speeds};
+use ertel_machines::bearing::kinematics::{
+    RacewayControl, Speeds, recommended_speed_factor, speed_factor,
+};
 use ertel_machines::bearing::load::{Distribution, Given, Loads, Params, RingContact};
-use ertel_machines::bearing::{Bearing, Geometry, Material};
+use ertel_machines::bearing::{Bearing, Geometry, Material, life as ratings};
 use ertel_quantity::Dimension;
 
 pub(super) use geometry::Elements;
+use geometry::Inside;
+pub use geometry::RatingBasis;
 pub use life::{Contamination, LifeInputs};
-use refusal::not_distributed;
+use refusal::{check_axial_load, not_distributed};
 
 use super::whole::{Axis, Choice, MachineContact, WholeMachine, like};
 use super::{ANGULAR_SPEED, Machine, Mechanics, Rows, Steel};
@@ -49,8 +53,17 @@ pub struct BearingMechanics {
     pub distribution: Distribution,
     /// Ratings, cleanliness, cooling.
     pub life: LifeInputs,
+    /// Where load ratings come from that the file does not give.
+    pub ratings: RatingBasis,
     /// How its contacts are solved.
     pub contacts: ContactKind,
+}
+
+impl BearingMechanics {
+    /// Its series, if it has a designation.
+    pub fn series(&self) -> Option<Series> {
+        self.entry.as_ref().map(|entry| entry.designation.series)
+    }
 }
 
 /// How contacts of a bearing are solved.
@@ -63,6 +76,9 @@ pub enum ContactKind {
     /// Rollers over their whole length, with relief and tilt.
     FiniteRollers,
 }
+
+/// Share of the largest force on a ring below which a force is rounding: the balance holds to 1e-9 of it.
+const ROUNDING: f64 = 1e-8;
 
 /// An element, by its number from the load on, and a ring.
 type Place = (usize, Ring);
@@ -91,6 +107,7 @@ pub(super) fn read(
         outer: speed(table, "outer_ring_speed")?.unwrap_or(0.0),
     };
     let loads = loads(table, elements)?;
+    check_axial_load(table, &inside, &loads)?;
     let params = params(table, elements)?;
     let bearing = Bearing {
         geometry: inside.geometry,
@@ -106,9 +123,18 @@ pub(super) fn read(
             "the centrifugal force of the elements is left out: [bodies] gives no density of body_2",
         ));
     }
+    let left_out = inside
+        .entry
+        .iter()
+        .flat_map(|entry| &entry.designation.left_out);
+    warnings.extend(left_out.map(|what| {
+        let text = format!("the designation names {what}");
+        Warning::new(WarningKind::DesignationSuffix, text)
+    }));
+    warnings.extend(too_fast(&bearing.geometry, speeds));
     let distribution = bearing
         .solve(&loads, speeds, &params)
-        .map_err(|error| not_distributed(table, &error, &inside, &loads))?;
+        .map_err(|error| not_distributed(table, &error, &inside, &loads, (&bearing, speeds)))?;
     let word = elements.word();
     let chosen = chosen(table, distribution.elements.len(), word)?;
     let governing = chosen.unwrap_or_else(|| heaviest(&distribution));
@@ -127,8 +153,8 @@ pub(super) fn read(
         "machine",
         format!("bearing: {word}s (body 2) on the rings (body 1)"),
     );
-    rows.0.extend(inside.rows);
-    tell(&mut rows, &distribution, (governing, word));
+    rows.0.extend(inside.rows.clone());
+    tell(&mut rows, &inside, &distribution, (governing, word));
     let [x, y, axial] = distribution.force;
     let whole = chosen.is_none().then(|| {
         let contacts = contacts(&inside.geometry, kind, &distribution, word);
@@ -153,6 +179,7 @@ pub(super) fn read(
                 speeds,
                 distribution: distribution.clone(),
                 life,
+                ratings: inside.ratings,
                 contacts: kind,
             })),
         }
@@ -170,6 +197,23 @@ pub(super) fn read(
         warnings,
         echo: rows.echo(),
         whole,
+    })
+}
+
+/// Tells of a speed beyond what makers recommend.
+fn too_fast(geometry: &Geometry, speeds: Speeds) -> Option<Warning> {
+    let [factor, most] = [
+        speed_factor(speeds, geometry.pitch_diameter()),
+        recommended_speed_factor(geometry),
+    ];
+    (factor > most).then(|| {
+        Warning::new(
+            WarningKind::BearingSpeed,
+            format!(
+                "the speed factor n d_m is {factor:.2e} mm/min, beyond {most:.1e} mm/min, up to which makers recommend such bearings with standard cages (SKF, General \
+                 catalogue, 2006, in grease under light loads; limits in oil are about a fifth higher): ask the maker for the limiting speed"
+            ),
+        )
     })
 }
 
@@ -405,22 +449,39 @@ fn motion(
 }
 
 /// Rows of the report: how the elements share the load.
-fn tell(rows: &mut Rows, found: &Distribution, (governing, word): (Place, &str)) {
+fn tell(rows: &mut Rows, inside: &Inside, found: &Distribution, (governing, word): (Place, &str)) {
+    let geometry = &inside.geometry;
+    let is_one_sided = ratings::is_one_sided(geometry, inside.series());
+    let [x, y, z] = found.shift;
+    let (z, from) = match geometry {
+        // Both shoulders: the middle of the play stands out, not the touch of one of them.
+        Geometry::Ball(ball) if !is_one_sided => {
+            (z + 0.5 * ball.axial_play(), " from the middle of the play")
+        }
+        _ => (z, ""),
+    };
     // Nothing of less than a picometre: rounding.
-    let shown = |shift: f64| digits(1e6 * if shift.abs() < 1e-12 { 0.0 } else { shift }, 4);
-    let [x, y, z] = found.shift.map(shown);
+    let [x, y, z] =
+        [x, y, z].map(|shift| digits(1e6 * if shift.abs() < 1e-12 { 0.0 } else { shift }, 4));
     rows.text(
         "shift of the inner ring",
-        format!("{x} and {y} µm radially, {z} µm axially"),
+        format!("{x} and {y} µm radially, {z} µm axially{from}"),
     );
     let [rx, ry, axial] = found.force;
+    let largest = rx.hypot(ry).max(axial.abs());
+    let [radial, axial] = [rx.hypot(ry), axial].map(|force| {
+        digits(
+            if force.abs() < ROUNDING * largest {
+                0.0
+            } else {
+                force
+            },
+            5,
+        )
+    });
     rows.text(
         "force on the inner ring",
-        format!(
-            "{} N radially, {} N axially",
-            digits(rx.hypot(ry), 5),
-            digits(axial, 5)
-        ),
+        format!("{radial} N radially, {axial} N axially"),
     );
     let loaded = (found.elements.iter()).filter(|element| element.contacts[0].load > 0.0);
     let loaded = loaded.count();

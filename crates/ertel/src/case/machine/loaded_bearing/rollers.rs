@@ -1,12 +1,12 @@
 //! What lies inside roller bearings.
 
 use ertel_input::{InputError, Table};
-use ertel_machines::bearing::catalogue::{Internal, Origin, Sourced};
+use ertel_machines::bearing::catalogue::{Entry, Internal, Origin, Sourced};
 use ertel_machines::bearing::geometry::{Ring, RollerGeometry, RollerProfile, TaperedGeometry};
 use ertel_quantity::Dimension;
 
 use super::super::Rows;
-use super::geometry::{ANGLE, CLEARANCE, length_or, number_or, origin};
+use super::geometry::{ANGLE, CLEARANCE, RatingBasis, length_or, number_or, origin};
 use crate::words::{digits, length};
 
 /// What both kinds of rollers have.
@@ -58,6 +58,16 @@ impl Common {
         Ok(found)
     }
 
+    /// Where ratings come from, with further dimensions that they take.
+    fn ratings(&self, entry: Option<&Entry>, others: &[Origin]) -> RatingBasis {
+        let sizes = [self.diameter.origin, self.length.origin, self.number.origin];
+        RatingBasis::of(
+            entry,
+            &sizes,
+            &[others, &[self.pitch_diameter.origin]].concat(),
+        )
+    }
+
     fn tell_profile(&self, rows: &mut Rows) {
         let shape = match self.profile.value {
             RollerProfile::Cylinder => "none",
@@ -71,9 +81,9 @@ impl Common {
 /// Cylindrical rollers.
 pub(super) fn read(
     table: &mut Table<'_>,
-    known: Option<Internal>,
+    entry: Option<&Entry>,
     rows: &mut Rows,
-) -> Result<RollerGeometry, InputError> {
+) -> Result<(RollerGeometry, RatingBasis), InputError> {
     let (mut common, mut gap) = (None, None);
     if let Some(Internal::Cylindrical {
         roller_diameter,
@@ -82,7 +92,7 @@ pub(super) fn read(
         number,
         clearance,
         profile,
-    }) = known
+    }) = entry.map(|entry| entry.internal)
     {
         common = Some(Common {
             diameter: roller_diameter,
@@ -103,22 +113,24 @@ pub(super) fn read(
     let gap = format!("{} µm", digits(1e6 * clearance.value, 4));
     rows.text("radial clearance", told(gap, clearance.origin));
     common.tell_profile(rows);
-    Ok(RollerGeometry {
+    let ratings = common.ratings(entry, &[]);
+    let geometry = RollerGeometry {
         roller_diameter: common.diameter.value,
         length: common.length.value,
         pitch_diameter: common.pitch_diameter.value,
         number: common.number.value,
         clearance: clearance.value,
         profile: common.profile.value,
-    })
+    };
+    Ok((geometry, ratings))
 }
 
 /// Tapered rollers, whose play is a matter of how the bearing is set.
 pub(super) fn read_tapered(
     table: &mut Table<'_>,
-    known: Option<Internal>,
+    entry: Option<&Entry>,
     rows: &mut Rows,
-) -> Result<TaperedGeometry, InputError> {
+) -> Result<(TaperedGeometry, RatingBasis), InputError> {
     let (mut common, mut angle) = (None, None);
     if let Some(Internal::Tapered {
         roller_diameter,
@@ -127,7 +139,7 @@ pub(super) fn read_tapered(
         number,
         contact_angle,
         profile,
-    }) = known
+    }) = entry.map(|entry| entry.internal)
     {
         common = Some(Common {
             diameter: roller_diameter,
@@ -171,5 +183,5 @@ pub(super) fn read_tapered(
         degrees(geometry.angle(Ring::Inner)),
     );
     common.tell_profile(rows);
-    Ok(geometry)
+    Ok((geometry, common.ratings(entry, &[contact_angle.origin])))
 }
