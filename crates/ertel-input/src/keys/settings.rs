@@ -50,6 +50,9 @@ pub const CODES: &[&str] = &[
     "checkpoint",
     "uneven-roller",
     "missing-data",
+    "bearing-speed",
+    "designation-suffix",
+    "friction-model-range",
     "oil-temperature",
 ];
 
