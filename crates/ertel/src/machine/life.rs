@@ -85,8 +85,7 @@ const CATALOGUE: &str = "C and C_0 of the catalogue: NSK, Rolling Bearings, E110
 const GIVEN: &str = "C and C_0 as given";
 const GIVEN_LIMIT: &str = "C_u as given";
 const ESTIMATED: &str = "C and C_0: ISO 281:2007, ISO 76, of dimensions that are estimated; ± by which such ratings miss those of NSK's catalogue (twice the root mean square of the series), in all that follows from them. Give `dynamic_load_rating` and `static_load_rating` of the maker";
-const SIMPLE_LIMIT: &str =
-    "C_u by C_0 (ISO 281:2007, annex B, simple method), for the dimensions inside are estimated";
+const SIMPLE_LIMIT: &str = "C_u by C_0 (ISO 281:2007, annex B, simple method)";
 
 /// A rating and how it is known.
 struct Rating {

@@ -38,17 +38,18 @@ pub(super) fn check_axial_load(
         _ => ("single-row angular contact ball bearing", "balls"),
     };
     let shown = |load: f64| force(load, false, 4);
-    let why = match axial < 0.0 {
-        true => format!(
+    let why = match (axial < 0.0, radial > 0.0) {
+        (true, _) => format!(
             "a {kind} carries axial load in one direction only, but {} push its rings apart",
             shown(axial)
         ),
-        false => format!(
+        (false, true) => format!(
             "the radial load of {} induces an axial force of {} in a {kind}, but its axial load is {}: its rings come apart",
             shown(radial),
             shown(induced),
             shown(axial)
         ),
+        (false, false) => format!("the rings of a {kind} come apart without axial load"),
     };
     let key = ["axial_load", "radial_load", "moment"]
         .into_iter()
