@@ -81,7 +81,10 @@ fn keys_in(text: &str) -> Vec<&str> {
 /// Some of the keys of a table.
 fn table_of(rows: &[Row], rng: &mut Rng) -> Value {
     let mut table = Map::new();
-    for row in rows.iter().filter(|_| rng.u8(0..4) == 0) {
+    for row in rows {
+        if rng.u8(0..4) > 0 {
+            continue;
+        }
         let key = row.keys[rng.usize(0..row.keys.len())];
         table.insert(key.to_owned(), value_of(row, rng));
     }
@@ -118,10 +121,10 @@ fn put(case: &mut Value, path: &str, value: Value) -> bool {
         let Some(table) = here.as_object_mut() else {
             return false;
         };
-        here = table.entry(name).or_insert_with(|| json!({}));
-        if let Some(first) = here.as_array_mut().and_then(|tables| tables.first_mut()) {
-            here = first;
-        }
+        here = match table.entry(name).or_insert_with(|| json!({})) {
+            Value::Array(tables) if !tables.is_empty() => &mut tables[0],
+            other => other,
+        };
     }
     let Some(table) = here.as_object_mut() else {
         return false;

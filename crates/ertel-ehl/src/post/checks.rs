@@ -3,7 +3,7 @@
 use crate::contact::Shape;
 use crate::engine::friction::friction;
 use crate::engine::{Extents, Film, Problem};
-use crate::solution::{Balance, Checks, Figure, Summary, SummedTo, Thermal};
+use crate::solution::{Balance, Checks, Summary, SummedTo, Thermal};
 use crate::warning::{Warning, WarningKind};
 use crate::words::digits;
 
