@@ -67,11 +67,7 @@ rows! {
         radial_load: FORCE => r#"force on the inner ring across the axis, at ball 0; with this key, `axial_load` or `axial_preload` the file describes
             [a bearing under its loads](#a-bearing-under-its-loads)"#;
         axial_load: FORCE => "force on the inner ring along the axis; optional, 0, but for angular contact bearings, which it must press together";
-<<<<<<< HEAD
         axial_preload: LENGTH, usual [CLEARANCES] => "axial shift of the rings against each other beyond first touch, in place of `axial_load`";
-=======
-        axial_preload: LENGTH => "axial shift of the rings against each other beyond first touch, in place of `axial_load`";
->>>>>>> bearings/main
         moment: Quantity(&[D::ENERGY]) => "tilting moment on the inner ring in the plane of the radial load; optional: the rings do not tilt";
         misalignment: ANGLE => "tilt of the inner ring in that plane, in place of `moment`";
         element: Count => "number of one ball, from 0 at the radial load on: with `ring`, its contact alone";

@@ -10,11 +10,7 @@ use std::f64::consts::TAU;
 use ertel_machines::bearing::geometry::{BallGeometry, Ring};
 use ertel_machines::bearing::{Geometry, Material, life};
 
-<<<<<<< HEAD
 use super::{MachineFigure, Section};
-=======
-use super::{MachineFigure, Section, of_model};
->>>>>>> bearings/main
 use crate::case::{BearingMechanics, Case, Contamination, RatingBasis};
 use crate::solution::Estimate;
 use crate::warning::{Warning, WarningKind};
@@ -55,12 +51,8 @@ impl Collected {
         unit: &'static str,
         source: &'static str,
     ) {
-<<<<<<< HEAD
         let estimate = Estimate { value, error: None };
         self.add_estimate(section, names, estimate, unit, source);
-=======
-        self.add_estimate(section, names, of_model(value), unit, source);
->>>>>>> bearings/main
     }
 
     pub(super) fn warn(&mut self, kind: WarningKind, text: impl Into<String>) {
@@ -78,11 +70,7 @@ impl Collected {
         self.figures.push(MachineFigure {
             name,
             words,
-<<<<<<< HEAD
             estimate: estimate.into(),
-=======
-            estimate,
->>>>>>> bearings/main
             unit,
             section,
             source,

@@ -54,14 +54,6 @@ pub fn unsolved(case: &Case) -> Option<(MachineSolution, MachineFigures)> {
     };
     let figures = figures(case, &solution);
     Some((solution, figures))
-<<<<<<< HEAD
-=======
-}
-
-/// A figure without bar: that of a formula.
-fn of_model(value: f64) -> Estimate {
-    Estimate { value, error: None }
->>>>>>> bearings/main
 }
 
 /// The contact with the smallest film, by its place among the contacts.

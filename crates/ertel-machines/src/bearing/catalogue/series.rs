@@ -229,11 +229,7 @@ impl Series {
             | Series::Tapered303
             | Series::Tapered320X
             | Series::Tapered322
-<<<<<<< HEAD
-            | Series::Tapered323 => 0.3,
-=======
             | Series::Tapered323 => 0.23,
->>>>>>> bearings/main
         }
     }
 }

@@ -182,11 +182,7 @@ fn of_row(row: &RollerRow) -> [f64; 2] {
     [roller_rating(row).unwrap(), roller_static_rating(row)]
 }
 
-<<<<<<< HEAD
-/// Ratings of the catalogue against a public list of those of the usual catalogues: within 10 %, but for a few that their maker changed.
-=======
 /// Ratings of the catalogue against a public list of those of the usual catalogues: within 12 % (6019).
->>>>>>> bearings/main
 #[test]
 fn ratings_against_another_list() {
     let rows = include_str!("data/ratings.csv").lines();
@@ -197,11 +193,7 @@ fn ratings_against_another_list() {
         assert_relative_eq!(
             dynamic,
             1e3 * rating.parse::<f64>().unwrap(),
-<<<<<<< HEAD
-            max_relative = 0.1
-=======
             max_relative = 0.12
->>>>>>> bearings/main
         );
         assert!(fixed < dynamic && fixed > 0.4 * dynamic, "{name}");
         number += 1;
