@@ -1,6 +1,7 @@
 //! All integration tests in one program: each program of its own would link the whole library once more, and run alone.
 
 mod arrows;
+mod behind_the_film;
 mod both_methods;
 mod cold_starts;
 mod common;

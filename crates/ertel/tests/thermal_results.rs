@@ -7,7 +7,7 @@ use approx::assert_relative_eq;
 use common::heated;
 use ertel::case::Case;
 use ertel::contact::{ContactKind, Scales, Symmetry};
-use ertel::params::ThermalParams;
+use ertel::params::{Method, ThermalParams};
 use ertel::post::elements::elements;
 use ertel::post::thermal::{thermal, warnings};
 use ertel::run::{problem, solve};
@@ -17,6 +17,7 @@ use ertel::solve::figures::measure;
 use ertel::solve::points::fields_in;
 use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
 use ertel_fem::element::Lagrange;
+use ertel_input::Document;
 use ertel_rheology::provenance::{TemperatureRange, celsius};
 
 fn case(kind: ContactKind, load: f64, slide_to_roll_ratio: f64) -> Case {
@@ -336,5 +337,31 @@ fn temperatures_beyond_the_data_are_told() {
                 && warning.contains(&words),
             "{warning}"
         );
+    }
+}
+
+/// Oil of 60 °C between bodies of 75 °C: nothing cools it, the density does not change with the temperature, and so no film is colder than the oil, whatever the element of
+/// its polynomials. Heat conducted from hot to cold alone would keep to that exactly; 0.3 K, a fiftieth of the difference, is left for convection of the second order.
+#[test]
+fn no_film_is_colder_than_what_comes_in() {
+    for (kind, method) in [
+        ("line", Method::FiniteElements),
+        ("line", Method::FiniteVolumes),
+        ("circular", Method::FiniteVolumes),
+    ] {
+        let text = format!(
+            "contact = {{ kind = \"{kind}\", radius = \"10 mm\", hertz_pressure = \"0.8 GPa\" }}\nbodies = {{ body_1 = \"steel\", body_2 = \"steel\" }}\n\
+             motion = {{ entrainment_speed = \"5 m/s\", slide_to_roll_ratio = 0.2 }}\nthermal = {{ body_1_temperature = \"75 degC\", body_2_temperature = \"75 degC\" }}\n\
+             mesh = {{ preset = \"coarse\" }}\n[lubricant]\ntemperature = \"60 degC\"\ndensity = {{ law = \"dowson-higginson\", rho_0 = \"860 kg/m^3\" }}\n\
+             viscosity = {{ law = \"roelands\", mu_0 = \"20 mPa.s\", alpha = \"19 1/GPa\", beta = \"0.037 1/K\", reference_temperature = \"60 degC\" }}\n\
+             thermal_conductivity = \"0.14 W/(m.K)\"\nheat_capacity = \"2000 J/(kg.K)\"\n"
+        );
+        let document = Document::parse("warm.toml", text).unwrap();
+        let mut case = Case::from_document(&document, "".as_ref()).unwrap();
+        case.solver.method = Some(method);
+        let solution = solve(&case, &mut NoObserver).unwrap();
+        let lowest = &solution.thermal.as_ref().unwrap().film_lowest;
+        println!("{kind} {method:?}: {lowest:?}");
+        assert!(lowest.value > 333.15 - 0.3, "{kind} {method:?}: {lowest:?}");
     }
 }

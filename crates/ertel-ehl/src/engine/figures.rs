@@ -91,10 +91,10 @@ pub fn note_friction<Plan>(
     }
     let power = Reading {
         cut: (f.work - near.work).abs(),
-        // Films that heat up expand: their balance is that of the heat.
+        // Films that heat up expand: their balance is that of the heat of the contact area.
         misfit: match heats {
             false => sums.power_misfit().abs(),
-            true => 0.0,
+            true => sums.work_around,
         },
         ..Reading::new(f.work)
     };

@@ -10,6 +10,11 @@ pub trait Film: Sync {
 
     /// Fields at (X, Y); `None` outside the contact area.
     fn at(&self, place: [f64; 2]) -> Option<PointFields>;
+
+    /// Whether the points stand for a place, too.
+    fn covers(&self, place: [f64; 2]) -> bool {
+        self.at(place).is_some()
+    }
 }
 
 /// Fields at a point of the contact area.

@@ -20,6 +20,7 @@ use std::f64::consts::PI;
 
 use rayon::prelude::*;
 
+use super::around::around;
 use super::flux::mass_flux;
 use super::region::Region;
 use super::shear::{PointShear, Shear};
@@ -54,13 +55,17 @@ pub struct Friction {
 pub struct Frictions {
     /// As far as the bodies reach.
     pub here: Friction,
-    /// Over a shorter distance: what lies between tells how much the end counts. The same again where the contact area ends before the
+    /// Over a shorter distance: what lies between tells how much the end counts. The same again around lines and rollers that end before the
     /// bodies do.
     pub shorter: Friction,
-    /// Over all of the contact area.
+    /// Over all of the contact area and what lies around it.
     pub whole: Friction,
     /// Whether the bodies end on the contact area.
     pub is_cut: bool,
+    /// Whether the sums end where the bodies do, on the contact area or around it.
+    pub ends_with_bodies: bool,
+    /// Work of the surfaces around the contact area, W or W/m.
+    pub work_around: f64,
     /// Work that flows out with the pressure where the bodies end, W or W/m; of isothermal films.
     pub through_end: f64,
     /// −∫p ∂h_0/∂x dA over the load, which `whole.rolling` should be.
@@ -198,13 +203,15 @@ pub fn friction<Plan>(problem: &Problem<Plan>, fluid: &FilmFluid, film: &impl Fi
         }
         (sums, points.iter().any(|point| point.within[0] != 1.0))
     };
+    let around = around(problem, film);
+    let groups = film.points().groups();
     // Added up in order: the sums do not depend on the threads.
-    let found: Vec<([Sums; 3], bool)> = (film.points().groups())
-        .par_iter()
+    let found: Vec<([Sums; 3], bool)> = (groups.par_iter().chain([&around]))
         .with_min_len(BATCH)
         .map_init(|| Shear::new(fluid, scales), of_group)
         .collect();
     let is_cut = found.iter().any(|(_, cut)| *cut);
+    let ends_with_bodies = is_cut || !around.is_empty();
     let mut sums = [Sums::default(); 3];
     for (of_group, _) in &found {
         sums = [0, 1, 2].map(|k: usize| sums[k].and(of_group[k]));
@@ -228,9 +235,12 @@ pub fn friction<Plan>(problem: &Problem<Plan>, fluid: &FilmFluid, film: &impl Fi
     };
     Frictions {
         here: of(here),
-        shorter: of(if is_cut { shorter } else { here }),
+        shorter: of(if ends_with_bodies { shorter } else { here }),
         whole: of(whole),
         is_cut,
+        ends_with_bodies,
+        work_around: (found.last().filter(|_| !around.is_empty()))
+            .map_or(0.0, |([here, ..], _)| here.work * area),
         through_end: through_end * scales.pressure * speed * scales.film / scales.length * area,
         offset: -whole.offset * fluid.stress_scale() / load,
     }

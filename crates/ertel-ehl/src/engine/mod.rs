@@ -6,6 +6,7 @@
 //! An engine is a way of solving: finite elements ([`crate::solve`]). What is read off a film after the solve asks for a [`Film`], which
 //! any engine can give: the fields at its quadrature points and at any place.
 
+pub mod around;
 pub mod far_field;
 pub mod figures;
 pub mod film;

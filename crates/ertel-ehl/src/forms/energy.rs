@@ -79,6 +79,26 @@ pub struct Heat {
 }
 
 impl Heat {
+    /// Of both surfaces, m/s.
+    pub fn mean_velocity(&self) -> Planar {
+        let [first, second] = self.bodies.each_ref().map(|body| body.velocity);
+        first.plus(&second).times(0.5)
+    }
+
+    /// Temperature at a height where lubricant enters, K: its own, near the walls theirs. A jump there would make polynomials across the film swing below all that comes in;
+    /// those of an order fall without a swing by Bernstein's, over about 1/order of the gap.
+    ///
+    /// ```text
+    ///   T = T_inlet + (T_1 − T_inlet)(½ − s)^n + (T_2 − T_inlet)(½ + s)^n
+    /// ```
+    pub fn entering(&self, s: f64, order: usize) -> f64 {
+        let inlet = self.inlet_temperature;
+        let shares = [0.5 - s, 0.5 + s].map(|share| share.max(0.0).powi(order as i32));
+        (self.bodies.iter().zip(shares)).fold(inlet, |t, (body, share)| {
+            t + share * (body.bulk_temperature - inlet)
+        })
+    }
+
     /// The same contact between surfaces that slide by a share of their sliding, at the same entrainment.
     #[must_use]
     pub fn with_sliding(&self, share: f64) -> Heat {
@@ -86,8 +106,7 @@ impl Heat {
         if share == 1.0 {
             return heat;
         }
-        let [first, second] = self.bodies.each_ref().map(|body| body.velocity);
-        let mean = first.plus(&second).times(0.5);
+        let mean = self.mean_velocity();
         for body in &mut heat.bodies {
             let own = body.velocity.plus(&mean.times(-1.0));
             body.velocity = mean.plus(&own.times(share));

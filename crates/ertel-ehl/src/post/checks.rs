@@ -33,7 +33,7 @@ pub fn checks<Plan>(
     let summed = SummedTo {
         body_end_x: x,
         body_end_y: Some(y).filter(|y| y.is_finite()),
-        ends_with_bodies: f.is_cut,
+        ends_with_bodies: f.ends_with_bodies,
     };
     (checks, summed)
 }

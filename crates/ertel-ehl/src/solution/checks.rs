@@ -58,6 +58,6 @@ pub struct SummedTo {
     /// The same along the other one; `None` of lines and rollers, whose film ends with them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub body_end_y: Option<f64>,
-    /// Whether the contact area reaches farther, so that the sums end there; else with the contact area.
+    /// Whether the sums end there; else with the contact area.
     pub ends_with_bodies: bool,
 }

@@ -54,7 +54,7 @@ impl Solved for Finished {
 
     fn film(&self, problem: &Problem) -> impl Film {
         let (d, state) = (&self.finest.discretisation, &self.finest.state);
-        Evaluated::new(&problem.shape, d, state)
+        Evaluated::new(&problem.shape, &problem.entrainment, d, state)
     }
 
     fn measured(&self, problem: &Problem) -> Measured {

@@ -47,7 +47,7 @@ pub fn figures(
     if extent == Scope::Films {
         return figures;
     }
-    let film = Evaluated::new(&problem.shape, d, state);
+    let film = Evaluated::new(&problem.shape, &problem.entrainment, d, state);
     note_roller(&mut figures, problem, (d, state), film.points());
     let roller = problem.shape.zone.roller.as_ref();
     let quarter = roller.map(|roller| 0.5 * roller.half_length());
@@ -194,7 +194,8 @@ fn note_heat(
     let balance = heat_balance(d, state, fluid, heat, scales);
     // What the surfaces put in, becomes heat, in shear or as the lubricant is compressed.
     if let Some(power) = figures.get(Figure::FrictionPower) {
-        let misfit = (power.value - balance.shear - balance.compression).abs();
+        let heats = power.value - power.misfit;
+        let misfit = (heats - balance.shear - balance.compression).abs();
         figures.note(Figure::FrictionPower, Reading { misfit, ..power });
     }
     for (figure, value) in [

@@ -27,6 +27,7 @@ pub mod sensitivity;
 pub mod sequence;
 pub mod sizes;
 mod step;
+pub mod streams;
 pub mod system;
 pub mod tuning;
 pub mod weighted;

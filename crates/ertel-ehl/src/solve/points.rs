@@ -12,8 +12,9 @@ use rayon::prelude::*;
 use super::discretisation::Discretisation;
 use super::element::Metric;
 use super::region::Elements;
+use super::streams::Streams;
 use super::system::State;
-use crate::contact::Shape;
+use crate::contact::{Planar, Shape};
 use crate::engine::region::Region;
 use crate::engine::{Film, Point, PointFields, PointTable};
 use crate::forms::flow::PointState;
@@ -26,12 +27,19 @@ const BATCH: usize = 16;
 pub struct Evaluated<'a> {
     d: &'a Discretisation,
     state: &'a State,
+    streams: Streams,
     points: PointTable,
 }
 
 impl<'a> Evaluated<'a> {
-    /// Of a state of a contact of this shape, whose bodies may end elsewhere than those the mesh was made for.
-    pub fn new(shape: &Shape, d: &'a Discretisation, state: &'a State) -> Evaluated<'a> {
+    /// Of a state of a contact of this shape, whose bodies may end elsewhere than those the mesh was made for, and the mean velocity of its surfaces.
+    pub fn new(
+        shape: &Shape,
+        flow: &Planar,
+        d: &'a Discretisation,
+        state: &'a State,
+    ) -> Evaluated<'a> {
+        let streams = Streams::new(d, state, flow);
         let whole = Region::of(shape);
         let shorter = whole.shorter(shape);
         let elements = Elements::new(d);
@@ -40,10 +48,11 @@ impl<'a> Evaluated<'a> {
             let shares = [&whole, &shorter].map(|region| elements.share(region, cell));
             let row = |q: usize| {
                 let heat = d.heat.as_ref();
-                let fields = PointFields {
+                let mut fields = PointFields {
                     temperature: heat.map(|heat| Box::new(heat.profile_at(d, state, cell, q))),
                     ..fields_from(d, state, cell, q, tables)
                 };
+                fields.missing += streams.missing(&fields);
                 Point {
                     area: d.rule.weights[q] * d.contact.maps[cell].determinant,
                     within: shares.each_ref().map(|share| share.at(q)),
@@ -61,6 +70,7 @@ impl<'a> Evaluated<'a> {
         Evaluated {
             d,
             state,
+            streams,
             points: PointTable::new(elements),
         }
     }
@@ -72,7 +82,9 @@ impl Film for Evaluated<'_> {
     }
 
     fn at(&self, place: [f64; 2]) -> Option<PointFields> {
-        fields_at(self.d, self.state, place)
+        let mut fields = fields_at(self.d, self.state, place)?;
+        fields.missing += self.streams.missing(&fields);
+        Some(fields)
     }
 }
 

@@ -24,7 +24,7 @@ use super::region::Elements;
 use super::sequence::{Plan, Problem, StageSolution};
 use super::system::{FilmConstants, State, System};
 use super::weighted::{Equations, PointFlow, point_flows, weighted_sums};
-use crate::contact::{Inlet, Scales};
+use crate::contact::{Inlet, Planar, Scales};
 use crate::elastic::{Accuracy, BodyModel};
 use crate::engine::friction::friction;
 use crate::engine::region::Region;
@@ -108,7 +108,7 @@ impl<'a> Sensitivity<'a> {
             true => films,
             false => Vec::new(),
         };
-        let flows = flows(d, state, &model.fluid);
+        let flows = flows(d, state, &model.fluid, &problem.entrainment);
         let functionals: Vec<Functional> = (figures.iter())
             .map(|figure| match figure {
                 Figure::FilmCentral => Functional::film_at(d, [0.0; 2]),
@@ -212,7 +212,7 @@ impl<'a> Sensitivity<'a> {
             deflection: d.deflect(&self.solution.state.pressure, Accuracy::Full),
             ..self.solution.state.clone()
         };
-        let flows = flows(&d, &state, &self.problem.fluid);
+        let flows = flows(&d, &state, &self.problem.fluid, &problem.entrainment);
         let mut values = self.lagrangians(&d, &state, &flows, &[problem]);
         values.pop().ok_or(NoDerivative::Mesh)
     }
@@ -268,7 +268,8 @@ impl Derivatives<Plan> for Sensitivity<'_> {
         let scales = &self.problem.scales;
         match figure {
             Figure::TractionCoefficient => {
-                let film = Evaluated::new(&self.problem.shape, d, state);
+                let (shape, flow) = (&self.problem.shape, &self.problem.entrainment);
+                let film = Evaluated::new(shape, flow, d, state);
                 let sums = friction(self.problem, &self.problem.fluid, &film);
                 sums.here.coefficients[0][0]
             }
@@ -312,9 +313,14 @@ impl Derivatives<Plan> for Sensitivity<'_> {
 }
 
 /// Flow across the film of a solution, if it thins or slides.
-fn flows(d: &Discretisation, state: &State, fluid: &FilmFluid) -> Vec<PointFlow> {
+fn flows(
+    d: &Discretisation,
+    state: &State,
+    fluid: &FilmFluid,
+    entrainment: &Planar,
+) -> Vec<PointFlow> {
     match !fluid.is_newtonian() || fluid.slides() {
-        true => point_flows(d, state, fluid),
+        true => point_flows(d, state, fluid, entrainment),
         false => Vec::new(),
     }
 }
@@ -338,7 +344,8 @@ fn moved_end(d: &Discretisation, flows: &[PointFlow], problem: &Problem) -> f64 
         for (q, (weight, flow)) in d.rule.weights.iter().zip(flows).enumerate() {
             let f = &flow.state;
             let lack = layer.and_then(|layer| missing(layer, f.pressure, f.film, length));
-            let filling = 1.0 - lack.map_or(0.0, |lack| lack.film / f.film);
+            let lacking = lack.map_or(0.0, |lack| lack.film);
+            let filling = flow.left.unwrap_or(f.film - lacking) / f.film;
             let area = weight * d.contact.maps[c].determinant * (after.at(q) - before.at(q));
             sum += area * filling * flow.closure.mid_stress[0];
         }
@@ -381,6 +388,11 @@ fn traction(
                 filling = 1.0 - lack.film / f.film;
                 by_pressure = filling * by_pressure - tau * lack.by_pressure / f.film;
                 by_film = filling * by_film - tau * (lack.by_film - lack.film / f.film) / f.film;
+            }
+            if let Some(left) = flow.left {
+                filling = left / f.film;
+                by_pressure *= filling;
+                by_film = filling * (by_film - tau / f.film);
             }
             let area = unit * weight * map.determinant * share.at(q);
             let by_slopes = [by_gx, by_gy].map(|by| filling * by * f.film);

@@ -15,6 +15,7 @@ use super::discretisation::Discretisation;
 use super::element::Metric;
 use super::points::{point_state, pressure_sums};
 use super::region::{Elements, Share};
+use super::streams::Streams;
 use super::system::{FilmConstants, State};
 use crate::contact::{OilLayer, Planar};
 use crate::engine::region::Region;
@@ -64,10 +65,18 @@ pub struct PointFlow {
     pub sliding_stress: [f64; 2],
     /// Closure for it.
     pub closure: Closure,
+    /// H where its stream left the film, where the film has broken.
+    pub left: Option<f64>,
 }
 
 /// Flow across the film at each quadrature point, element by element. Isothermal films only.
-pub fn point_flows(d: &Discretisation, state: &State, fluid: &FilmFluid) -> Vec<PointFlow> {
+pub fn point_flows(
+    d: &Discretisation,
+    state: &State,
+    fluid: &FilmFluid,
+    entrainment: &Planar,
+) -> Vec<PointFlow> {
+    let streams = Streams::new(d, state, entrainment);
     let of_element = |rule: &mut CrossFilm, c: usize| -> Vec<PointFlow> {
         let points = Points::new(d, state, &[], c);
         (points.fields.into_iter())
@@ -77,6 +86,7 @@ pub fn point_flows(d: &Discretisation, state: &State, fluid: &FilmFluid) -> Vec<
                 let omega = sliding_stress(&state, &m, fluid.slide().at(place));
                 let closure = fluid.close(state.pressure, pressure_stress(&state), omega, rule);
                 PointFlow {
+                    left: (streams.left(place, state.pressure)).filter(|film| *film < state.film),
                     state,
                     fluid: point,
                     sliding_stress: omega,
@@ -354,6 +364,7 @@ impl Points {
                 place: *place,
                 state: s,
                 is_newtonian,
+                left: flow.and_then(|flow| flow.left),
             };
             let m = Properties::around(s.pressure, &fluid);
             let slide = own.fluid.slide();
@@ -417,6 +428,8 @@ struct AtPoint<'a> {
     place: [f64; 2],
     state: &'a PointState<f64>,
     is_newtonian: bool,
+    /// H where the stream left the film.
+    left: Option<f64>,
 }
 
 impl AtPoint<'_> {
@@ -450,6 +463,9 @@ impl AtPoint<'_> {
                 .and_then(|layer| missing(layer, s.pressure, s.film, local.filling_length));
             if let Some(lack) = lack {
                 traction = traction * (-(lack.film / s.film) + 1.0);
+            }
+            if let Some(left) = self.left {
+                traction = traction * left / s.film;
             }
         }
         let values = [

@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 use std::sync::Arc;
+use std::sync::OnceLock;
 
 use super::body::{Approach, Separations};
 use super::checkpoint::{GridMemory, Memory, OtherGrids};
@@ -80,6 +81,7 @@ fn conserve(level: &mut Level) {
     system.arrival = Arrival::FromEdges;
     state.contents = system.arrival.contents(&state.wetted);
     state.contents = system.linearise(state).contents;
+    level.contents = OnceLock::new();
 }
 
 /// A step that was solved.
@@ -344,6 +346,7 @@ impl Levels {
                 state,
                 films,
                 patch: None,
+                contents: OnceLock::new(),
                 warm: None,
             });
             if let (Some(found), Some(heat), Some(level)) =

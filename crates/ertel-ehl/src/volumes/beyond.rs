@@ -31,6 +31,9 @@ const RAYS: usize = 128;
 /// Rounding of an edge, relative.
 const ROUNDING: f64 = 1e-6;
 
+/// Bisections by which the place is found where a stream leaves the film: to 1e-6 of its way.
+const BISECTIONS: usize = 20;
+
 /// Distance from the origin to the end of a box in a direction.
 fn exit([x, y]: [[f64; 2]; 2], [cos, sin]: [f64; 2]) -> f64 {
     let along = |[low, high]: [f64; 2], slope: f64| match slope {
@@ -119,6 +122,28 @@ impl Beyond {
         }
     }
 
+    /// Whether a place lies in the contact area.
+    pub fn covers(&self, shape: &Shape, place: [f64; 2]) -> bool {
+        let [x, y] = shape.zone.turn.to_axes(place);
+        let at = [x, y / shape.zone.axis_ratio];
+        (at.iter().zip(self.boxes[1])).all(|(x, [low, high])| (low..=high).contains(x))
+    }
+
+    /// G where the oil at a place without pressure left the film; `None` before the contact.
+    fn left(&self, shape: &Shape, place: [f64; 2]) -> Option<f64> {
+        let since = shape.gap.since_closest(place, [1.0, 0.0]);
+        let before = |distance: f64| [place[0] - distance, place[1]];
+        let (mut broken, mut full) = (0.0, since);
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (broken + full);
+            match self.far.at(before(middle), 1.0, [0.0; 2]).value > 0.0 {
+                true => full = middle,
+                false => broken = middle,
+            }
+        }
+        (since > 0.0).then(|| shape.gap.value(before(full)))
+    }
+
     /// Points with the areas that they stand for, and the fields there.
     pub fn points<'a>(
         &'a self,
@@ -141,8 +166,10 @@ impl Beyond {
                 let gap = shape.gap.value(place);
                 let film = separation + gap;
                 let pressure = self.pressure(shape, place, film);
+                let left = self.left(shape, place).filter(|_| pressure.value <= 0.0);
                 let fields = PointFields {
                     place,
+                    missing: left.map_or(0.0, |gap| (film - (separation + gap).max(0.0)).max(0.0)),
                     pressure: pressure.value,
                     pressure_gradient: pressure.gradient,
                     gap,

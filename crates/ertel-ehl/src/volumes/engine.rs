@@ -2,6 +2,7 @@
 
 use ertel_fem::linear::lu::LuError;
 use ertel_fem::platform::Instant;
+use std::sync::OnceLock;
 
 use super::beyond::Beyond;
 use super::contents::Arrival;
@@ -333,6 +334,7 @@ impl Engine for FiniteVolumes {
                 system,
                 state,
                 patch: None,
+                contents: OnceLock::new(),
                 warm,
             });
             check_ends(problem, &found.levels)?;

@@ -2,7 +2,6 @@
 
 use rayon::prelude::*;
 
-use super::contents::missing;
 use super::grid::Grid;
 use super::level::Level;
 use crate::contact::Shape;
@@ -22,6 +21,10 @@ const ROWS: usize = 8;
 impl<'a> PatchedFilm<'a> {
     /// Of the first grids of a solve, the last of which is not looked beyond.
     pub fn new(shape: &Shape, levels: &'a [Level]) -> PatchedFilm<'a> {
+        // Not by threads that wait for each other.
+        for level in levels {
+            level.held();
+        }
         let whole = Region::of(shape);
         let shorter = whole.shorter(shape);
         let row = |l: usize, j: usize| -> Vec<Point> {
@@ -128,9 +131,7 @@ pub fn node_fields(shape: &Shape, level: &Level, i: usize, j: usize) -> PointFie
                 .turn
                 .to_motion(slopes(grid, &level.state.pressure, i, j)),
             film: level.films[k],
-            missing: (level.state.contents.get(k)).map_or(0.0, |content| {
-                missing(level.films[k], *content, level.ambient_density())
-            }),
+            missing: level.missing(k),
             temperature: (level.warm.as_ref()).map(|warm| Box::new(warm.temperatures.profile(k))),
             ..PointFields::default()
         },
@@ -184,6 +185,14 @@ impl Film for PatchedFilm<'_> {
             fields.pressure_gradient[1] *= -1.0;
         }
         Some(fields)
+    }
+
+    fn covers(&self, place: [f64; 2]) -> bool {
+        let beyond = (self.levels.first()).and_then(|level| level.system.beyond.as_ref());
+        match beyond {
+            Some(beyond) => beyond.covers(&self.shape, place),
+            None => self.at(place).is_some(),
+        }
     }
 }
 

@@ -1,8 +1,9 @@
 //! From a grid to one with cells of half the size on a smaller patch; pressures beyond the patch stand.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
-use super::contents::Arrival;
+use super::behind::Edges;
+use super::contents::{Arrival, missing};
 use super::deflection::Deflection;
 use super::grid::Grid;
 use super::heat::Warm;
@@ -23,6 +24,8 @@ pub struct Level {
     pub patch: Option<[[usize; 2]; 2]>,
     /// Heat, where it counts.
     pub warm: Option<Warm>,
+    /// Contents of the nodes, once they are asked for.
+    pub contents: OnceLock<Vec<f64>>,
 }
 
 impl Level {
@@ -34,7 +37,19 @@ impl Level {
             state,
             patch: None,
             warm: None,
+            contents: OnceLock::new(),
         }
+    }
+
+    /// What each node lacks of a full gap, F.
+    pub fn missing(&self, k: usize) -> f64 {
+        missing(self.films[k], self.held()[k], self.ambient_density())
+    }
+
+    /// Contents of the nodes, infinite where gaps are full.
+    pub fn held(&self) -> &[f64] {
+        let faces = || self.system.linearise(&self.state).faces;
+        (self.contents).get_or_init(|| self.system.held(&self.state, &self.state.contents, faces))
     }
 
     /// ρ̄ without pressure.
@@ -102,6 +117,7 @@ pub fn first_system<Plan>(
         gap,
         load: problem.load,
         beyond: None,
+        edges: Edges::Rigid(problem.shape.gap.clone()),
         fluid: problem.fluid.clone(),
         lambda: problem.scales.lambda,
         entrainment: problem.entrainment,
@@ -164,6 +180,11 @@ pub fn refined<Plan>(
     let by_inside = before.system.convolution.apply(&inside);
     let outer = beyond(before, &problem.shape.gap, &by_inside);
     let mut system = first_system(problem, grid, convolution);
+    if !(system.entrainment.is_along_x() && system.grid.turn.is_none()) {
+        let held = before.held();
+        let contents = (system.grid.nodes()).map(|[i, j]| sampled.content(held, i, j));
+        system.edges = Edges::Known(contents.collect());
+    }
     system.load = before.system.load - before.system.integral(&own.pressure) + load_inside;
     let mut pressure = vec![0.0; system.grid.n_nodes()];
     for [i, j] in system.grid.nodes() {

@@ -18,6 +18,7 @@
 //! | [`faces`] | flux through a face and its derivatives |
 //! | [`thinning`] | how stress thins the film at a node |
 //! | [`contents`] | oil in gaps that it does not fill |
+//! | [`behind`] | oil behind the film |
 //! | [`passing`] | how contents change with the pressures |
 //! | [`system`], [`step`] | the equation and its linearisation; Newton's step |
 //! | [`preconditioner`], [`line_factors`] | the sparse approximation of its matrix; factors of that of a long line |
@@ -37,6 +38,7 @@
 //!
 //! Theory: Finite volumes.
 
+pub mod behind;
 pub mod beyond;
 pub mod composite;
 pub mod contents;

@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::behind::Edges;
 use super::beyond::Beyond;
 use super::contents::{Arrival, distribute};
 use super::deflection::Deflection;
@@ -36,6 +37,8 @@ pub struct System {
     pub load: f64,
     /// What lies beyond its edges, where the contact area does not end there.
     pub beyond: Option<Beyond>,
+    /// What enters it along its edges where the film has broken.
+    pub edges: Edges,
     /// The fluid.
     pub fluid: FilmFluid,
     /// λ.

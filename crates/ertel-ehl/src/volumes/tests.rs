@@ -22,6 +22,7 @@ use crate::engine::sensitivity::{Derivatives, Perturbed};
 use crate::engine::{Engine, Extents, Film, NoObserver, Problem, Solved};
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures};
+use crate::volumes::behind::Edges;
 
 fn laws() -> (DensityLaw, ViscosityLaw) {
     let density = DensityLaw::dowson_higginson(870.0).unwrap();
@@ -104,6 +105,7 @@ fn system(half: bool, entrainment: Planar) -> (System, State) {
         gap,
         load: 1.0,
         beyond: None,
+        edges: Edges::default(),
         fluid: problem.fluid.clone(),
         lambda: 0.1,
         entrainment,
@@ -242,6 +244,7 @@ fn second_order_for_manufactured_fields() {
             gap: values(&film),
             load: 1.0,
             beyond: None,
+            edges: Edges::default(),
             fluid: fluid.clone(),
             lambda,
             entrainment: Planar {

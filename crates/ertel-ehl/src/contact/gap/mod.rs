@@ -121,6 +121,17 @@ impl Gap {
         }
     }
 
+    /// How far a place has moved with a velocity since the paraboloid was lowest there, over that velocity; negative where it will be.
+    pub fn since_closest(&self, place: [f64; 2], velocity: [f64; 2]) -> f64 {
+        let [x, y] = self.turn.to_axes(place);
+        let [u, v] = self.turn.to_axes(velocity);
+        let curvature = u * u + self.curvature_ratio * v * v;
+        match curvature > 0.0 {
+            true => (x * u + self.curvature_ratio * y * v) / curvature,
+            false => 0.0,
+        }
+    }
+
     /// G at (X, Y).
     #[inline(always)]
     pub fn value(&self, place: [f64; 2]) -> f64 {

@@ -19,6 +19,7 @@ use crate::film::cross_film::CrossFilm;
 use crate::forms::energy::{FilmColumn, Heat, film_column};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::points::fields_in;
+use crate::solve::streams::Streams;
 use crate::solve::system::State;
 use crate::solve::tuning::heat::PRESSED;
 
@@ -47,9 +48,15 @@ pub fn heat_balance(
     heat: &Heat,
     scales: &Scales,
 ) -> Balance {
-    let unlifted = assemble(d, fluid, heat, state, None, Kept::default(), None);
+    let streams = Streams::new(d, state, &heat.mean_velocity());
+    let unlifted = Kept {
+        streams: Some(&streams),
+        ..Kept::default()
+    };
+    let unlifted = assemble(d, fluid, heat, state, None, unlifted, None);
     let kept = Kept {
         cross_flow: &unlifted.cross_flow,
+        streams: Some(&streams),
         ..Kept::default()
     };
     let system = assemble(d, fluid, heat, state, None, kept, None);
@@ -129,15 +136,18 @@ impl Film<'_> {
         let heights = &self.space.column.heights;
         let SideRule { normal, points } = SideRule::new(&self.d.contact, side);
         let edge = self.space.edges.binary_search(&side).is_ok();
+        let order = self.space.column.film.n() - 1;
         let mut sum = 0.0;
         for (xi, weight) in points {
             let column = self.column(&fields_in(self.d, self.state, side.0, xi));
             for (k, w) in heights.weights().iter().enumerate() {
                 let point = &column.heights[k];
                 let out = point.velocity[0] * normal[0] + point.velocity[1] * normal[1];
-                let rise = point.temperature - self.heat.inlet_temperature;
-                // Through the edge it flows in at the temperature of the inlet.
-                let out = if edge { out.max(0.0) } else { out };
+                let temperature = match edge && out < 0.0 {
+                    true => self.heat.entering(heights.points()[k], order),
+                    false => point.temperature,
+                };
+                let rise = temperature - self.heat.inlet_temperature;
                 sum += weight * w * point.capacity * out * rise;
             }
         }

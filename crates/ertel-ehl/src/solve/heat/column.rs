@@ -131,6 +131,10 @@ impl Column {
         for (body, law) in heat.bodies.iter().enumerate() {
             temperatures[self.body_range(body)].fill(law.bulk_temperature);
         }
+        let film = temperatures[self.film_range()].iter_mut();
+        for (t, s) in film.zip(self.film.points()) {
+            *t = heat.entering(*s, self.film.n() - 1);
+        }
         temperatures
     }
 

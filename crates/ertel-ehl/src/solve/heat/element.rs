@@ -9,6 +9,7 @@ use crate::film::cross_film::CrossFilm;
 use crate::film::{FilmFluid, MOST_NODES, Nodal};
 use crate::forms::energy::{FilmColumn, FilmPlace, Heat, Layer, Source, film_column};
 use crate::solve::discretisation::Discretisation;
+use crate::solve::streams::Streams;
 use crate::solve::system::State;
 
 /// Most surface nodes of an element.
@@ -55,6 +56,8 @@ pub(super) struct Assembly<'a> {
     pub cross_flow: &'a [f64],
     /// Ψ of the flow that is held, at each point of each element; empty: none is.
     pub conductances: &'a [f64],
+    /// Oil behind the film.
+    pub streams: Option<&'a Streams>,
     pub with_jacobian: bool,
     /// Inverse 1/θ of a temperature, 1/K: the heat of shearing is taken to fall by 1/θ of itself per K beside what the fluid makes
     /// of it; in the Jacobian only.
@@ -99,7 +102,7 @@ impl Assembly<'_> {
             let further = |layer: Layer| self.source.map_or(0.0, |f| f([x, y], layer));
             let place = FilmPlace {
                 held_conductance: self.conductances.get(c * n_points + q).copied(),
-                ..space.film_at(d, state, c, q)
+                ..space.film_at(d, state, self.streams, (c, q))
             };
             let film = film_column(self.fluid, heat, &column.heights, &place, rule);
             e.conductances.push(film.conductance);

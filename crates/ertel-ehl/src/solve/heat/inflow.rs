@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   bodies:  T = T_b at the bottom and where the surface enters                     prescribed
-//!   film:    ∫∫ W max(−C v·n, 0)(T − T_inlet) ds dl over the edge is added           C = ρc h u_m/a
+//!   film:    ∫∫ W max(−C v·n, 0)(T − T_e) ds dl over the edge is added               C = ρc h u_m/a,  T_e that of what enters at a height
 //! ```
 //! The film's condition is weak: heights that flow in bring their heat along, those that flow out (in the inlet the middle of the film flows
 //! back) take what they have, and where one passes into the other no temperature jumps. Nothing is held, so that all the heat that leaves
@@ -69,7 +69,8 @@ impl Assembly<'_> {
         for side in &space.edges {
             let SideRule { normal, points } = SideRule::new(&d.contact, *side);
             for (xi, weight) in &points {
-                let fields = fields_in(d, self.state, side.0, *xi);
+                let mut fields = fields_in(d, self.state, side.0, *xi);
+                fields.missing += self.streams.map_or(0.0, |of| of.missing(&fields));
                 let place = fields.film_place();
                 let heights = &space.column.heights;
                 let film = film_column(self.fluid, self.heat, heights, &place, &mut rule);
@@ -93,7 +94,8 @@ impl Assembly<'_> {
                         continue;
                     }
                     let shapes = &heights.shapes[k];
-                    let brought = inflow * (point.temperature - self.heat.inlet_temperature);
+                    let entering = self.heat.entering(heights.points()[k], f - 1);
+                    let brought = inflow * (point.temperature - entering);
                     system.taken_up[side.0] += brought;
                     for (value, node) in basis.iter().zip(nodes) {
                         let rows = &mut system.residual[*node as usize * unknowns + first..][..f];

@@ -22,6 +22,7 @@ use super::system::{HeatSystem, Kept, assemble};
 use crate::film::{FilmFluid, FilmNodes};
 use crate::forms::energy::{Heat, Source};
 use crate::solve::discretisation::Discretisation;
+use crate::solve::streams::Streams;
 use crate::solve::system::State;
 use crate::solve::tuning::heat::{
     BEYOND_BOUNDS, FIRST_WARMING, LONGEST_WARMING, MOST_HALVINGS, SHORTEST_WARMING, SPARE_KRYLOV,
@@ -101,6 +102,8 @@ pub struct HeatNewton<'a> {
     cross_flow: Vec<f64>,
     /// Ψ of the flow that is held; empty: none is.
     conductances: Vec<f64>,
+    /// Oil behind the film of that flow.
+    streams: Option<Streams>,
     matrix: BlockMatrix,
     /// 1/θ, 1/K; 0 in Newton's method.
     damping: f64,
@@ -137,6 +140,7 @@ impl<'a> HeatNewton<'a> {
             source: None,
             cross_flow: Vec::new(),
             conductances: Vec::new(),
+            streams: None,
             matrix: BlockMatrix::new(space.column.n(), space.graph.clone()),
             damping: 0.0,
             factors: None,
@@ -156,6 +160,7 @@ impl<'a> HeatNewton<'a> {
     pub fn hold_flow(&mut self, state: &State) {
         self.relaxation = Relaxation::default();
         self.conductances.clear();
+        self.streams = Some(Streams::new(self.d, state, &self.heat.mean_velocity()));
         self.conductances = self.assembled(state).conductances;
     }
 
@@ -163,6 +168,7 @@ impl<'a> HeatNewton<'a> {
         Kept {
             cross_flow: &self.cross_flow,
             conductances: &self.conductances,
+            streams: self.streams.as_ref(),
         }
     }
 
@@ -236,6 +242,7 @@ impl<'a> HeatNewton<'a> {
             Kept {
                 cross_flow: &self.cross_flow,
                 conductances: &self.conductances,
+                streams: self.streams.as_ref(),
             },
             Some((&mut self.matrix, self.damping)),
         );

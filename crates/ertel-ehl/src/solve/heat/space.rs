@@ -11,6 +11,7 @@ use crate::film::{MOST_NODES, TemperatureProfile};
 use crate::forms::energy::FilmPlace;
 use crate::solve::discretisation::{ContactSurface, Discretisation};
 use crate::solve::points::fields_from;
+use crate::solve::streams::Streams;
 use crate::solve::system::State;
 
 /// Temperatures over the contact area: a column at each node of a surface space.
@@ -76,9 +77,16 @@ impl HeatSpace {
     }
 
     /// What the energy equation sees of the film at a point of its own rule.
-    pub fn film_at(&self, d: &Discretisation, state: &State, cell: usize, q: usize) -> FilmPlace {
+    pub fn film_at(
+        &self,
+        d: &Discretisation,
+        state: &State,
+        streams: Option<&Streams>,
+        (cell, q): (usize, usize),
+    ) -> FilmPlace {
         let [pressure, deflection] = &self.film_tables;
-        let fields = fields_from(d, state, cell, q, [pressure, deflection]);
+        let mut fields = fields_from(d, state, cell, q, [pressure, deflection]);
+        fields.missing += streams.map_or(0.0, |streams| streams.missing(&fields));
         let n = self.table.n_nodes;
         let mut temperature = [0.0; MOST_NODES];
         for (j, node) in self.surface.nodes_of(cell).iter().enumerate() {

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   film:    ∫∫ Ŵ(C v·∇T + cωT_s − hQ) − (Ŵ − W) κ T_ss + κ T_s W_s ds dA,   C = ρc h u_m/a, κ = k/h
-//!   edge:    ∫∫ W max(−C v·n, 0)(T − T_inlet) ds dl                   what flows in
+//!   edge:    ∫∫ W max(−C v·n, 0)(T − T_e) ds dl                       what flows in
 //!   bodies:  ∫∫ Ŵ c T_X − (Ŵ − W) κ ΔT + κ ∇T·∇W dZ dA,              c = ρc u, κ = k/a
 //!   Ŵ = W + τ_S v·∇W     streamline upwinding (Habchi 2008, eq. 5.26 and following)
 //! ```
@@ -21,6 +21,7 @@ use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 use crate::forms::energy::{Heat, Source};
 use crate::solve::discretisation::Discretisation;
+use crate::solve::streams::Streams;
 use crate::solve::system::State;
 
 /// Energy equation at a state.
@@ -46,6 +47,8 @@ pub struct Kept<'a> {
     pub cross_flow: &'a [f64],
     /// Conductance Ψ of the flow that is held, at each point of each element; empty: the pressure gradient is as it stands.
     pub conductances: &'a [f64],
+    /// Oil behind the film; none: gaps are full.
+    pub streams: Option<&'a Streams>,
 }
 
 /// Heat made and carried off over the whole (half) contact area, W/m² times half-widths squared.
@@ -96,6 +99,7 @@ pub fn assemble(
         source,
         cross_flow: kept.cross_flow,
         conductances: kept.conductances,
+        streams: kept.streams,
         with_jacobian: matrix.is_some(),
         damping: damping.unwrap_or(0.0),
     };

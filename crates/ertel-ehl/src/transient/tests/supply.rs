@@ -12,6 +12,7 @@ use crate::transient::levels::held;
 use crate::transient::scheme::{MEMORY, Weights};
 use crate::transient::{Cavities, Conditions, Course, Speeds};
 use crate::volumes::Plan;
+use crate::volumes::behind::Edges;
 use crate::volumes::contents::Arrival;
 use crate::volumes::deflection::Deflection;
 use crate::volumes::ending::Ends;
@@ -202,6 +203,7 @@ fn a_cavity_between_swinging_plates_closes() {
         gap: vec![0.0; n],
         load: 0.0,
         beyond: None,
+        edges: Edges::default(),
         fluid: problem.fluid.clone(),
         lambda: 2.0,
         entrainment: Planar::along_x(0.0),

@@ -134,7 +134,8 @@ pub fn note_heat<Plan>(
     let balance = balance(problem, levels);
     // What the surfaces put in, becomes heat, in shear or as the lubricant is compressed.
     if let Some(power) = figures.get(Figure::FrictionPower) {
-        let misfit = (power.value - balance.shear - balance.compression).abs();
+        let heats = power.value - power.misfit;
+        let misfit = (heats - balance.shear - balance.compression).abs();
         figures.note(Figure::FrictionPower, Reading { misfit, ..power });
     }
     for (figure, value) in [

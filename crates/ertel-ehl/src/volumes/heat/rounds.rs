@@ -9,7 +9,6 @@ use super::columns::{Columns, FilmHeat, Films};
 use super::temperatures::{self, Account, Bodies, Temperatures, step, unheated};
 use super::warmth::warmth;
 use crate::engine::{Observer, Problem};
-use crate::film::FilmFluid;
 use crate::forms::energy::{Heat, Heights};
 use crate::solve::SolveError;
 use crate::solve::heat::newton::HeatError;
@@ -18,7 +17,7 @@ use crate::solve::tuning::heat::{INNER_SHARE, NEGLIGIBLE_RISE};
 use crate::volumes::contents::missing;
 use crate::volumes::level::{Level, Sampled, outside};
 use crate::volumes::newton::NewtonInfo;
-use crate::volumes::system::{State, Storage, System};
+use crate::volumes::system::{Linearised, State, Storage, System};
 
 /// How heat is solved for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -314,7 +313,7 @@ impl<'a> Rounds<'a> {
         let of = self.film_heat(system);
         let at = system.linearise(state);
         let films: Vec<f64> = at.nodes.iter().map(|node| node.film).collect();
-        let lacking = lacking(&system.fluid, &films, &at.contents);
+        let lacking = lacking(system, state, &at);
         let rate = self.pressure_rate(state);
         let as_it_stands = Films {
             pressure_rate: &rate,
@@ -367,7 +366,7 @@ impl<'a> Rounds<'a> {
     fn account(&self, system: &System, state: &State, own: &mut Temperatures) -> Account {
         let at = system.linearise(state);
         let films: Vec<f64> = at.nodes.iter().map(|node| node.film).collect();
-        let lacking = lacking(&system.fluid, &films, &at.contents);
+        let lacking = lacking(system, state, &at);
         let rate = self.pressure_rate(state);
         let now = Films {
             pressure_rate: &rate,
@@ -391,10 +390,11 @@ fn has_settled(change: f64, share: f64, ratio: f64, tolerance: f64) -> bool {
 }
 
 /// What the gaps lack at the nodes.
-pub(super) fn lacking(fluid: &FilmFluid, films: &[f64], contents: &[f64]) -> Vec<f64> {
-    let density = fluid.at(0.0).density[0];
-    (films.iter().zip(contents))
-        .map(|(film, content)| missing(*film, *content, density))
+pub(super) fn lacking(system: &System, state: &State, at: &Linearised) -> Vec<f64> {
+    let density = system.fluid.at(0.0).density[0];
+    let contents = system.held(state, &at.contents, || at.faces.clone());
+    (at.nodes.iter().zip(contents))
+        .map(|(node, content)| missing(node.film, content, density))
         .collect()
 }
 

@@ -13,6 +13,7 @@
 
 use ertel_fem::linear::gmres::{GmresParams, dot};
 use ertel_fem::linear::recycled::Recycled;
+use std::sync::OnceLock;
 
 use super::columns::{Columns, Films};
 use super::rounds::{Effort, Rounds, Warm, lacking, largest_rise};
@@ -147,6 +148,7 @@ impl<'a> WarmSide<'a> {
             system: self.system,
             state: self.state,
             patch: None,
+            contents: OnceLock::new(),
         }
     }
 }
@@ -231,7 +233,7 @@ pub fn solve<'a>(
         &Films {
             pressure: &own.state.pressure,
             film: &films,
-            missing: &lacking(of.fluid, &films, &at.contents),
+            missing: &lacking(&own.system, &own.state, &at),
             temperature,
             held: &[],
             pressure_rate: &[],
@@ -373,7 +375,7 @@ impl Coupled<'_, '_> {
         let moved = Films {
             pressure: &state.pressure,
             film: &films,
-            missing: &lacking(of.fluid, &films, &at.contents),
+            missing: &lacking(&system, &state, &at),
             temperature: &temperatures.film.clone(),
             held: &[],
             pressure_rate: &[],

@@ -13,7 +13,7 @@ use super::columns::{Columns, FilmHeat, Films};
 use super::source::MovingBody;
 use super::spreading::Spreading;
 use super::transport::{Moved, Sweeps, Transport};
-use crate::film::{MOST_NODES, Nodal, TemperatureProfile};
+use crate::film::{FilmNodes, MOST_NODES, Nodal, TemperatureProfile};
 use crate::forms::energy::{Heat, Heights};
 use crate::volumes::faces::Face;
 use crate::volumes::grid::Grid;
@@ -315,10 +315,10 @@ pub(super) fn missing(
 
 /// Temperatures with which lubricant and bodies come, across the film, K.
 pub fn column(heat: &Heat, f: usize) -> Nodal {
+    let nodes = FilmNodes::new(f - 1);
     let mut column = [0.0; MOST_NODES];
-    column[..f].fill(heat.inlet_temperature);
-    for (wall, body) in [0, f - 1].into_iter().zip(&heat.bodies) {
-        column[wall] = body.bulk_temperature;
+    for (t, s) in column.iter_mut().zip(nodes.points()) {
+        *t = heat.entering(*s, f - 1);
     }
     column
 }

@@ -13,6 +13,7 @@ use crate::film::cross_film::CrossFilm;
 use crate::film::{FilmFluid, FilmNodes, MOST_NODES};
 use crate::forms::energy::{BodyHeat, Heat, Heights};
 use crate::transient::scheme::Weights;
+use crate::volumes::behind::Edges;
 use crate::volumes::contents::Arrival;
 use crate::volumes::convolution::Convolution;
 use crate::volumes::grid::{Grid, RING};
@@ -91,6 +92,7 @@ impl Channel {
             gap: vec![film; n],
             load: 0.0,
             beyond: None,
+            edges: Edges::default(),
             fluid,
             lambda: scales.lambda,
             entrainment: problem.entrainment,

@@ -5,6 +5,7 @@ use approx::assert_relative_eq;
 use super::*;
 use crate::contact::gap::{Body, Form, GapTerm, Relief};
 use crate::contact::{Inlet, OilLayer, Pose};
+use crate::volumes::behind::Edges;
 
 /// A system on a row of nodes at some state that is no solution.
 fn row() -> (System, State) {
@@ -25,6 +26,7 @@ fn row() -> (System, State) {
         gap: x.iter().map(gap).collect(),
         load: 1.0,
         beyond: None,
+        edges: Edges::default(),
         fluid,
         lambda: 0.1,
         entrainment: Planar::along_x(1.0),

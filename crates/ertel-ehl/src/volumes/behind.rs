@@ -1,0 +1,96 @@
+//! Oil where the film has broken: what leaves the film is all that there is.
+//!
+//! ```text
+//!   c ū = F at the rupture,  ∇·(c ū) = 0 behind it       c: content, ρ̄H of what flows
+//!   θ = c/m                                             share of the gap that oil fills, and of the area on which it shears
+//! ```
+//! Streamers of oil fill the gap over the share θ of the width, air or vapour the rest (Jakobsson and Floberg 1957; Elrod, J. Lubr. Technol. 103, 1981, 350–354).
+//! Contents follow from the balances of the nodes as those of a starved contact do. A flooded contact is solved without them: they say how much is sheared there.
+//!
+//! Theory: Behind the film.
+
+use super::contents::distribute;
+use super::faces::Face;
+use super::grid::{Grid, RING};
+use super::system::{State, System};
+use crate::contact::Gap;
+
+/// Oil that enters a grid along its edge where there is no pressure.
+#[derive(Clone, Debug)]
+pub enum Edges {
+    /// It has passed the contact beyond the edge, between rigid parabolas.
+    Rigid(Gap),
+    /// Contents of the nodes, infinite where gaps are full; none where all are.
+    Known(Vec<f64>),
+}
+
+impl Default for Edges {
+    fn default() -> Edges {
+        Edges::Known(Vec::new())
+    }
+}
+
+impl System {
+    /// Contents of the nodes at a solution, infinite where gaps are full: those that are known, or by the fluxes of full gaps.
+    pub fn held(
+        &self,
+        state: &State,
+        known: &[f64],
+        faces: impl FnOnce() -> [Vec<Face>; 2],
+    ) -> Vec<f64> {
+        let grid = &self.grid;
+        let mut contents = match known.is_empty() {
+            false => known.to_vec(),
+            true => {
+                let full: Vec<bool> = state.pressure.iter().map(|p| *p > 0.0).collect();
+                let before: Vec<f64> = (grid.nodes().enumerate())
+                    .map(|(k, [i, j])| match full[k] || grid.is_unknown(i, j) {
+                        true => f64::INFINITY,
+                        false => self.entering(state.separation, k, grid.place(i, j)),
+                    })
+                    .collect();
+                distribute(grid, &mut faces(), None, &full, &before)
+            }
+        };
+        for (k, [i, j]) in grid.nodes().enumerate() {
+            if grid.is_unknown(i, j) || state.pressure[k] > 0.0 {
+                continue;
+            }
+            let inner = nearest(grid, i, j);
+            let [x, y] = grid.place(i, j);
+            let [from_x, from_y] = grid.place(inner[0], inner[1]);
+            let [u, v] = self.entrainment.at([x, y]);
+            // What leaves through the edge, or flows along it.
+            if u * (x - from_x) + v * (y - from_y) >= 0.0 {
+                contents[k] = contents[grid.index(inner[0], inner[1])];
+            }
+        }
+        contents
+    }
+
+    /// Content of the oil that enters through the edge at a node without pressure.
+    fn entering(&self, separation: f64, k: usize, place: [f64; 2]) -> f64 {
+        match &self.edges {
+            Edges::Known(contents) => contents.get(k).copied().unwrap_or(f64::INFINITY),
+            Edges::Rigid(gap) => {
+                let [u, v] = self.entrainment.at(place);
+                let since = gap.since_closest(place, [u, v]);
+                if since <= 0.0 {
+                    return f64::INFINITY;
+                }
+                let closest = [place[0] - since * u, place[1] - since * v];
+                let film = separation + gap.value(closest);
+                self.fluid.at(0.0).density[0] * film.max(0.0)
+            }
+        }
+    }
+}
+
+/// The node next to one along the edge whose pressure is unknown.
+fn nearest(grid: &Grid, i: usize, j: usize) -> [usize; 2] {
+    let rows = grid.inner_rows();
+    [
+        i.clamp(RING, grid.n[0] - RING - 1),
+        j.clamp(rows.start, rows.end - 1),
+    ]
+}
