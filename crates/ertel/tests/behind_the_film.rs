@@ -44,7 +44,7 @@ fn assert_alike(found: &[Estimate]) {
 /// Theory: Behind the film.
 #[test]
 fn a_rigid_cylinder_drags_what_leaves_it() {
-    let (load, radius) = (200.0, 0.016);
+    let (load, radius) = (200.0_f64, 0.016);
     let film = 4.894_97 * 0.04 * radius / load;
     let width = (2.0 * radius * film).sqrt();
     let (gamma, half) = (0.475_13_f64.atan(), std::f64::consts::FRAC_PI_2);

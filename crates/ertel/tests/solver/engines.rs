@@ -46,7 +46,7 @@ fn rows_are_the_fields_at_their_places() {
         rigid_separation: 0.4,
         temperature: Vec::new(),
     };
-    let film = Evaluated::new(shape, &d, &state);
+    let film = Evaluated::new(shape, &problem.entrainment, &d, &state);
     let (mut area, mut inside) = (0.0, 0.0);
     for Point {
         area: own,

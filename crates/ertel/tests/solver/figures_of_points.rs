@@ -63,7 +63,7 @@ fn edge_pressures_are_those_of_the_outer_quarters() {
         &mut figures,
         &problem,
         (&d, &state),
-        Evaluated::new(&problem.shape, &d, &state).points(),
+        Evaluated::new(&problem.shape, &problem.entrainment, &d, &state).points(),
     );
     let edge = figures.get(Figure::EdgePressureLeft).unwrap();
     let p = edge.size / problem.scales.pressure;

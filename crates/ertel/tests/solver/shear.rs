@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use ertel::case::Case;
+use ertel::contact::Planar;
 use ertel::engine::friction::{Frictions, friction};
 use ertel::engine::region::Region;
 use ertel::problem::problem;
@@ -78,7 +79,13 @@ impl Film {
     }
 
     fn sums(&self) -> Frictions {
-        let film = Evaluated::new(&self.problem.shape, &self.d, &self.state);
+        // Full of oil everywhere: no stream leaves it.
+        let film = Evaluated::new(
+            &self.problem.shape,
+            &Planar::default(),
+            &self.d,
+            &self.state,
+        );
         friction(&self.problem, &self.problem.fluid, &film)
     }
 }
@@ -115,10 +122,13 @@ fn a_paraboloid_that_spins() {
     assert!(f.whole.moment[0] > 3.0 * moment);
     let near = 4.0 * PI * 0.04 * 900.0 * a * a * radius * (2.0 - h * 5.0_f64.ln());
     assert_relative_eq!(f.shorter.moment[0], near, max_relative = 2e-3);
-    // Bodies that reach beyond the edges end nothing.
+    // Bodies that reach beyond the edges: around the square the gap is full before the contact alone.
     let open = Film::new(&case, [8.0; 2], h, |_| 0.0).sums();
-    assert!(!open.is_cut);
-    assert_eq!((open.here, open.shorter), (open.whole, open.whole));
+    assert!(!open.is_cut && open.ends_with_bodies);
+    assert_eq!(open.here, open.whole);
+    let full = 4.0 * PI * 0.04 * 900.0 * a * a * radius * (32.0 - h * 65.0_f64.ln());
+    let [here, square] = [open.here, f.whole].map(|sums| sums.moment[0]);
+    assert!(square + 0.5 * (full - square) < here && here < full);
 }
 
 /// Sliding, spin and slopes of the pressure in an ellipse: forces, moment, work of both surfaces and dissipation from their definitions in
@@ -251,7 +261,7 @@ fn power_balances_up_to_the_end_of_the_bodies() {
     let (solution, _) = solve_stages(&problem, &mut NoObserver).unwrap();
     let (d, state) = (&solution.discretisation, &solution.state);
     let sums = |problem: &Problem| {
-        let film = Evaluated::new(&problem.shape, d, state);
+        let film = Evaluated::new(&problem.shape, &problem.entrainment, d, state);
         friction(problem, &problem.fluid, &film)
     };
     let whole = sums(&problem);
