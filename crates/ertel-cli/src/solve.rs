@@ -9,7 +9,7 @@ use ertel::machine::figures;
 use ertel::output;
 use ertel::params::SensitivityDemand;
 use ertel::run;
-use ertel::solution::{Solution, Unresolved};
+use ertel::solution::{Solution, Unresolved, Why};
 use ertel::solve::{DiscretisationError, SolveError};
 use ertel::study::{CurveSolution, solve_curve, solve_in_balance};
 use ertel::warning::{Warning, by_kind};
@@ -306,8 +306,13 @@ pub fn not_shown(error: serde_json::Error) -> Failure {
 /// Figures that no one should go on with without noticing.
 fn not_resolved(unresolved: &[Unresolved], folder: &Path) -> Failure {
     let figures: Vec<String> = unresolved.iter().map(output::unresolved).collect();
+    // No mesh mends a law that does not hold.
+    let help = match unresolved.iter().all(|u| u.why == Why::BeyondPhysics) {
+        true => POSSIBLE,
+        false => RESOLVE,
+    };
     Failure::Unresolved(format!(
-        "not resolved: {}; the results are in {}, where result.json says \"unresolved\"\n  = help: {RESOLVE}",
+        "not resolved: {}; the results are in {}, where result.json says \"unresolved\"\n  = help: {help}",
         figures.join("; "),
         folder.display()
     ))
@@ -325,6 +330,10 @@ pub fn points_not_resolved(n: usize, all: usize, table: &Path) -> Failure {
 /// What to do about figures that are not resolved.
 pub const RESOLVE: &str = "raise [mesh] max_unknowns, or accept such figures with --accept-unresolved; the warnings say \
     what the mesh lacks";
+
+/// What to do about figures that are beyond limits of physics.
+const POSSIBLE: &str = "look at the constants of the laws, and add what the case leaves out, as the warnings say: [lubricant] shear_thinning \
+    with its `limit`, or [thermal]; --accept-unresolved accepts the other figures";
 
 /// Writes what was solved of a curve; says what was not.
 fn write_curve(

@@ -9,6 +9,7 @@ use ertel::params::{Formulation, Method};
 use ertel::run::{first_method, solve};
 use ertel::solution::{Figure, Sensitivities, SensitivityMethod, Solution};
 use ertel::solve::NoObserver;
+use ertel::warning::WarningKind;
 use ertel_input::Document;
 
 fn case(contact: &str, motion: &str, more: &str) -> Case {
@@ -229,8 +230,8 @@ fn both_engines_agree_on_heat_of_lines() {
     }
 }
 
-/// Cylinders: a Newtonian fluid, a layer of oil, Eyring's fluid that slides along and across: films and pressure differ by no more than the sum of their bars,
-/// below 1 % of films. Traction and the outlet differ by up to 0.6 %, the friction power of the layer by 1.8 %, beyond the bars of the elements, whose penalty leaves a
+/// Cylinders: a Newtonian fluid, a layer of oil, Eyring's fluid that slides along and across: films, pressure and the outlet differ by no more than the sum of their
+/// bars, below 1 % of each. Traction differs by up to 0.6 %, the friction power of the layer by 1.8 %, beyond the bars of the elements, whose penalty leaves a
 /// pressure below zero behind the film.
 #[test]
 fn both_engines_agree_on_lines() {
@@ -259,6 +260,7 @@ fn both_engines_agree_on_lines() {
             Figure::FilmMinimum,
             Figure::FilmZoneMean,
             Figure::PressureCentral,
+            Figure::OutletPosition,
         ] {
             let crossed = crossed(figure);
             assert_eq!(crossed.verdict(), Verdict::Agrees, "{crossed:?}");
@@ -266,7 +268,6 @@ fn both_engines_agree_on_lines() {
             assert!(bars < 0.01 * crossed.own.value, "{crossed:?}");
         }
         for (figure, share) in [
-            (Figure::OutletPosition, 0.01),
             (Figure::TractionCoefficient, 0.01),
             (Figure::TractionCoefficientBody2, 0.01),
             (Figure::FrictionPower, 0.02),
@@ -284,6 +285,30 @@ fn both_engines_agree_on_lines() {
         case.solver.method = Some(Method::FiniteElements);
         assert_eq!(names(&own), names(&solved(&case)));
     }
+}
+
+/// A limiting stress at 2.2 GPa: Newton's method of the elements ends far from the solution on their finest mesh, and films have bars beyond themselves. The case is
+/// left to finite volumes, which resolve them.
+#[test]
+fn films_that_one_method_does_not_resolve_are_left_to_the_other() {
+    let text = "lubricant = { temperature = \"40 degC\", density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }, viscosity = { law = \"barus\", \
+                mu_0 = \"6.92 mPa.s\", alpha = \"22.3 1/GPa\" }, shear_thinning = { law = \"ree-eyring\", tau_0 = \"9.77 MPa\", limit = { tau_l0 = \"8.1 MPa\", \
+                lambda = 0.067 } } }\n[contact]\nkind = \"line\"\nradius = \"6.42 mm\"\nhertz_pressure = \"2.225 GPa\"\n[bodies]\nbody_1 = \"steel\"\n\
+                body_2 = \"steel\"\n[motion]\nentrainment_speed = \"3.578 m/s\"\nslide_to_roll_ratio = 0.688\n[output]\nsensitivities = false\n";
+    let case = parsed(text.to_owned());
+    assert_eq!(first_method(&case), Method::FiniteElements);
+    let found = solved(&case);
+    assert_eq!(found.stats.method, Method::FiniteVolumes);
+    assert!(found.unresolved.is_empty(), "{:?}", found.unresolved);
+    let note = found
+        .warnings
+        .iter()
+        .find(|w| w.kind == WarningKind::Method);
+    let note = note.unwrap();
+    assert!(
+        note.contains("as finite elements did not resolve"),
+        "{note}"
+    );
 }
 
 /// Fluids that thin by shear, as above and with what thinning does to the film: Eyring's with sliding across and spin, Carreau's in an ellipse at

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use ertel::case::Case;
 use ertel::run::solve;
-use ertel::solution::{Figure, Solution};
+use ertel::solution::{Figure, Solution, Why};
 use ertel::solve::NoObserver;
 use ertel::warning::WarningKind;
 use ertel_input::Document;
@@ -99,6 +99,28 @@ fn films_that_are_not_small() {
         words.contains("of the radius, not small beside it"),
         "{words}"
     );
+}
+
+/// Slip through an oil whose viscosity grows without limit up to 1.1 GPa: more friction than dry metal is no result, in any of its figures, and films stay.
+#[test]
+fn friction_beyond_physics_is_not_resolved() {
+    let found = solved(
+        &ROLLER
+            .replace("100 kN/m", "600 kN/m")
+            .replace("\"roelands\"", "\"barus\""),
+    );
+    let why: Vec<_> = found.unresolved.iter().map(|u| (u.figure, u.why)).collect();
+    assert_eq!(why, [(Figure::TractionCoefficient, Why::BeyondPhysics)]);
+    for figure in [
+        Figure::TractionForce,
+        Figure::TractionCoefficientBody1,
+        Figure::FrictionPower,
+        Figure::ShearStressMaximum,
+    ] {
+        assert!(!found.resolves(figure), "{figure:?}");
+    }
+    assert!(found.resolves(Figure::FilmMinimum) && found.resolves(Figure::PressureCentral));
+    assert!(warning(&found, WarningKind::Friction).is_some());
 }
 
 /// An inlet edge at 1.2 half-widths starves the contact: what it does to the films is beyond any bar.

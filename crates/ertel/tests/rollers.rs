@@ -7,9 +7,9 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{case, heated};
-use ertel::case::Case;
+use ertel::case::{Case, Lubricant};
 use ertel::contact::roller::{Profile, Roller};
-use ertel::contact::{Contact, ContactKind, Hertz, Symmetry};
+use ertel::contact::{Contact, ContactKind, Hertz, Motion, Symmetry};
 use ertel::elastic::Accuracy;
 use ertel::params::{MeshParams, MeshPreset, Method};
 use ertel::run::solve;
@@ -18,6 +18,7 @@ use ertel::solve::discretisation::{ContactSurface, Discretisation};
 use ertel::solve::{NoObserver, Observer, SolveError};
 use ertel_fem::linear::NEVER;
 use ertel_input::Document;
+use ertel_rheology::ViscosityLaw;
 
 const RADIUS: f64 = 0.016;
 const PRESSURE: f64 = 0.7e9;
@@ -163,6 +164,42 @@ fn a_crowned_roller_is_an_ellipse() {
     let [_, along_y] = roller.shape.zone.half_extents();
     let semi_axis = ellipse.hertz.half_width_y.unwrap() / roller.hertz.half_width;
     assert_relative_eq!(along_y, semi_axis, max_relative = 0.01);
+}
+
+/// A thick film behind a crown whose dry contact is three times as wide as that of its line: the contact area goes on behind it. Where a given edge cuts the film off
+/// in front of its minimum, there is no minimum film, and no bar of zero.
+#[test]
+fn thick_films_behind_a_crown_are_not_cut_off() {
+    let lubricant = Lubricant {
+        viscosity: ViscosityLaw::roelands(0.02, 19e-9).unwrap(),
+        ..case(ContactKind::Circular, 1.0).lubricant
+    };
+    let of = |contact: Contact, kind: ContactKind| Case {
+        contact,
+        motion: Motion::straight(2.0, 0.0),
+        lubricant: lubricant.clone(),
+        mesh: MeshParams::adaptive(1e-2, kind),
+        ..case(ContactKind::Circular, 1.0)
+    };
+    let (radius, crown_radius, load) = (0.005, 0.4, 150.0);
+    let crown = Roller {
+        length: 0.016,
+        profile: Profile::Crown { crown_radius },
+        misalignment: 0.0,
+    };
+    let ellipse = of(
+        Contact::elliptical([radius, crown_radius], load, 0.0),
+        ContactKind::Elliptical,
+    );
+    let mut roller = of(Contact::of_roller(radius, load, crown), ContactKind::Roller);
+    let found = solved(&roller);
+    let minimum = found.summary.film_minimum;
+    assert_alike(minimum, solved(&ellipse).summary.film_minimum, 0.0);
+    assert!(minimum.error.unwrap() > 1e-5 * minimum.value);
+    roller.mesh.outlet = Some(3.0);
+    let cut = solved(&roller);
+    let figures: Vec<Figure> = cut.unresolved.iter().map(|u| u.figure).collect();
+    assert!(figures.contains(&Figure::FilmMinimum), "{figures:?}");
 }
 
 /// Steep ends: a crown of an eighth of the roller's radius has an ellipse four times as long along the motion as across it. Its load per

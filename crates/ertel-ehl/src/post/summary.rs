@@ -167,7 +167,8 @@ pub fn warnings(
         let text = match target_error {
             Some(target) if relative > target && bar_of_edges(edges) > 0.5 * relative => format!(
                 "the {name} film thickness is uncertain by {:.2} %, beyond [mesh] target_error, because the edges of the \
-                 contact area are near: move them outward ([mesh] inlet{})",
+                 contact area are near (move them outward, [mesh] inlet{}), or pressures below zero far behind a thick film pull at it ([solver] method = \
+                 \"finite-volumes\" has none)",
                 100.0 * relative,
                 side_key
             ),

@@ -9,6 +9,7 @@ mod figure_kinds;
 mod figures;
 mod history;
 mod left_out;
+pub mod limits;
 mod mixed;
 mod other_films;
 mod point_fields;

@@ -49,7 +49,7 @@ pub struct ErrorEstimate {
     /// What the diffusion at ridges changes both films by, relative.
     #[serde(skip_serializing_if = "are_zero")]
     pub ridge: [f64; 2],
-    /// The same from the edges of the contact area.
+    /// The same from the edges of the contact area, and from pressures below zero behind the film.
     pub edges: [f64; 2],
     /// What pressures that the cells do not resolve may do to both films, relative.
     pub unresolved: f64,

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Estimate, Figure, Kind, LEAST_RISE, Solution};
+use super::{Estimate, Figure, Kind, LEAST_RISE, Solution, limits};
 
 /// A figure that the case is solved for and that the result does not tell.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,6 +24,8 @@ pub enum Why {
     NoBar,
     /// A film thicker than the bodies' radius: there is no such contact.
     BeyondBodies,
+    /// Beyond what is possible, [`super::limits`].
+    BeyondPhysics,
     /// Bodies and film do not carry off the heat that is made.
     OpenBalance,
     /// The film gains or loses oil.
@@ -73,7 +75,15 @@ impl Unresolved {
             error: t.film_maximum.error,
         });
         let rise = rise.filter(|rise| rise.value > LEAST_RISE);
+        let limit = |figure: Figure| match figure {
+            Figure::TractionCoefficient => limits::TRACTION,
+            Figure::FilmTemperatureMaximum => {
+                limits::TEMPERATURE - thermal.map_or(0.0, |t| t.inlet_temperature)
+            }
+            _ => f64::INFINITY,
+        };
         let why = |figure: Figure, e: &Estimate| match e.error {
+            _ if e.value > limit(figure) => Some(Why::BeyondPhysics),
             None if asked.bars => Some(Why::NoBar),
             _ if !e.is_resolved() => Some(Why::WideBar),
             _ if figure == Figure::FilmCentral && e.value > asked.radius => Some(Why::BeyondBodies),

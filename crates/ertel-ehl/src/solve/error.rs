@@ -69,12 +69,14 @@ pub enum SolveError {
     },
     /// Film and temperature did not come to rest together.
     #[error(
-        "no convergence in stage {}: film and temperature still change by {change:.1e} after {rounds} rounds \
+        "no convergence in {part} {}: film and temperature still change by {change:.1e} after {rounds} rounds \
          (by a factor of {contraction:.2} from round to round)",
         level + 1
     )]
     NotCoupled {
-        /// Stage, 0 the first.
+        /// What is counted: stages, or the grids of finite volumes.
+        part: &'static str,
+        /// Which, 0 the first.
         level: usize,
         /// Rounds.
         rounds: usize,
@@ -315,6 +317,7 @@ mod tests {
 
     fn not_coupled(contraction: f64) -> SolveError {
         SolveError::NotCoupled {
+            part: "stage",
             level: 0,
             rounds: 40,
             change: 0.1,

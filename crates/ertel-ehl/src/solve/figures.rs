@@ -69,17 +69,49 @@ pub fn figures(
     let profile = Profile::new(d, state, PER_EDGE);
     let layer = problem.shape.inlet.layer();
     let meniscus = layer.and_then(|layer| profile.meniscus(layer.thickness));
-    note_film(
-        &mut figures,
-        problem,
-        &film,
-        &profile,
-        profile.outlet(),
-        meniscus,
-    );
+    let (outlet, shift) = rupture(&profile);
+    note_film(&mut figures, problem, &film, &profile, outlet, meniscus);
+    if let Some(reading) = figures.get(Figure::OutletPosition) {
+        let misfit = scales.length * shift;
+        figures.note(Figure::OutletPosition, Reading { misfit, ..reading });
+    }
     note_friction(&mut figures, problem, fluid, &film, d.heat.is_some());
     note_heat(&mut figures, problem, fluid, (d, state), film.points());
     figures
+}
+
+/// Half-widths behind the film in which the pressure falls to what the penalty leaves there, and the pressures before it, over that, between which their roots point to
+/// the rupture.
+const BEHIND: f64 = 0.1;
+const TOWARDS: [f64; 2] = [20.0, 10.0];
+
+/// Where the film breaks on the centreline, and how far behind the place where the pressure is zero. The penalty lets it fall to −p₀, where it ends as it would at
+/// zero, with the square of the distance:
+///
+/// ```text
+///   √(P + p₀)  falls to zero along a straight line
+/// ```
+fn rupture(profile: &Profile) -> (f64, f64) {
+    let zero = profile.outlet();
+    let p = |i: usize| profile.fields[i].pressure;
+    let nodes = || 0..profile.x.len();
+    let pull = nodes()
+        .filter(|i| (zero..zero + BEHIND).contains(&profile.x[*i]))
+        .fold(0.0_f64, |most, i| most.max(-p(i)));
+    let before = |share: f64| {
+        let mut upstream = nodes().rev().filter(|i| profile.x[*i] < zero);
+        upstream.find(|i| p(*i) > share * pull)
+    };
+    let [Some(a), Some(b)] = TOWARDS.map(before) else {
+        return (zero, 0.0);
+    };
+    let [far, near] = [a, b].map(|i| (p(i) + pull).sqrt());
+    if pull == 0.0 || far <= near {
+        return (zero, 0.0);
+    }
+    let beyond = near * (profile.x[b] - profile.x[a]) / (far - near);
+    let place = (profile.x[b] + beyond).clamp(zero, zero + BEHIND);
+    (place, place - zero)
 }
 
 /// Pressures over the outer quarters of a roller, and the moment of the pressure about its middle.
@@ -223,9 +255,38 @@ pub fn measure(problem: &Problem, solution: &StageSolution, levels: &[LevelStats
         bars: bars(levels, films).unwrap_or_default(),
         half_width: problem.scales.length,
     };
-    let measured = measured.without_rounding(&sizes(problem));
+    let sizes = sizes(problem);
+    let measured = measured.without_rounding(&sizes).within_limits(&sizes);
     match problem.shape.symmetry {
         Symmetry::Half => measured.with_mirrored_end(),
         Symmetry::Full => measured,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+    use crate::engine::PointFields;
+
+    /// A pressure that ends with 3 (1.02 − x)² at −0.001 is zero at 1.02 − √(0.001/3): the film breaks at 1.02. One that ends at zero breaks there.
+    #[test]
+    fn films_break_where_their_pressure_ends() {
+        let profile = |pull: f64| {
+            let x: Vec<f64> = (0..=1500).map(|i| f64::from(i) * 1e-3).collect();
+            let fields = x.iter().map(|x| PointFields {
+                pressure: 3.0 * (1.02 - x).max(0.0).powi(2) - pull,
+                ..PointFields::default()
+            });
+            let fields = fields.collect();
+            Profile { x, fields }
+        };
+        let (place, shift) = rupture(&profile(1e-3));
+        assert_relative_eq!(place, 1.02, epsilon = 1e-6);
+        assert_relative_eq!(shift, (1e-3_f64 / 3.0).sqrt(), epsilon = 1e-3);
+        let (place, shift) = rupture(&profile(0.0));
+        assert_relative_eq!(place, 1.02, epsilon = 1e-3);
+        assert_eq!(shift, 0.0);
     }
 }

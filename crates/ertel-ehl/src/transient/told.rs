@@ -95,7 +95,7 @@ pub(super) fn instant<'a>(
         approach,
         approach_velocity,
         film_force,
-        measured: measured.without_rounding(&known),
+        measured: measured.without_rounding(&known).within_limits(&known),
         step: at.step,
         newton_iterations: at.newton_iterations,
         mass_error,

@@ -8,7 +8,7 @@ use super::beyond::Beyond;
 use super::contents::Arrival;
 use super::edges::effects;
 use super::ending::{Ends, balance_error};
-use super::figures::{Slowest, bar, bars, figures, films, is_settled};
+use super::figures::{Slowest, bar, bars, central, figures, is_settled, lowest, note_films};
 use super::film::PatchedFilm;
 use super::grid::RING;
 use super::heat::Params;
@@ -21,7 +21,7 @@ use super::system::{State, System};
 use crate::contact::Symmetry;
 use crate::engine::figures::sizes;
 use crate::engine::{Engine, Film, Observer, Problem, Solved};
-use crate::solution::{Figure, Figures, LevelStats, Measured, Reading, Role, Timings};
+use crate::solution::{Figure, Figures, LevelStats, Measured, Role, Timings};
 use crate::solve::SolveError;
 
 /// Grids from coarse to fine, Newton's method on each.
@@ -423,7 +423,8 @@ fn check_ends(problem: &Problem<Plan>, levels: &[Level]) -> Result<(), SolveErro
     }
     let at_end = |n: usize| {
         let levels = &levels[..n];
-        let (h_c, h_m, [_, y]) = films(levels);
+        let (h_c, lowest) = (central(levels), lowest(levels)?);
+        let (h_m, [_, y]) = (lowest.film, lowest.place);
         let rows = levels[n - 1].system.grid.rows.as_ref()?;
         let presses_in = (rows.ends().iter()).any(|end| (end - y).abs() < rows.step(RING));
         (presses_in && h_m < NO_FILM * h_c).then_some((y, h_m))
@@ -445,12 +446,8 @@ fn stats(
     info: NewtonInfo,
     [cells, unknowns]: [usize; 2],
 ) -> LevelStats {
-    let scales = &problem.scales;
-    let (h_c, h_m, place) = films(levels);
     let mut figures = Figures::default();
-    figures.note(Figure::FilmCentral, Reading::new(scales.film * h_c));
-    let lowest = Reading::new(scales.film * h_m).at(place.map(|x| x * scales.length));
-    figures.note(Figure::FilmMinimum, lowest);
+    note_films(&mut figures, &problem.scales, levels);
     LevelStats {
         converged: info.converged,
         n_body_cells: 0,
@@ -491,7 +488,8 @@ impl Solved for Volumes {
             bars: bars(of_grids, cell * problem.scales.length, least),
             half_width: problem.scales.length,
         };
-        let measured = measured.without_rounding(&sizes(problem));
+        let sizes = sizes(problem);
+        let measured = measured.without_rounding(&sizes).within_limits(&sizes);
         match problem.shape.symmetry {
             Symmetry::Half => measured.with_mirrored_end(),
             Symmetry::Full => measured,

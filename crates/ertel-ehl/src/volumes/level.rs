@@ -57,6 +57,12 @@ impl Level {
         self.system.fluid.at(0.0).density[0]
     }
 
+    /// Whether the next grid has a node where this one has.
+    pub fn is_refined(&self, i: usize, j: usize) -> bool {
+        self.patch
+            .is_some_and(|[x, y]| (x[0]..=x[1]).contains(&i) && (y[0]..=y[1]).contains(&j))
+    }
+
     /// Share of its cell that a node stands for outside the next grid.
     pub fn share(&self, i: usize, j: usize) -> f64 {
         let grid = &self.system.grid;

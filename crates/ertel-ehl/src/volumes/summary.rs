@@ -54,7 +54,14 @@ pub fn warnings(
     ] {
         let film = measured.estimate(figure);
         let relative = film.error.map_or(f64::INFINITY, |error| error / film.value);
+        let misfit = measured
+            .figures
+            .get(figure)
+            .map_or(0.0, |reading| reading.misfit);
         let end = match volumes.stopped {
+            _ if misfit >= film.value => {
+                "it lies on the edge of the contact area, or where no finer grid reaches; move the edge outward ([mesh] outlet, side)".to_owned()
+            }
             true => "Newton's method does not converge on the next grid".to_owned(),
             false => format!(
                 "the next grid would have more than {most} pressure unknowns ([mesh] max_unknowns)"

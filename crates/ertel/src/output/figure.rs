@@ -222,6 +222,10 @@ pub fn unresolved(u: &Unresolved) -> String {
             "{} {unit}, beyond the radius",
             digits(factor * u.estimate.value, 2)
         ),
+        Why::BeyondPhysics => format!(
+            "{} is beyond what is physically possible",
+            format!("{} {unit}", digits(factor * u.estimate.value, 2)).trim_end()
+        ),
         Why::OpenBalance => format!(
             "open by {} % of the heat made",
             digits(100.0 * u.estimate.value, 2)

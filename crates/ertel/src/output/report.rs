@@ -9,6 +9,7 @@ use super::results::write_section;
 use super::{heat, inputs, mixed, surfaces};
 use crate::case::CaseEcho;
 use crate::contact::{ContactKind, Groups, Hertz, Supply};
+use crate::params::Method;
 use crate::plausible::left_out::words;
 use crate::solution::{Balance, Estimate, Figure, FormulaFilm, Section, Solution, Timings};
 use crate::words::{digits, force, length, pressure};
@@ -388,9 +389,13 @@ pub(super) fn write_formulas(out: &mut Lines, solution: &Solution) {
 pub(super) fn write_effort(out: &mut Lines, solution: &Solution) {
     out.heading("Effort");
     out.row("method", solution.stats.method.words());
+    let part = match solution.stats.method {
+        Method::FiniteElements => "stage",
+        Method::FiniteVolumes => "grid",
+    };
     for (i, level) in solution.stats.levels.iter().enumerate() {
         out.row(
-            &format!("stage {}", i + 1),
+            &format!("{part} {}", i + 1),
             format!(
                 "{} pressure{} unknowns, {} Newton iterations, h_c {}",
                 level.n_pressure_dofs,

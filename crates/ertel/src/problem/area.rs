@@ -73,7 +73,7 @@ pub(super) fn extents(reach: Reach, mesh: &MeshParams, film: f64, shape: &Shape)
             .roller
             .as_ref()
             .map_or(1.0, |r| r.half_extents()[0]);
-        outlet::near(film).max((widest + BEYOND_ROLLER).ceil_half())
+        outlet::behind(widest, film).max((widest + BEYOND_ROLLER).ceil_half())
     });
     let side = mesh.side.unwrap_or_else(|| {
         // The film ends with the roller.

@@ -18,9 +18,14 @@ const THICK: f64 = 0.3;
 /// (H_f = 2.7, edges at 2 to 300 half-widths, and 4000).
 const FAR: f64 = 60.0;
 
-/// Where the outlet edge lies behind thin films, in lines and along rollers: behind the rupture on the centreline.
+/// Where the outlet edge lies behind thin films, in lines: behind the rupture on the centreline.
 pub(super) fn near(film: f64) -> f64 {
-    1.5_f64.max((1.0 + 1.5 * film.sqrt()).ceil_half())
+    behind(1.0, film)
+}
+
+/// The same where the dry contact is up to this wide, in half-widths, as along rollers: what lies between it and the rupture goes with the film alone.
+pub(super) fn behind(widest: f64, film: f64) -> f64 {
+    1.5_f64.max((widest + 1.5 * film.sqrt()).ceil_half())
 }
 
 /// Where it lies for ellipses at an angle, whose thin films break off at an angle to the motion.

@@ -24,7 +24,7 @@ use crate::contact::{ContactKind, Supply};
 use crate::params::{Method, SolverParams};
 use crate::problem::has_thick_film;
 pub use crate::problem::{estimated_film, groups, predicted_film, problem};
-use crate::solution::{HeatRound, IterationRecord, Solution};
+use crate::solution::{Figure, HeatRound, IterationRecord, Solution, Unresolved, Why};
 use crate::solve::sequence;
 use crate::solve::{Observer, SolveError};
 use crate::warning::{Warning, WarningKind, silence};
@@ -126,43 +126,71 @@ fn solve_here(
     ahead: &[&Case],
     observer: &mut dyn Observer,
 ) -> Result<Ended, SolveError> {
-    let by_elements = |observer: &mut dyn Observer| -> Result<Ended, SolveError> {
-        let (solution, start) = elements::solve(case, start, ahead, observer)?;
-        Ok((solution, Some(start)))
-    };
-    let by_volumes = |observer: &mut dyn Observer| -> Result<Ended, SolveError> {
-        check(case)?;
-        Ok((volumes::solve(case, observer)?, None))
+    let by = |method: Method, observer: &mut dyn Observer| -> Result<Ended, SolveError> {
+        match method {
+            Method::FiniteElements => {
+                let (solution, start) = elements::solve(case, start, ahead, observer)?;
+                Ok((solution, Some(start)))
+            }
+            Method::FiniteVolumes => {
+                check(case)?;
+                Ok((volumes::solve(case, observer)?, None))
+            }
+        }
     };
     let first = first_method(case);
-    let end = match first {
-        Method::FiniteElements => by_elements(observer),
-        Method::FiniteVolumes => by_volumes(observer),
-    };
-    let error = match end {
-        Err(error) if may_be_tried_again(case, first, &error) => error,
-        end => return end,
-    };
-    let second = match first {
-        Method::FiniteElements => by_volumes(observer),
-        Method::FiniteVolumes => by_elements(observer),
-    };
-    match second {
-        Ok((mut solution, start)) => {
-            let [first, second] = [first, first.other()].map(Method::words);
-            let text = format!("solved by {second}, as {first} did not converge: {error}");
-            solution
-                .warnings
-                .push(Warning::new(WarningKind::Method, text));
-            Ok((solution, start))
+    match by(first, observer) {
+        Err(error) if did_not_converge(&error) && may_be_left_to_the_other(case, first) => {
+            match by(first.other(), observer) {
+                Ok(end) => Ok(noting(end, first, &format!("did not converge: {error}"))),
+                Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
+                Err(second) => Err(SolveError::BothFailed {
+                    first: Box::new(error),
+                    method: first.other().words(),
+                    second: Box::new(second),
+                }),
+            }
         }
-        Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
-        Err(second) => Err(SolveError::BothFailed {
-            first: Box::new(error),
-            method: first.other().words(),
-            second: Box::new(second),
-        }),
+        Ok(end) if lacks_a_film(case, &end.0) && may_be_left_to_the_other(case, first) => {
+            match by(first.other(), observer) {
+                Ok(other) if unresolved_films(&other.0).is_empty() => {
+                    let lacking = unresolved_films(&end.0).join(" and ");
+                    Ok(noting(other, first, &format!("did not resolve {lacking}")))
+                }
+                Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
+                _ => Ok(end),
+            }
+        }
+        end => end,
     }
+}
+
+/// A solution by the method other than `first`, with what became of that one.
+fn noting((mut solution, start): Ended, first: Method, what: &str) -> Ended {
+    let [first, second] = [first, first.other()].map(Method::words);
+    let text = format!("solved by {second}, as {first} {what}");
+    (solution.warnings).push(Warning::new(WarningKind::Method, text));
+    (solution, start)
+}
+
+/// The films that a solution does not resolve, in words.
+fn unresolved_films(solution: &Solution) -> Vec<String> {
+    let films = [Figure::FilmCentral, Figure::FilmMinimum];
+    (solution.unresolved.iter())
+        .filter(|u| films.contains(&u.figure) && u.why != Why::BeyondBodies)
+        .map(Unresolved::words)
+        .collect()
+}
+
+/// Whether a solution does not resolve a film although nothing but its method limits its meshes: what near edges do, no method knows better, and a limit in
+/// unknowns is wanted.
+fn lacks_a_film(case: &Case, solution: &Solution) -> bool {
+    let mesh = &case.mesh;
+    let is_free = mesh.max_unknowns.is_none()
+        && mesh.inlet.is_none()
+        && mesh.outlet.is_none()
+        && mesh.side.is_none();
+    is_free && case.solver.error_estimate && !unresolved_films(solution).is_empty()
 }
 
 /// Moes' groups M and L up to which finite elements take less time for a circular contact that is thinned by a power of the stress.
@@ -214,24 +242,29 @@ fn asks_for_elements(case: &Case) -> bool {
         || own.penalty_scaling != usual.penalty_scaling
 }
 
-/// Whether a case that a method did not solve is left to the other one.
-fn may_be_tried_again(case: &Case, first: Method, error: &SolveError) -> bool {
-    let did_not_converge = matches!(
+/// Whether a solve came to no end for its method, which another one may do without.
+fn did_not_converge(error: &SolveError) -> bool {
+    matches!(
         error,
         SolveError::NotConverged { .. }
             | SolveError::AllFailed { .. }
+            | SolveError::Thinned { .. }
             | SolveError::Krylov(_)
             | SolveError::Factorisation(_)
             | SolveError::GridNotConverged { .. }
             | SolveError::NotCoupled { .. }
             | SolveError::Heat(_)
-    );
+    )
+}
+
+/// Whether a case that a method does not solve is left to the other one.
+fn may_be_left_to_the_other(case: &Case, first: Method) -> bool {
     let is_left_open = case.solver.method.is_none() && !asks_for_elements(case);
     let other_solves = match first {
         Method::FiniteElements => finite_volumes_refuse(case).is_none(),
         Method::FiniteVolumes => case.standing_reliefs().is_empty(),
     };
-    did_not_converge && is_left_open && other_solves
+    is_left_open && other_solves
 }
 
 /// Passes everything on and keeps the iterations.

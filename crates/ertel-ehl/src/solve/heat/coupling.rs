@@ -164,6 +164,7 @@ pub fn solve_coupled(
         stats.seconds.heat += clock.elapsed().as_secs_f64();
         if !settled && params.given_up_early {
             return Err(SolveError::NotCoupled {
+                part: "stage",
                 level: label.level,
                 rounds: round,
                 change,
@@ -237,6 +238,7 @@ pub fn solve_coupled(
         relaxation.taken(share, defect);
     }
     Err(SolveError::NotCoupled {
+        part: "stage",
         level: label.level,
         rounds: coupling.rounds,
         change,

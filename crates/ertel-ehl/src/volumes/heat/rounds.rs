@@ -293,6 +293,7 @@ impl<'a> Rounds<'a> {
             relaxation.taken(share, defect);
         }
         Err(SolveError::NotCoupled {
+            part: "grid",
             level,
             rounds: effort.rounds,
             change,
