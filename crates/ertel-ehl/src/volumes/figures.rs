@@ -47,18 +47,19 @@ pub fn lowest(levels: &[Level]) -> Option<Lowest> {
         let level: &Level = &levels[*l];
         level.films[level.system.grid.index(*i, *j)]
     };
+    let last = levels.len().checked_sub(1)?;
     let (l, i, j) = (levels.iter().enumerate())
         .flat_map(|(l, level)| {
             let nodes = level.system.grid.nodes();
             nodes
-                .filter(move |[i, j]| !level.is_refined(*i, *j))
+                .filter(move |[i, j]| l == last || !level.is_refined(*i, *j))
                 .map(move |[i, j]| (l, i, j))
         })
         .min_by(|a, b| film(a).total_cmp(&film(b)))?;
     let grid = &levels[l].system.grid;
     let (film, place) = extreme(grid, &levels[l].films, i, j);
     let misfit = match l {
-        _ if l + 1 == levels.len() => 0.0,
+        _ if l == last => 0.0,
         0 => film.abs(),
         _ => {
             let before = &levels[l - 1];
