@@ -47,6 +47,7 @@ pub mod deflection;
 pub mod edges;
 pub mod ending;
 pub mod engine;
+pub mod extremes;
 pub mod faces;
 pub mod far_pressure;
 pub mod fields;

@@ -1,0 +1,209 @@
+//! The lowest film and the tops of hills between the nodes of grids.
+
+use super::grid::{Grid, RING};
+use super::level::{Level, Sampled};
+
+/// The lowest film of all grids, in a²/R.
+#[derive(Clone, Copy, Debug)]
+pub struct Lowest {
+    /// The film.
+    pub film: f64,
+    /// Where it is.
+    pub place: [f64; 2],
+    /// What no finer grid tells of its error: where the finest grid does not reach it, what the last one that does has changed there; all of it where no film
+    /// has its minimum, on the edge of the first grid.
+    pub misfit: f64,
+}
+
+/// The lowest film, among the nodes that the finest grid at each place has; `None` without grids.
+pub fn lowest(levels: &[Level]) -> Option<Lowest> {
+    let film = |(l, i, j): &(usize, usize, usize)| {
+        let level: &Level = &levels[*l];
+        level.films[level.system.grid.index(*i, *j)]
+    };
+    let last = levels.len().checked_sub(1)?;
+    let (l, i, j) = (levels.iter().enumerate())
+        .flat_map(|(l, level)| {
+            let nodes = level.system.grid.nodes();
+            nodes
+                .filter(move |[i, j]| l == last || !level.is_refined(*i, *j))
+                .map(move |[i, j]| (l, i, j))
+        })
+        .min_by(|a, b| film(a).total_cmp(&film(b)))?;
+    let grid = &levels[l].system.grid;
+    let (film, place) = extreme(grid, &levels[l].films, i, j);
+    let misfit = match l {
+        _ if l == last => 0.0,
+        0 => film.abs(),
+        _ => {
+            let before = &levels[l - 1];
+            let start = Sampled::new(&before.system.grid, grid);
+            (start.cubic(&before.films, i, j) - levels[l].films[grid.index(i, j)]).abs()
+        }
+    };
+    let misfit = match l == 0 && is_on_edge(grid, i, j) {
+        true => film.abs(),
+        false => misfit,
+    };
+    Some(Lowest {
+        film,
+        place,
+        misfit,
+    })
+}
+
+/// Whether a node lies on the edge of a grid, where its pressure is given; rows of a roller end with it.
+fn is_on_edge(grid: &Grid, i: usize, j: usize) -> bool {
+    match grid.rows {
+        None => !grid.is_unknown(i, j),
+        Some(_) => !(RING..grid.n[0] - RING).contains(&i),
+    }
+}
+
+/// Differences of the values around a node: slopes, curvatures, and the mixed one; those of a direction that ends there are zero.
+struct Around {
+    slopes: [f64; 2],
+    curvatures: [f64; 2],
+    mixed: f64,
+}
+
+impl Around {
+    fn new(grid: &Grid, values: &[f64], i: usize, j: usize) -> Around {
+        let [nx, ny] = grid.n;
+        let along = (i > 0 && i + 1 < nx).then_some([i.wrapping_sub(1), i + 1]);
+        // Beyond the centreline of a half all is mirrored.
+        let across = match j + 1 == ny {
+            true => (grid.half && j > 0).then(|| [j - 1, j - 1]),
+            false => (j > 0).then(|| [j - 1, j + 1]),
+        };
+        let here = values[grid.index(i, j)];
+        let along_values = along.map(|sides| sides.map(|x| values[grid.index(x, j)]));
+        let across_values = across.map(|sides| sides.map(|y| values[grid.index(i, y)]));
+        let of = |sides: Option<[f64; 2]>| {
+            let [low, high] = sides.unwrap_or([here; 2]);
+            [0.5 * (high - low), high - 2.0 * here + low]
+        };
+        let [x, y] = [along_values, across_values].map(of);
+        let mixed = along
+            .zip(across)
+            .map_or(0.0, |([west, east], [south, north])| {
+                let at = |x: usize, y: usize| values[grid.index(x, y)];
+                0.25 * (at(east, north) - at(east, south) - at(west, north) + at(west, south))
+            });
+        Around {
+            slopes: [x[0], y[0]],
+            curvatures: [x[1], y[1]],
+            mixed,
+        }
+    }
+
+    /// Steps from the node to the vertex of the paraboloid, as far as the next nodes; along one direction alone where both together have none.
+    fn vertex(&self) -> [f64; 2] {
+        let ([u, v], [a, b], c) = (self.slopes, self.curvatures, self.mixed);
+        let determinant = a * b - c * c;
+        let together = [(c * v - b * u) / determinant, (c * u - a * v) / determinant];
+        if determinant > 0.0 && together.iter().all(|step| step.abs() <= 1.0) {
+            return together;
+        }
+        [0, 1].map(|d: usize| match (self.slopes[d], self.curvatures[d]) {
+            (slope, curvature) if curvature != 0.0 && slope.abs() <= curvature.abs() => {
+                -slope / curvature
+            }
+            _ => 0.0,
+        })
+    }
+}
+
+/// Vertex of the paraboloid through the values at a node that is higher or lower than its neighbours. A side lobe lies askew: separate parabolas along both
+/// directions miss its bottom by what the grid happens to make of it.
+pub fn extreme(grid: &Grid, values: &[f64], i: usize, j: usize) -> (f64, [f64; 2]) {
+    let around = Around::new(grid, values, i, j);
+    let steps = around.vertex();
+    let mut at = grid.on_axes(i, j);
+    let mut value = values[grid.index(i, j)];
+    for d in (0..2).filter(|d| steps[*d] != 0.0) {
+        let side = if steps[d] < 0.0 { j.max(1) - 1 } else { j };
+        at[d] += steps[d] * grid.step(d, side);
+        value += 0.5 * around.slopes[d] * steps[d];
+    }
+    (value, grid.turn.to_motion(at))
+}
+
+/// What the top of a hill may rise above the parabola through its node: half of what second differences over one and over two cells disagree by. On a
+/// hill that is smooth on the grid those go as 1 and 4; on a ridge as narrow as the cells they are alike.
+pub fn sharpness(grid: &Grid, values: &[f64], top: usize) -> f64 {
+    let [nx, ny] = grid.n.map(|n| n as i64);
+    let at = |x: i64, y: i64| {
+        let y = match grid.half && y >= ny {
+            true => 2 * (ny - 1) - y,
+            false => y,
+        };
+        let is_inside = (0..nx).contains(&x) && (0..ny).contains(&y);
+        is_inside.then(|| values[(y * nx + x) as usize])
+    };
+    let (i, j) = (top as i64 % nx, top as i64 / nx);
+    let of = |[dx, dy]: [i64; 2]| {
+        let second = |n: i64| {
+            let sides = at(i - n * dx, j - n * dy)? + at(i + n * dx, j + n * dy)?;
+            Some(sides - 2.0 * values[top])
+        };
+        Some(0.5 * (second(1)? - 0.25 * second(2)?).abs())
+    };
+    [[1, 0], [0, 1]]
+        .into_iter()
+        .filter_map(of)
+        .fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+    use crate::contact::Turn;
+
+    fn square(n: usize) -> Grid {
+        Grid {
+            spacing: [0.1, 0.1],
+            first: [-(n as i64) / 2; 2],
+            n: [n; 2],
+            half: false,
+            turn: Turn::NONE,
+            rows: None,
+        }
+    }
+
+    fn values(grid: &Grid, of: impl Fn([f64; 2]) -> f64) -> Vec<f64> {
+        grid.nodes().map(|[i, j]| of(grid.on_axes(i, j))).collect()
+    }
+
+    /// A valley of 3 at (0.03, −0.02) that is ten times as narrow across a line at 40 degrees as along it: one paraboloid through the nodes finds bottom and place,
+    /// wherever it lies between them.
+    #[test]
+    fn a_valley_that_lies_askew() {
+        let grid = square(5);
+        let (s, c) = 40f64.to_radians().sin_cos();
+        for [x, y] in [[0.03, -0.02], [0.0, 0.04], [-0.01, -0.03]] {
+            let film = values(&grid, |at| {
+                let [dx, dy] = [at[0] - x, at[1] - y];
+                let [along, across] = [c * dx + s * dy, c * dy - s * dx];
+                3.0 + 0.2 * along * along + 2.0 * across * across
+            });
+            let (bottom, place) = extreme(&grid, &film, 2, 2);
+            assert_relative_eq!(bottom, 3.0, max_relative = 1e-12);
+            assert_relative_eq!(place[0], x, epsilon = 1e-12);
+            assert_relative_eq!(place[1], y, epsilon = 1e-12);
+        }
+    }
+
+    /// 1 − x² − y² is no sharper than its parabola; of a ridge that only one column sees, 0.2 high, three quarters of its half are not known.
+    #[test]
+    fn a_ridge_between_nodes_is_sharp() {
+        let grid = square(7);
+        let smooth = values(&grid, |[x, y]| 1.0 - x * x - y * y);
+        let top = grid.index(3, 3);
+        assert!(sharpness(&grid, &smooth, top) < 1e-14);
+        let ridge = values(&grid, |[x, _]| if x.abs() < 0.05 { 1.2 } else { 1.0 });
+        assert_relative_eq!(sharpness(&grid, &ridge, top), 0.15, max_relative = 1e-12);
+    }
+}
