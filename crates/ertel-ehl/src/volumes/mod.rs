@@ -28,7 +28,7 @@
 //! | [`beyond`], [`far_pressure`] | what lies beyond the first grid |
 //! | [`level`] | from a grid to one with cells of half the size on a smaller patch |
 //! | [`film`], [`composite`], [`fields`] | the film on all patches together; its mesh and fields |
-//! | [`figures`], [`summary`] | figures, error bars, warnings |
+//! | [`extremes`], [`figures`], [`summary`] | figures, error bars, warnings |
 //! | [`heat`] | temperatures of film and surfaces |
 //! | [`reduction`] | the film beside that of the Newtonian fluid |
 //! | [`tangents`] | derivatives of the figures by inputs |
