@@ -11,7 +11,8 @@ use ertel_fem::linear::gmres::GmresParams;
 
 use super::beyond::Beyond;
 use super::engine::{Plan, newton_params, pattern};
-use super::figures::films;
+use super::extremes::lowest;
+use super::figures::central;
 use super::level::Level;
 use super::preconditioner::Preconditioner;
 use super::system::{State, System};
@@ -72,8 +73,8 @@ fn stepped(
         *p += change;
     }
     state.separation += step.separation;
-    let (central, minimum, _) = films(&[Level::new(system.clone(), state)]);
-    Ok(Some([central, minimum]))
+    let levels = [Level::new(system.clone(), state)];
+    Ok(lowest(&levels).map(|lowest| [central(&levels), lowest.film]))
 }
 
 /// Gives the edges the pressures of a film that continues, and takes the load outside off that of the grid.

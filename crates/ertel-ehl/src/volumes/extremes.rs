@@ -15,7 +15,7 @@ pub struct Lowest {
     pub misfit: f64,
 }
 
-/// The lowest film, among the nodes that the finest grid at each place has; `None` without grids.
+/// The lowest film, among the nodes on the contact area that the finest grid at each place has; `None` without grids.
 pub fn lowest(levels: &[Level]) -> Option<Lowest> {
     let film = |(l, i, j): &(usize, usize, usize)| {
         let level: &Level = &levels[*l];
@@ -24,8 +24,10 @@ pub fn lowest(levels: &[Level]) -> Option<Lowest> {
     let last = levels.len().checked_sub(1)?;
     let (l, i, j) = (levels.iter().enumerate())
         .flat_map(|(l, level)| {
-            let nodes = level.system.grid.nodes();
+            let grid = &level.system.grid;
+            let nodes = grid.nodes();
             nodes
+                .filter(move |[i, j]| grid.share(*i, *j) > 0.0)
                 .filter(move |[i, j]| l == last || !level.is_refined(*i, *j))
                 .map(move |[i, j]| (l, i, j))
         })
@@ -170,6 +172,8 @@ mod tests {
             half: false,
             turn: Turn::NONE,
             rows: None,
+            stretch: 1.0,
+            walls: [[false; 2]; 2],
         }
     }
 
