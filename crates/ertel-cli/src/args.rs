@@ -78,29 +78,29 @@ result.nc (`netcdf = true` in [output]), body.vtu (`body_field = true`), tempera
 fields.pvd (`vtu = true`) and animation.png (`animation = true`). A curve has curve.csv and
 curve.json, a machine machine.csv and machine.json.")]
 pub struct SolveArgs {
-    /// The case files (TOML), each solved into a folder of its own; `-` reads one from standard input
+    /// The case files (TOML), each solved into a separate folder; `-` reads one from standard input
     #[arg(value_name = "CASE.toml", required = true)]
     pub cases: Vec<PathBuf>,
     /// Folder for the results, of several cases that of their folders (default: `output.folder` of the case, else `results/<name of the
     /// case file>`)
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Put a value in place of one of the file, such as "contact.load=50 N" (may be repeated)
+    /// Replace a value of the file, such as "contact.load=50 N" (may be repeated)
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
-    /// Print events as JSON lines in place of progress and report
+    /// Print events as JSON lines instead of progress and report
     #[arg(long)]
     pub json: bool,
-    /// Write PNG pictures beside the SVG ones
+    /// Also write PNG pictures
     #[arg(long)]
     pub png: bool,
-    /// Write PDF pictures beside the SVG ones
+    /// Also write PDF pictures
     #[arg(long)]
     pub pdf: bool,
     /// Read and check the case, then stop
     #[arg(long)]
     pub check: bool,
-    /// Solve N samples of the uncertain inputs, too, in the folder `<results>-monte-carlo`; a run that was stopped goes on there
+    /// Also solve N samples of the uncertain inputs, in the folder `<results>-monte-carlo`; a stopped run continues there
     #[arg(long, value_name = "N")]
     pub monte_carlo: Option<usize>,
     /// Random seed: the same seed gives the same samples
@@ -114,7 +114,7 @@ pub struct SolveArgs {
     /// and where Ctrl-C stops it
     #[arg(long, value_name = "TIME", conflicts_with = "check")]
     pub checkpoint: Option<String>,
-    /// Of a case in time: go on from `<results>.checkpoint`
+    /// Of a case in time: continue from `<results>.checkpoint`
     #[arg(long, conflicts_with = "check")]
     pub resume: bool,
     /// Exit code 0 also where an error bar is wider than half of a figure
@@ -131,7 +131,7 @@ pub struct SolveArgs {
 /// `ertel sweep`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-A run that was stopped or killed goes on where it was when it is started again.")]
+A run that was stopped or killed continues when it is started again.")]
 pub struct SweepArgs {
     /// The study file (TOML)
     #[arg(
@@ -143,16 +143,16 @@ pub struct SweepArgs {
     /// Folder of the study [default: `results/<name of the study file>`, of a shard `shards/i-of-n` within]
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Put a value in place of one of the base case, such as "contact.load=50 N" (may be repeated)
+    /// Replace a value of the base case, such as "contact.load=50 N" (may be repeated)
     #[arg(long, value_name = "KEY=VALUE", conflicts_with = "merge")]
     pub set: Vec<String>,
-    /// Print events as JSON lines in place of progress and report
+    /// Print events as JSON lines instead of progress and report
     #[arg(long)]
     pub json: bool,
     /// List the points and what they start from, then stop
     #[arg(long)]
     pub dry_run: bool,
-    /// Write the results of each point into a folder of its own, too
+    /// Also write the results of each point into a separate folder
     #[arg(long)]
     pub folders: bool,
     /// Retry failed points
@@ -209,7 +209,7 @@ impl TableArgs {
 /// `ertel compare`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-A run that was stopped or killed goes on where it was when it is started again. How tables and exports of rigs are read: \
+A run that was stopped or killed continues when it is started again. How tables and exports of rigs are read: \
 docs/guide/compare.md.")]
 pub struct CompareArgs {
     /// The case file (TOML); the measurements say what varies
@@ -233,13 +233,13 @@ pub struct CompareArgs {
     /// Take this step of a rig's export alone, by its number (may be repeated)
     #[arg(long, value_name = "N")]
     pub step: Vec<usize>,
-    /// Thermometer of a rig that tells the temperature of the lubricant
+    /// Thermometer of a rig that measures the temperature of the lubricant
     #[arg(long, value_name = "WHERE", default_value = "lubricant", value_parser = PossibleValuesParser::new(["lubricant", "pot"]))]
     pub thermometer: String,
-    /// Write a PNG picture beside the SVG one
+    /// Also write a PNG picture
     #[arg(long)]
     pub png: bool,
-    /// Write a PDF picture beside the SVG one
+    /// Also write a PDF picture
     #[arg(long)]
     pub pdf: bool,
     /// Retry failed points
@@ -277,10 +277,10 @@ pub struct EstimateArgs {
     /// The case file (TOML); `-` reads it from standard input
     #[arg(value_name = "CASE.toml")]
     pub case: PathBuf,
-    /// Put a value in place of one of the file, such as "contact.load=50 N" (may be repeated)
+    /// Replace a value of the file, such as "contact.load=50 N" (may be repeated)
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
-    /// Print JSON in place of text
+    /// Print JSON instead of text
     #[arg(long)]
     pub json: bool,
 }
@@ -369,7 +369,7 @@ pub struct FitFilmArgs {
     /// Overwrite a file that exists
     #[arg(long)]
     pub force: bool,
-    /// List every film with the formula beside
+    /// List every film next to the formula
     #[arg(short, long)]
     pub verbose: bool,
 }
@@ -439,7 +439,7 @@ pub struct FitLawArgs {
     /// How the viscosity of Walther's law grows with pressure [default: roelands]
     #[arg(long, value_name = "LAW", value_parser = PossibleValuesParser::new(["roelands", "barus"]))]
     pub pressure_law: Option<String>,
-    /// Write the entry into this file, and the picture beside it
+    /// Write the entry into this file, and the picture next to it
     #[arg(short, long, value_name = "ENTRY.toml")]
     pub output: Option<PathBuf>,
     /// Write the picture of the law over the data into this file
@@ -448,7 +448,7 @@ pub struct FitLawArgs {
     /// Overwrite files that exist, the entry as well as the picture
     #[arg(long)]
     pub force: bool,
-    /// List every state with the law beside
+    /// List every state next to the law
     #[arg(short, long)]
     pub verbose: bool,
 }

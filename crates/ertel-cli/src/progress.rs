@@ -231,7 +231,10 @@ impl CurveObserver for Progress<'_> {
             "point_started",
             json!({ "point": index + 1, "points": n_points, "value": value }),
         );
-        self.point = format!("point {}/{n_points} ({value}), ", index + 1);
+        let point = format!("point {}/{n_points} ({value})", index + 1);
+        self.point = format!("{point}, ");
+        // Contacts of a machine on several threads show no more than this.
+        self.show(point);
     }
 
     fn reached(&mut self, reached: &Reached) {
