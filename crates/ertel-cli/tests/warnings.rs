@@ -11,7 +11,7 @@ fn codes_are_explained() {
     let list = ertel_here(&["explain"]);
     assert_eq!(list.status.code(), Some(0));
     for kind in WarningKind::ALL {
-        let is_it = |line: &&str| line.split_whitespace().next() == Some(kind.code());
+        let is_it = |line: &&str| line.starts_with(&format!("  {kind} "));
         assert_eq!(stdout(&list).lines().filter(is_it).count(), 1, "{kind}");
     }
     // As a message shows it.
@@ -86,7 +86,7 @@ fn unknown_codes_and_unusable_figures_are_refused() {
         assert_eq!(output.status.code(), Some(2));
         let told = stderr(&output);
         assert!(
-            told.contains(words) && told.contains("case.toml:24"),
+            told.contains(words) && told.contains("case.toml:22"),
             "{told}"
         );
     }
