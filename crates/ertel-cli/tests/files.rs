@@ -253,7 +253,7 @@ fn a_folder_without_a_list_of_points_is_no_study() {
             1,
             "no study.json of ertel",
         );
-        refused(&folder, &["sweep", "--merge", "whole", name], 1, name);
+        refused(&folder, &["sweep", "--merge", "whole", name], 2, name);
     }
     for shard in [
         "9223372036854775808/18446744073709551615",

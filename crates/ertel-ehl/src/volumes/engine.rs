@@ -283,9 +283,7 @@ impl Engine for FiniteVolumes {
                 rounds.warm_up(&mut system, &state, temperatures);
             }
             let operator = clock.elapsed().as_secs_f64();
-            // Too coarse for the film, perhaps: the next grid begins where this one did.
-            let is_start = problem.shape.is_line() && n > 0 && n + TOLD < least;
-            let begun = is_start.then(|| state.clone());
+            let begun = problem.shape.is_line().then(|| state.clone());
             let mut info = solve_on(problem, &mut system, &mut state, n, observer)?;
             let mut warm = None;
             if let (Some(rounds), Some(start), true) = (&rounds, start, info.converged) {
@@ -305,13 +303,12 @@ impl Engine for FiniteVolumes {
                         warm = Some(found);
                     }
                     Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
-                    Err(error) if found.levels.len() < LEAST_GRIDS && !is_start => {
-                        return Err(error);
-                    }
+                    Err(error) if found.levels.len() < LEAST_GRIDS => return Err(error),
                     Err(_) => info.converged = false,
                 }
             }
-            if let (Some(begun), false) = (begun, info.converged) {
+            if let (Some(begun), false, true) = (begun, info.converged, n > 0 && n + TOLD < least) {
+                // Too coarse for the film: the next grid begins where this one did.
                 state = begun;
                 given_up = info.change;
             } else if !info.converged {
