@@ -48,23 +48,28 @@ fn every_machine_is_estimated_and_checked() {
                 "1.48043 m/s",
             ],
         ),
-        // At the pitch point R = r_1 r_2 sin α/(r_1 + r_2), u = ω_1 r_1 sin α.
+        // Under the largest pressure, by hand from R_1 = r_1 sin α + s, R_2 = r_2 sin α − s: B where one pair takes over all of the load, A where load is even.
         (
             "spur-gear-pair",
-            &["C, pitch point", "9.121 mm", "2.14898 m/s", "1.63519"],
+            &[
+                "B, inner single contact",
+                "8.082 mm",
+                "1.73797 m/s",
+                "1.63519",
+            ],
         ),
         (
             "helical-gear-pair",
-            &["C, pitch point", "10.04 mm", "2.29365 m/s", "1.56093"],
+            &["A, tip of the wheel", "4.303 mm", "0.733881 m/s", "1.56093"],
         ),
         // Radii and pressures of the program that the path of these gears is tested against.
         (
             "fzg-c",
             &[
-                "C, pitch point",
+                "B, inner single contact",
                 "91.5 mm",
                 "22.4388 deg",
-                "8.382 mm",
+                "7.256 mm",
                 "1.43",
             ],
         ),
@@ -126,7 +131,7 @@ fn whole_machines_are_no_single_contact() {
     assert!(message.contains("machine.element=0"), "{message}");
     let refused = ertel(&arguments, &shipped("fzg-c"));
     let message = text(&refused.stderr);
-    assert!(message.contains("machine.position=\"0 m\""), "{message}");
+    assert!(message.contains("machine.position=\"-0.00368"), "{message}");
 }
 
 /// The path of FZG gears on few points.

@@ -13,6 +13,7 @@ mod header;
 mod names;
 mod number;
 mod params;
+mod series;
 mod split;
 mod title;
 
@@ -27,6 +28,7 @@ use names::Match;
 pub use number::Decimal;
 use number::Marks;
 pub use params::{ColumnMap, CsvParams, Vocabulary};
+pub use series::Wanted;
 use split::{Records, Separator, is_comment};
 use title::{NamedUnit, Title};
 
@@ -346,7 +348,7 @@ impl CsvTable {
         let titles = self.titles.iter().enumerate();
         let mut titles = titles.filter(|(index, _)| !self.is_ignored(*index));
         titles
-            .find(|(_, title)| title::has_unit(title, dimension))
+            .find(|(_, title)| title::unit_with(title, dimension).is_some())
             .map(|(index, _)| index)
     }
 

@@ -239,6 +239,47 @@ fn a_short_path_of_gears() {
     assert_eq!(value(&found, "hertz_pressure_maximum"), highest);
 }
 
+/// With heat the temperatures of the teeth are those that were solved: the hottest flank of all contacts is the contact temperature of S_B, and Blok's is given beside it.
+#[test]
+fn solved_flanks_are_the_contact_temperature() {
+    let text = format!("{GEARS}{REST}").replace(
+        "[mesh]",
+        "thermal_conductivity = \"0.14 W/(m.K)\"\nheat_capacity = \"2000 J/(kg.K)\"\n[thermal]\n[mesh]",
+    );
+    let document = Document::parse("machine.toml", text).unwrap();
+    let case = Case::from_document(&document, Path::new("")).unwrap();
+    let solved = solve_machine(case.contacts.as_ref().unwrap(), &mut NoObserver);
+    assert_eq!(solved.n_failed(), 0);
+    let found = figures(&case, &solved);
+    let flanks = [
+        Figure::TemperatureBody1Maximum,
+        Figure::TemperatureBody2Maximum,
+    ];
+    let hottest = (0..5).flat_map(|i| flanks.map(|flank| figure(&solved, i, flank)));
+    let hottest = hottest.fold(0.0, f64::max);
+    assert_eq!(value(&found, "contact_temperature"), hottest);
+    assert_relative_eq!(
+        value(&found, "flash_temperature"),
+        hottest - 373.15,
+        max_relative = 1e-9
+    );
+    assert_relative_eq!(
+        value(&found, "scuffing_safety"),
+        210.0 / (hottest - 363.15),
+        max_relative = 1e-9
+    );
+    let blok = value(&found, "flash_temperature_blok");
+    assert_relative_eq!(
+        value(&found, "contact_temperature_blok"),
+        373.15 + blok,
+        max_relative = 1e-9
+    );
+    // The oil enters at the temperature of the teeth: nothing is colder.
+    for i in 0..5 {
+        assert!(figure(&solved, i, Figure::FilmTemperatureLowest) > 373.0);
+    }
+}
+
 /// The mean of four angles; those at 90° and 270° are alike but for the direction of the follower, which does not matter to speeds.
 #[test]
 fn a_turn_of_a_cam() {

@@ -13,7 +13,7 @@ struct Names {
 }
 
 /// Written as [`fold`] writes them.
-const NAMES: [Names; 12] = [
+const NAMES: [Names; 15] = [
     Names {
         own: "pressure",
         others: &[
@@ -259,6 +259,53 @@ const NAMES: [Names; 12] = [
             "traktionsbeiwert",
         ],
         symbols: &["mu", "µ"],
+        open: &[],
+    },
+    Names {
+        own: "time",
+        others: &[
+            "elapsed time",
+            "time elapsed",
+            "elapsed",
+            "timestamp",
+            "zeit",
+            "messzeit",
+            "laufzeit",
+        ],
+        symbols: &["t"],
+        open: &[],
+    },
+    Names {
+        own: "angle",
+        others: &[
+            "cam angle",
+            "camshaft angle",
+            "cam rotation",
+            "rotation",
+            "winkel",
+            "drehwinkel",
+            "nockenwinkel",
+            "nockenwellenwinkel",
+        ],
+        symbols: &["theta", "ϑ", "θ", "phi", "φ"],
+        open: &[],
+    },
+    Names {
+        own: "lift",
+        others: &[
+            "valve lift",
+            "cam lift",
+            "follower lift",
+            "tappet lift",
+            "lifter rise",
+            "displacement",
+            "follower displacement",
+            "hub",
+            "ventilhub",
+            "nockenhub",
+            "stoesselhub",
+        ],
+        symbols: &["s", "h"],
         open: &[],
     },
 ];

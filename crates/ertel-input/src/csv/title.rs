@@ -288,11 +288,11 @@ impl Title {
     }
 }
 
-/// Whether a title, whatever its name, has a unit of a dimension.
-pub(super) fn has_unit(title: &str, dimension: Dimension) -> bool {
-    readings(title).iter().any(|reading| {
+/// The unit of a dimension that a title has, whatever its name.
+pub(super) fn unit_with(title: &str, dimension: Dimension) -> Option<NamedUnit> {
+    readings(title).iter().find_map(|reading| {
         let unit = unit_of(&reading.unit);
-        unit.is_some_and(|unit| unit.unit.dimension().same_exponents(dimension))
+        unit.filter(|unit| unit.unit.dimension().same_exponents(dimension))
     })
 }
 

@@ -157,7 +157,7 @@ rows! {
             at `end`; a sine about the value of the case; another value after an instant";
         times: Quantities(&[D::TIME]) => "increasing times of a table, from 0 to the end of the duration at least";
         values: List => "the values at these times";
-        file: Text => "a CSV file with the columns `time` and `value` and their units, in place of both lists";
+        file: Text => "a CSV file with a column of the time and one of the quantity (or `value`) with their units, in place of both lists";
         interpolation: Choice(&["linear", "smooth"]), default "linear" => r"`smooth`: cubics through the rows of a table that make no new extremum. A straight line has a
             kink at each row, after which steps begin short";
         start: TIME => "when a ramp or a sine begins; 0 if absent";

@@ -163,7 +163,7 @@ rows! {
         pinion_bore_diameter, wheel_bore_diameter: LENGTH, usual [RADII] => "of the rings that teeth as beams stand on";
         points: Count => "equally spaced points of a path, with B, C and D besides; optional, 30";
         folders: Switch => "of a path: whether each contact has a folder of its results; optional";
-        bulk_temperature: TEMPERATURE => "of the teeth, with `[thermal]` in the contacts, too, unless that gives `body_1_temperature` and `body_2_temperature`; optional, that of the lubricant";
+        bulk_temperature: TEMPERATURE => "of the teeth and, as oil on them has taken it, of the oil that enters the contacts; with `[thermal]` of both bodies, unless that gives `body_1_temperature` and `body_2_temperature`; optional, that of the lubricant";
         scuffing_temperature: TEMPERATURE => "contact temperature at which teeth scuff with this oil; optional, for a safety";
         permissible_lambda: Number => "specific film λ_GFP without micropitting; optional, for a safety";
         pinion_ra, wheel_ra: LENGTH => "roughness Ra of the flanks; optional, for specific films and models of friction";
@@ -205,7 +205,7 @@ rows! {
         pinion_bore_diameter, wheel_bore_diameter: LENGTH, usual [RADII] => "of the rings that teeth as beams stand on";
         points: Count => "equally spaced points of a path, with B, C and D besides; optional, 30";
         folders: Switch => "of a path: whether each contact has a folder of its results; optional";
-        bulk_temperature: TEMPERATURE => "of the teeth, with `[thermal]` in the contacts, too, unless that gives `body_1_temperature` and `body_2_temperature`; optional, that of the lubricant";
+        bulk_temperature: TEMPERATURE => "of the teeth and, as oil on them has taken it, of the oil that enters the contacts; with `[thermal]` of both bodies, unless that gives `body_1_temperature` and `body_2_temperature`; optional, that of the lubricant";
         scuffing_temperature: TEMPERATURE => "contact temperature at which teeth scuff with this oil; optional, for a safety";
         permissible_lambda: Number => "specific film λ_GFP without micropitting; optional, for a safety";
         pinion_ra, wheel_ra: LENGTH => "roughness Ra of the flanks; optional, for specific films and models of friction";
@@ -227,8 +227,8 @@ rows! {
         top_dwell: ANGLE => "angle at full lift; optional, 0";
         return: Table(PART) => "the return; optional, as the rise. The rest of the turn is the base circle";
         lobes: Count => "in place of `rise`: harmonic lobes, s = (h/2)(1 − cos nθ)";
-        lift_table: Text => "in place of these: a CSV table with the columns `angle` and `lift`, each with its unit";
-        lift_tolerance: LENGTH => "by which the lifts of a table may be smoothed, as they are rounded; optional";
+        lift_table: Text => "in place of these: a CSV table with a column of the angle and one of the lift, each with its unit";
+        lift_tolerance: LENGTH => "root mean square of the errors of the lifts, by which they are smoothed; optional, that of rounding the last digit";
         eccentricity: LENGTH => "in place of these: a disc on an axis beside its centre, s = e cos θ";
         follower: Choice(&["flat", "roller", "curved", "finger"]) => "kind of the follower";
         follower_radius: LENGTH, usual [RADII] => "of a roller, a curved face, or the face of a finger";

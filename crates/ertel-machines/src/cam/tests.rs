@@ -427,3 +427,76 @@ fn refusals() {
     };
     assert!(cam.turn(&wide, 10).is_err());
 }
+
+/// Lifts rounded on paper, in mm and inch: the bar of s'' holds the closed form at every angle, and is far below what a law through all lifts is off by.
+#[test]
+fn bars_of_rounded_tables_hold_the_closed_form() {
+    const INCH: f64 = 25.4e-3;
+    let moved = |law| {
+        let part = |angle: f64, lift| Segment::Move {
+            angle: angle.to_radians(),
+            lift,
+            law,
+        };
+        let angle = 140_f64.to_radians();
+        let parts = vec![
+            part(110.0, 8e-3),
+            part(110.0, -8e-3),
+            Segment::Dwell { angle },
+        ];
+        LiftLaw::segments(parts).expect("a law")
+    };
+    let laws = [
+        LiftLaw::Eccentric { eccentricity: 5e-3 },
+        LiftLaw::Harmonic {
+            lift: 6e-3,
+            lobes: 2,
+        },
+        moved(MotionLaw::Polynomial345),
+        moved(MotionLaw::Polynomial4567),
+        moved(MotionLaw::Cycloidal),
+    ];
+    let places: Vec<f64> = (0..2000).map(|i| TAU * f64::from(i) / 2000.0).collect();
+    for exact in &laws {
+        for (digit, n) in [
+            (1e-3 * INCH, 180_i32),
+            (1e-4 * INCH, 360),
+            (1e-5, 720),
+            (1e-6, 360),
+        ] {
+            let angles: Vec<f64> = (0..n).map(|i| TAU * f64::from(i) / f64::from(n)).collect();
+            let lifts: Vec<f64> = (angles.iter())
+                .map(|angle| digit * (exact.at(*angle)[0] / digit).round())
+                .collect();
+            let law = LiftLaw::rounded_table(&angles, &lifts, digit, None).expect("a law");
+            let through = LiftLaw::rounded_table(&angles, &lifts, digit, Some(0.0)).expect("a law");
+            let mut largest = [0.0_f64; 2];
+            for angle in &places {
+                let right = exact.at(*angle)[2];
+                let off = |law: &LiftLaw| (law.at(*angle)[2] - right).abs();
+                let bar = law.acceleration_bar(*angle);
+                assert!(off(&law) <= bar, "{exact:?} {digit} {n} {angle}");
+                largest = [largest[0].max(bar), largest[1].max(off(&through))];
+            }
+            assert!(
+                largest[0] < 0.5 * largest[1],
+                "{exact:?} {digit} {n} {largest:?}"
+            );
+        }
+    }
+}
+
+/// By hand: s'' = −e cos θ = −4 mm at the nose of a flat-faced eccentric of r_b = 18 mm, off by 2 mm, changes R = r_b + s + s'' by as much.
+#[test]
+fn bars_of_contacts_follow_those_of_lifts() {
+    let angles: Vec<f64> = (0..90).map(|i| TAU * f64::from(i) / 90.0).collect();
+    let rounded = |angle: &f64| 1e-4 * (40.0 * angle.cos()).round();
+    let lifts: Vec<f64> = angles.iter().map(rounded).collect();
+    let law = LiftLaw::rounded_table(&angles, &lifts, 1e-4, None).expect("a law");
+    let bar = law.acceleration_bar(0.0);
+    let cam = Cam::new(law, Follower::Flat, 18e-3).expect("a cam");
+    let bars = cam.bars(&operation(150.0), 0.0);
+    assert!(bar > 0.0);
+    assert_eq!(bars.lift_acceleration, bar);
+    assert_relative_eq!(bars.reduced_radius, bar, max_relative = 1e-9);
+}

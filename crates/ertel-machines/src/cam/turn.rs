@@ -83,6 +83,19 @@ pub struct CamPoint {
     pub contact_lost: bool,
 }
 
+/// Bars of a contact whose lift is that of a table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CamBars {
+    /// Of s'', m.
+    pub lift_acceleration: f64,
+    /// Of the reduced radius, m.
+    pub reduced_radius: f64,
+    /// Of the largest Hertz pressure, Pa.
+    pub hertz_pressure: f64,
+    /// Of the entrainment speed, m/s.
+    pub entrainment_speed: f64,
+}
+
 impl CamPoint {
     /// The line contact of this angle, x being along the motion; `None` where contact is lost or the cam undercut.
     pub fn line_contact(&self) -> Option<Contact> {
@@ -183,8 +196,49 @@ impl Cam {
             .collect())
     }
 
-    fn contact(&self, operation: &CamOperation, angle: f64) -> CamPoint {
+    /// By how much figures of the contact at the angle θ (rad) may be off, as s'' of a table of lifts is.
+    pub fn bars(&self, operation: &CamOperation, angle: f64) -> CamBars {
         let lift = self.law.at(angle);
+        let bar = self.law.acceleration_bar(angle);
+        let own = self.contact_with(operation, angle, lift);
+        let sides = [-bar, bar]
+            .map(|by| self.contact_with(operation, angle, [lift[0], lift[1], lift[2] + by]));
+        let off = |of: fn(&CamPoint) -> f64| {
+            let each = sides.iter().map(|side| (of(side) - of(&own)).abs());
+            each.fold(0.0, f64::max)
+        };
+        CamBars {
+            lift_acceleration: bar,
+            reduced_radius: off(|point| point.reduced_radius),
+            hertz_pressure: off(|point| point.hertz_pressure),
+            entrainment_speed: off(|point| point.entrainment_speed),
+        }
+    }
+
+    /// By how much the angle (rad) of a reversal may be off: as far as the entrainment speed stays within its bar, half a turn at most.
+    pub fn reversal_bar(&self, operation: &CamOperation, reversal: f64) -> f64 {
+        const STEPS: usize = 3600;
+        let is_open = |angle: f64| {
+            let bar = self.bars(operation, angle).entrainment_speed;
+            self.contact(operation, angle).entrainment_speed.abs() < bar
+        };
+        let far = |sign: f64| {
+            let step = |n: usize| n as f64 * TAU / STEPS as f64;
+            let end = (1..STEPS / 2).find(|n| !is_open(reversal + sign * step(*n)));
+            step(end.unwrap_or(STEPS / 2))
+        };
+        match self.law.acceleration_bar(reversal) > 0.0 {
+            true => far(-1.0).max(far(1.0)),
+            false => 0.0,
+        }
+    }
+
+    fn contact(&self, operation: &CamOperation, angle: f64) -> CamPoint {
+        self.contact_with(operation, angle, self.law.at(angle))
+    }
+
+    /// The contact where the lift and its derivatives are these.
+    fn contact_with(&self, operation: &CamOperation, angle: f64, lift: [f64; 3]) -> CamPoint {
         let place = self.follower.place(self.base_radius, lift);
         let [u_1, u_2] = place.speeds.map(|speed| operation.speed * speed);
         let entrainment_speed = 0.5 * (u_1 + u_2);

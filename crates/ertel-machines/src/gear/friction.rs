@@ -1,12 +1,12 @@
 //! Mean coefficients of friction of gear meshes.
 
-/// Mean coefficient of friction of a mesh after Schlenk, of the load w on the shortest contact lines (N/m), the sum of the surface speeds at the pitch
-/// point v_ΣC (m/s), the reduced radius there in the transverse section R_C (m), the viscosity η at the oil temperature (Pa·s), the mean
+/// Mean coefficient of friction of a mesh after Schlenk, of the load per face width w = F_bt/b (N/m), the sum of the surface speeds at the pitch
+/// point v_ΣC (m/s), the reduced radius there in the transverse section ρ_C (m), the viscosity η at the oil temperature (Pa·s), the mean
 /// roughness Ra = (Ra_1 + Ra_2)/2 (m) and the oil factor X_L.
 ///
-/// μ_mz = 0.048 [w/(v_ΣC R_C)]^0.2 η^−0.05 Ra^0.25 X_L
+/// μ_mz = 0.048 [w/(v_ΣC ρ_C)]^0.2 η^−0.05 Ra^0.25 X_L,  w = F_bt/b
 ///
-/// with N/mm, m/s, mm, mPa·s and µm. Source: Schlenk 1994, the constants as in GEARpie (C. Fernandes), where w = F_bt/cos β_b/l_min.
+/// with N/mm, m/s, mm, mPa·s and µm. Source: Schlenk 1994, in Niemann and Winter, Maschinenelemente II, and ISO/TR 14179-2.
 pub fn schlenk(
     load_per_length: f64,
     sum_speed: f64,

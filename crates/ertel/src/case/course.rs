@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ertel_input::csv::{CsvError, CsvTable};
+use ertel_input::csv::{CsvError, CsvTable, Wanted};
 use ertel_input::file::{LARGEST_TABLE, read_text};
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
@@ -59,7 +59,7 @@ impl Reader<'_, '_> {
         };
         let value = |table: &mut Table<'_>, key: &str| quantity(table, key, dimension, bounds);
         let course = match kind {
-            Kind::Table => self.rows(&mut table, dimension, bounds)?,
+            Kind::Table => self.rows(&mut table, key, dimension, bounds)?,
             Kind::Ramp => {
                 let start = time(&mut table, "start")?.unwrap_or(0.0);
                 let end = table.required_quantity("end", Dimension::TIME, Bounds::POSITIVE)?;
@@ -129,11 +129,15 @@ impl Reader<'_, '_> {
     fn rows(
         &self,
         table: &mut Table<'_>,
+        quantity: &str,
         dimension: Dimension,
         bounds: Bounds,
     ) -> Result<Course, InputError> {
         let (key, rows) = match table.optional_str("file")? {
-            Some(file) => ("file", self.rows_of_file(table, file, dimension, bounds)?),
+            Some(file) => (
+                "file",
+                self.rows_of_file(table, (file, quantity), dimension, bounds)?,
+            ),
             None => {
                 let any = Bounds::closed(0.0, f64::MAX);
                 let times = table.required_quantities("times", Dimension::TIME, any)?;
@@ -176,7 +180,7 @@ impl Reader<'_, '_> {
     fn rows_of_file(
         &self,
         table: &Table<'_>,
-        file: &str,
+        (file, quantity): (&str, &str),
         dimension: Dimension,
         bounds: Bounds,
     ) -> Result<Vec<[f64; 2]>, InputError> {
@@ -184,28 +188,47 @@ impl Reader<'_, '_> {
         let fail = |text: String| table.error("file", text);
         let text = read_text(&path, LARGEST_TABLE)
             .map_err(|error| fail(format!("{} {error}", path.display())))?;
-        rows_of(file, &text, dimension, bounds).map_err(|error| {
-            fail(error.to_string()).with_help(
-                "a file has the columns `time` and `value` with their units, such as \"time (ms)\" and \"value (m/s)\"",
-            )
+        rows_of((file, quantity), &text, dimension, bounds).map_err(|error| {
+            let help = format!(
+                "a file has a column of the time and one of the values with their units, such as \"time (ms)\" and \"{} ({})\"",
+                quantity.replace('_', " "),
+                dimension.si_unit()
+            );
+            fail(error.to_string()).with_help(help.replace(" ()", ""))
         })
     }
 }
 
+/// Names by which the column of a quantity of `[transient]` is known, besides `value`.
+const COLUMNS: [(&str, &str); 8] = [
+    ("entrainment_speed", "entrainment speed"),
+    ("slide_to_roll_ratio", "slide to roll ratio"),
+    ("load", "load"),
+    ("temperature", "temperature"),
+    ("radius", "radius"),
+    ("oil_layer", "oil layer"),
+    ("body_1_speed", "body 1 speed"),
+    ("body_2_speed", "body 2 speed"),
+];
+
 /// Times and values of a CSV file.
 fn rows_of(
-    file: &str,
+    (file, quantity): (&str, &str),
     text: &str,
     dimension: Dimension,
     bounds: Bounds,
 ) -> Result<Vec<[f64; 2]>, CsvError> {
-    let csv = CsvTable::parse(file, text)?;
-    let column = |name: &'static str, dimension| {
-        csv.find_with_unit(name, dimension)?
-            .ok_or_else(|| csv.error(csv.header(), 0, format!("there is no column `{name}`")))
+    let own = COLUMNS.iter().find(|(key, _)| *key == quantity);
+    let names = [own.map_or("value", |(_, name)| *name), "value"];
+    let time = Wanted {
+        names: &["time"],
+        dimension: Dimension::TIME,
     };
-    let time = column("time", Dimension::TIME)?;
-    let value = column("value", dimension)?;
+    let value = Wanted {
+        names: &names,
+        dimension,
+    };
+    let (csv, [time, value]) = CsvTable::series(file, text, [time, value])?;
     let mut rows = Vec::new();
     for row in csv.rows() {
         let [t, v] = [

@@ -130,8 +130,11 @@ pub struct CaseEcho {
     pub asperities: Option<Asperities>,
     /// Lubricant.
     pub fluid: FluidEcho,
-    /// Temperature, K.
+    /// Temperature with which the lubricant enters the contact, K.
     pub temperature: f64,
+    /// Temperature at which it is supplied, K, where the contact has another one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub supply_temperature: Option<f64>,
     /// Mesh settings.
     pub mesh: MeshParams,
     /// Solver settings.

@@ -52,6 +52,7 @@ impl Case {
                 estimates: lubricant.estimates.iter().map(estimate).collect(),
             },
             temperature,
+            supply_temperature: lubricant.supply_temperature,
             mesh: self.mesh.clone(),
             solver: self.solver.clone(),
             thermal: self.thermal_echo(),

@@ -33,8 +33,10 @@ const SAME_TEMPERATURE: f64 = 0.5;
 pub struct Lubricant {
     /// Name in the database, file of the user, or the parts of a blend; `None` for laws written in the case file.
     pub name: Option<String>,
-    /// Temperature, K.
+    /// Temperature with which the lubricant enters the contact, K.
     pub temperature: f64,
+    /// Temperature at which it is supplied, K, where the contact has another one: the bulk temperature of the teeth.
+    pub supply_temperature: Option<f64>,
     /// Density law.
     pub density: DensityLaw,
     /// Law of the viscosity at low shear.
@@ -67,6 +69,11 @@ impl Lubricant {
                 .any(|part| key.starts_with(part))
         };
         self.estimates.iter().any(|datum| !by_kind(&datum.key))
+    }
+
+    /// Temperature of the oil in the sump or the jet, K.
+    pub fn oil_temperature(&self) -> f64 {
+        self.supply_temperature.unwrap_or(self.temperature)
     }
 
     /// Density at ambient pressure, kg/m³.
@@ -117,6 +124,12 @@ impl Lubricant {
         if keys.iter().any(is_viscosity) {
             return None;
         }
+        if self.supply_temperature.is_some() {
+            let text = format!(
+                "`{temperature}` {how}, but films are those at the temperature of the teeth, `machine.bulk_temperature`: they stay the same"
+            );
+            return Some(Warning::new(WarningKind::TemperatureIgnored, text));
+        }
         let reason = self.no_temperature()?;
         let text = format!(
             "`{temperature}` {how}, but {reason}: the film is the same at any temperature; {OILS_WITH_TEMPERATURE}"
@@ -130,15 +143,25 @@ impl Lubricant {
     }
 }
 
+/// What the contact demands of its lubricant.
+#[derive(Clone, Copy)]
+pub(super) struct Conditions {
+    /// Hertz pressure, Pa.
+    pub pressure: f64,
+    /// Whether heat counts.
+    pub heat: bool,
+    /// Temperature of the flanks, K, where a machine states it: oil on them has taken it before it enters the contact.
+    pub flank_temperature: Option<f64>,
+}
+
 /// Reads the lubricant at the top level: a name with a top-level `temperature`, or a table.
 ///
-/// Files that it names are in `folder`. `pressure` is the Hertz pressure, Pa. Returns the warnings about the range of the data, too, with that of the thermal
-/// data where there is `heat`.
+/// Files that it names are in `folder`. `conditions` are those of the contact. Returns the warnings about the range of the data, too, with that of the thermal
+/// data where there is heat.
 pub(super) fn read(
     root: &mut Table<'_>,
     folder: &Path,
-    pressure: f64,
-    heat: bool,
+    conditions: Conditions,
 ) -> Result<(Lubricant, Vec<Warning>), InputError> {
     let lubricant = root.required_str_or_table("lubricant");
     let lubricant =
@@ -147,7 +170,7 @@ pub(super) fn read(
         StrOrTable::Str(name) => {
             let mut fluid = database::fluid_or_file(name, folder, root.recorder("lubricant"))
                 .map_err(super::unknown(root, "lubricant"))?;
-            if heat {
+            if conditions.heat {
                 fluid.estimate_heat(root, "lubricant")?;
             }
             let temperature = root
@@ -160,8 +183,7 @@ pub(super) fn read(
                 ("lubricant", Some(name)),
                 fluid,
                 temperature,
-                pressure,
-                heat,
+                conditions,
             )
         }
         StrOrTable::Table(mut table) => {
@@ -205,7 +227,7 @@ pub(super) fn read(
                     ("viscosity", None, fluid)
                 }
             };
-            if heat {
+            if conditions.heat {
                 fluid.estimate_heat(&table, "")?;
             }
             let lubricant = check(
@@ -213,8 +235,7 @@ pub(super) fn read(
                 (key, name.as_deref()),
                 fluid,
                 temperature,
-                pressure,
-                heat,
+                conditions,
             )?;
             table.finish()?;
             Ok(lubricant)
@@ -227,10 +248,11 @@ fn check(
     table: &Table<'_>,
     (key, name): (&str, Option<&str>),
     fluid: Fluid,
-    temperature: f64,
-    pressure: f64,
-    heat: bool,
+    supplied: f64,
+    conditions: Conditions,
 ) -> Result<(Lubricant, Vec<Warning>), InputError> {
+    let Conditions { pressure, heat, .. } = conditions;
+    let temperature = conditions.flank_temperature.unwrap_or(supplied);
     let density = fluid
         .density_law()
         .map_err(|error| table.error(key, error.to_string()))?
@@ -247,6 +269,7 @@ fn check(
     let lubricant = Lubricant {
         name: name.map(str::to_owned),
         temperature,
+        supply_temperature: conditions.flank_temperature.map(|_| supplied),
         density,
         viscosity: fluid.viscosity,
         shear_thinning: fluid.shear_thinning,
@@ -302,6 +325,23 @@ fn check(
     let out_of_range = warnings
         .iter()
         .any(|w| w.kind == WarningKind::TemperatureRange);
+    if let (Some(flank), Some(reason)) = (conditions.flank_temperature, lubricant.no_temperature())
+        && (flank - supplied).abs() > SAME_TEMPERATURE
+    {
+        let text = format!(
+            "films should be those at the {:.2} °C of the teeth, but {reason}, and those of its constants are found, which for an oil of {:.2} °C are too thick: \
+             {OILS_WITH_TEMPERATURE}",
+            flank - 273.15,
+            supplied - 273.15
+        );
+        let distance = (flank - supplied).abs();
+        warnings.push(Warning::beyond(
+            WarningKind::TemperatureIgnored,
+            distance,
+            text,
+        ));
+        return Ok((lubricant, warnings));
+    }
     if let (Some(holds_at), Some(reason), false) = (
         reference_temperature,
         lubricant.no_temperature(),

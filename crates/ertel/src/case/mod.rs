@@ -279,7 +279,15 @@ impl Case {
             thermal.body_2_temperature.get_or_insert(bulk);
         }
         let heat = thermal.is_some() && !solver.isothermal;
-        let (lubricant, range_warnings) = lubricant::read(&mut root, folder, hertz.pressure, heat)?;
+        let (lubricant, range_warnings) = lubricant::read(
+            &mut root,
+            folder,
+            lubricant::Conditions {
+                pressure: hertz.pressure,
+                heat,
+                flank_temperature: bulk_temperature,
+            },
+        )?;
         let mesh_table = root.optional_table("mesh")?;
         let mesh = match mesh_table.clone() {
             Some(table) => params::read_mesh(table, &contact, solver.error_estimate)?,

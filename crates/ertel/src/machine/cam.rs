@@ -45,12 +45,16 @@ fn mechanics(cam: &CamMechanics) -> Vec<MachineFigure> {
         false => best,
     });
     if let Some(highest) = highest {
-        figures.push(figure(
+        let bar = (cam.cam.bars(&cam.operation, highest.angle)).hertz_pressure;
+        let mut pressure = figure(
             "hertz_pressure_maximum",
             "largest Hertz pressure",
             highest.hertz_pressure,
             "Pa",
-        ));
+        );
+        // Of a table of lifts, by its digits.
+        pressure.estimate.error = (bar > 0.0).then_some(bar);
+        figures.push(pressure);
         figures.push(figure(
             "hertz_pressure_maximum_angle",
             "at the angle of the cam",
@@ -58,6 +62,13 @@ fn mechanics(cam: &CamMechanics) -> Vec<MachineFigure> {
             "rad",
         ));
     }
+    let angles = cam.points.iter().map(|point| point.pressure_angle.abs());
+    figures.push(figure(
+        "pressure_angle_maximum",
+        "largest pressure angle",
+        angles.fold(0.0, f64::max),
+        "rad",
+    ));
     let torque = |point: &CamPoint| point.force.max(0.0) * point.lift_velocity;
     let torques = cam.points.iter().map(|point| torque(point).abs());
     figures.push(MachineFigure {

@@ -4,7 +4,7 @@
 //!   P = (1/p_bt) ∫ (p/cos β_b) b ds               p: friction power per length of the solved contacts (W/m), over the path of contact
 //!   p = µ w |u_2 − u_1| + f u_m                   sliding, and what both walls of the film resist at equal speeds
 //!   µ_m = ∫ µ w |u_2 − u_1| ds/∫ w |u_2 − u_1| ds
-//!   Θ = Θ_M + max Θ_fl(µ(s))                      Θ_fl: Blok
+//!   Θ = Θ_M + max Θ_fl                            Θ_fl: of the solved flanks, without heat Blok's by µ(s)
 //! ```
 //!
 //! µ and f are linear between the contacts that are solved, while loads and speeds are those of each place: they jump where a pair of teeth
@@ -229,16 +229,16 @@ fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec
             "",
             match (gears.limits.oil_factor, source) {
                 (Some(_), RoughnessFrom::Gears) => {
-                    "Schlenk 1994, a fit to tests, from the Ra and the oil factor X_L given"
+                    "Schlenk 1994, a fit to tests, with w = F_bt/b, from the Ra and the oil factor X_L given"
                 }
                 (None, RoughnessFrom::Gears) => {
-                    "Schlenk 1994, a fit to tests, from the Ra given and the oil factor X_L = 1 of mineral oils"
+                    "Schlenk 1994, a fit to tests, with w = F_bt/b, from the Ra given and the oil factor X_L = 1 of mineral oils"
                 }
                 (Some(_), RoughnessFrom::Composite) => {
-                    "Schlenk 1994, a fit to tests, of surfaces alike: Ra = σ/(1.25 √2), and the oil factor X_L given"
+                    "Schlenk 1994, a fit to tests, with w = F_bt/b, of surfaces alike: Ra = σ/(1.25 √2), and the oil factor X_L given"
                 }
                 (None, RoughnessFrom::Composite) => {
-                    "Schlenk 1994, a fit to tests, of surfaces alike: Ra = σ/(1.25 √2), and the oil factor X_L = 1 of mineral oils"
+                    "Schlenk 1994, a fit to tests, with w = F_bt/b, of surfaces alike: Ra = σ/(1.25 √2), and the oil factor X_L = 1 of mineral oils"
                 }
             },
         ));
@@ -358,21 +358,16 @@ fn roughness(case: &Case, gears: &GearMechanics) -> Option<([f64; 2], RoughnessF
     (ra > 0.0).then_some(([ra; 2], RoughnessFrom::Composite))
 }
 
-/// [`schlenk`] with the load on the shortest contact lines.
+/// [`schlenk`] at the temperature of the oil.
 fn schlenk_coefficient(case: &Case, gears: &GearMechanics, roughness: f64) -> f64 {
     let (pair, operation) = (&gears.pair, &gears.operation);
-    let shortest = gears.path.iter().map(|point| point.line_length);
-    let shortest = shortest.fold(f64::INFINITY, f64::min);
-    let force = operation.base_force(pair) / pair.base_helix_angle.cos();
     let [pinion, wheel] = operation.surface_speeds(pair, 0.0);
-    let radius = pair.reduced_radius(0.0) * pair.base_helix_angle.cos();
     let lubricant = &case.lubricant;
-    let viscosity = lubricant.viscosity.viscosity(0.0, lubricant.temperature);
     schlenk(
-        force / shortest,
+        operation.base_force(pair) / pair.face_width,
         pinion + wheel,
-        radius,
-        viscosity,
+        pair.reduced_radius(0.0) * pair.base_helix_angle.cos(),
+        (lubricant.viscosity).viscosity(0.0, lubricant.oil_temperature()),
         roughness,
         gears.limits.oil_factor.unwrap_or(1.0),
     )
@@ -390,97 +385,167 @@ fn thermal_body(body: &Body, temperature: f64) -> Option<ThermalBody> {
     })
 }
 
-/// Flash and contact temperatures, and safety against scuffing.
+/// Bulk, flash and contact temperatures, and safety against scuffing.
 fn temperatures(
     case: &Case,
     gears: &GearMechanics,
     solved: &MachineSolution,
 ) -> Vec<MachineFigure> {
-    let oil = case.lubricant.temperature;
-    let bulk = gears.limits.bulk_temperature.unwrap_or(oil);
-    let bodies = [&case.body_2, &case.body_1].map(|body| thermal_body(body, bulk));
-    let [Some(pinion), Some(wheel)] = bodies else {
-        return Vec::new();
+    let heat = case.heat().ok().flatten();
+    let given = gears.limits.bulk_temperature;
+    // The hotter of both gears where `[thermal]` gives them other temperatures.
+    let bulk = match &heat {
+        Some(heat) => heat.body_1.temperature.max(heat.body_2.temperature),
+        None => given.unwrap_or(case.lubricant.temperature),
     };
-    let mut at = Vec::new();
-    let mut flashes = Vec::new();
-    let mut bars = Vec::new();
-    for (i, point) in gears.path.iter().enumerate() {
-        let friction = (solved.of(i)).and_then(|p| figure_of(p, Figure::TractionCoefficient));
-        let Some(friction) = friction else { continue };
-        let rise = |mu: f64| {
-            let flash = point.flash(mu, [pinion, wheel], FlashMethod::AnySpeed);
-            flash.rise
-        };
-        at.push(point.position);
-        flashes.push(rise(friction.value.abs()));
-        bars.push(friction.error.map(rise));
-    }
-    let largest = (0..flashes.len()).max_by(|a, b| flashes[*a].total_cmp(&flashes[*b]));
-    let Some(hottest) = largest else {
-        return Vec::new();
-    };
-    let figure = |name, words, value, error, unit, section, source| MachineFigure {
+    let figure = |name, words, estimate, unit, source| MachineFigure {
         name,
         words,
-        estimate: Estimate { value, error },
+        estimate,
         unit,
-        section,
+        section: Section::Temperature,
         source,
     };
-    let (flash, bar) = (flashes[hottest], bars[hottest]);
-    let blok = "flash temperature: Blok 1937, from the solved friction, at the smooth-surface pressure of Hertz";
-    let at_bulk = match gears.limits.bulk_temperature {
-        Some(_) => "contact temperature: the bulk temperature given, and the flash temperature",
+    let of_films = match given {
+        Some(_) => "films and specific films are those at the bulk temperature of the teeth",
         None => {
-            "contact temperature: no `bulk_temperature` is given, and that of the lubricant is taken; teeth are hotter"
+            "no `bulk_temperature` is given, and that of the lubricant is taken: teeth are hotter, and films thinner"
         }
     };
-    let temperature = Section::Temperature;
-    let mut figures = vec![
+    let mut figures = vec![figure(
+        "bulk_temperature",
+        "bulk temperature of the teeth",
+        of_model(bulk),
+        "K",
+        of_films,
+    )];
+    let blok = blok_rises(case, gears, solved, bulk);
+    let of_flanks = heat.map(|_| solved_rises(gears, solved, bulk));
+    let is_solved = of_flanks.is_some();
+    let rises = of_flanks.as_ref().unwrap_or(&blok);
+    let Some((position, flash)) = hottest(rises) else {
+        return figures;
+    };
+    let over_bulk = |rise: Estimate| Estimate {
+        value: bulk + rise.value,
+        ..rise
+    };
+    const BLOK: &str = "flash temperature: Blok 1937, from the solved friction, at the smooth-surface pressure of Hertz";
+    let source = match is_solved {
+        true => "flash temperature: of the solved flanks, above the bulk temperature",
+        false => BLOK,
+    };
+    figures.extend([
         figure(
             "flash_temperature",
             "largest flash temperature (rise)",
             flash,
-            bar,
             "K",
-            temperature,
-            blok,
+            source,
         ),
         figure(
             "flash_temperature_position",
             "at the distance from the pitch point",
-            at[hottest],
-            None,
+            of_model(position),
             "m",
-            temperature,
             "",
         ),
         figure(
             "contact_temperature",
             "largest contact temperature",
-            bulk + flash,
-            bar,
+            over_bulk(flash),
             "K",
-            temperature,
-            at_bulk,
+            "contact temperature: bulk temperature and flash temperature",
         ),
-    ];
-    if let Some(limit) = gears.limits.scuffing_temperature {
-        // Without heat, or an oil as hot as the limit, there is no safety to tell.
-        if let Ok(found) = scuffing(&flashes, bulk, oil, limit) {
-            figures.push(figure(
-                "scuffing_safety",
-                "safety against scuffing S_B",
-                found.safety,
-                None,
+    ]);
+    if let Some((_, flash)) = hottest(&blok).filter(|_| is_solved) {
+        figures.extend([
+            figure(
+                "flash_temperature_blok",
+                "flash temperature after Blok, to compare",
+                flash,
+                "K",
+                BLOK,
+            ),
+            figure(
+                "contact_temperature_blok",
+                "contact temperature after Blok, to compare",
+                over_bulk(flash),
+                "K",
                 "",
-                Section::Safety,
-                "S_B = (Θ_S − Θ_oil)/(Θ_B,max − Θ_oil): ISO/TS 6336-20",
-            ));
-        }
+            ),
+        ]);
     }
+    figures.extend(scuffing_safety(case, gears, rises, bulk));
     figures
+}
+
+/// Rises of temperature with the places of their contacts, m.
+type Rises = Vec<(f64, Estimate)>;
+
+/// The largest of them.
+fn hottest(rises: &Rises) -> Option<(f64, Estimate)> {
+    (rises.iter().copied()).max_by(|a, b| a.1.value.total_cmp(&b.1.value))
+}
+
+/// Flash temperatures after Blok from the solved friction, of teeth at the temperature `bulk` (K); none where a body lacks its thermal data.
+fn blok_rises(case: &Case, gears: &GearMechanics, solved: &MachineSolution, bulk: f64) -> Rises {
+    let bodies = [&case.body_2, &case.body_1].map(|body| thermal_body(body, bulk));
+    let [Some(pinion), Some(wheel)] = bodies else {
+        return Vec::new();
+    };
+    let of = |(i, point): (usize, &PathPoint)| {
+        let friction = figure_of(solved.of(i)?, Figure::TractionCoefficient)?;
+        let rise = |mu| {
+            let flash = point.flash(mu, [pinion, wheel], FlashMethod::AnySpeed);
+            flash.rise
+        };
+        let rise = Estimate {
+            value: rise(friction.value.abs()),
+            error: friction.error.map(rise),
+        };
+        Some((point.position, rise))
+    };
+    gears.path.iter().enumerate().filter_map(of).collect()
+}
+
+/// By how much the hotter of both solved flanks exceeds the temperature `bulk` (K).
+fn solved_rises(gears: &GearMechanics, solved: &MachineSolution, bulk: f64) -> Rises {
+    let of = |(i, point): (usize, &PathPoint)| {
+        let own = solved.of(i)?;
+        let flanks = [
+            Figure::TemperatureBody1Maximum,
+            Figure::TemperatureBody2Maximum,
+        ];
+        let flanks = flanks.into_iter().filter_map(|flank| figure_of(own, flank));
+        let hotter = flanks.max_by(|a, b| a.value.total_cmp(&b.value))?;
+        let rise = Estimate {
+            value: (hotter.value - bulk).max(0.0),
+            ..hotter
+        };
+        Some((point.position, rise))
+    };
+    gears.path.iter().enumerate().filter_map(of).collect()
+}
+
+/// S_B where the file gives the scuffing temperature; without heat, or an oil as hot as the limit, there is no safety to give.
+fn scuffing_safety(
+    case: &Case,
+    gears: &GearMechanics,
+    rises: &Rises,
+    bulk: f64,
+) -> Option<MachineFigure> {
+    let limit = gears.limits.scuffing_temperature?;
+    let flashes: Vec<f64> = rises.iter().map(|(_, rise)| rise.value).collect();
+    let found = scuffing(&flashes, bulk, case.lubricant.oil_temperature(), limit).ok()?;
+    Some(MachineFigure {
+        name: "scuffing_safety",
+        words: "safety against scuffing S_B",
+        estimate: of_model(found.safety),
+        unit: "",
+        section: Section::Safety,
+        source: "S_B = (Θ_S − Θ_oil)/(Θ_B,max − Θ_oil): ISO/TS 6336-20",
+    })
 }
 
 /// Specific film and safety against micropitting.
@@ -535,4 +600,50 @@ fn specific_film(
         ));
     }
     figures
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use approx::assert_relative_eq;
+    use ertel_input::Document;
+
+    use super::*;
+    use crate::case::Mechanics;
+
+    /// By hand for 20 and 40 teeth, m_n = 4 mm, β = 15°: F_bt = 6451.40 N over b = 50 mm, v_ΣC = 4.58731 m/s, ρ_C = 9.73457 mm; with 17 mPa·s and Ra = 0.4 µm Schlenk's
+    /// friction is 0.048 (129.028/(4.58731 · 9.73457))^0.2 17^−0.05 0.4^0.25 = 0.04096.
+    #[test]
+    fn schlenk_of_helical_teeth() {
+        let text = r#"
+[machine]
+kind = "helical-gear"
+normal_module = "4 mm"
+pinion_teeth = 20
+wheel_teeth = 40
+normal_pressure_angle = "20 deg"
+helix_angle = "15 deg"
+face_width = "50 mm"
+pinion_torque = "250 N.m"
+pinion_speed = "1500 rpm"
+position = "path"
+bulk_temperature = "90 degC"
+[bodies]
+body_1 = "steel"
+body_2 = "steel"
+[lubricant]
+temperature = "70 degC"
+density = { law = "constant", rho_0 = "870 kg/m^3" }
+viscosity = { law = "roelands", mu_0 = "17 mPa.s", alpha = "20 1/GPa", beta = "0.04 1/K", reference_temperature = "70 degC" }
+"#;
+        let document = Document::parse("gears.toml", text.to_owned()).unwrap();
+        let case = Case::from_document(&document, Path::new("")).unwrap();
+        let Mechanics::Gears(gears) = &case.whole.as_ref().unwrap().mechanics else {
+            panic!("gears")
+        };
+        // Of the oil, and not of the teeth.
+        let found = schlenk_coefficient(&case, gears, 0.4e-6);
+        assert_relative_eq!(found, 0.040_963, max_relative = 1e-4);
+    }
 }

@@ -25,7 +25,7 @@ pub fn estimate_report(case: &CaseEcho, estimate: &CaseEstimate) -> String {
     write_case(&mut out, case);
     write_contact(
         &mut out,
-        &estimate.hertz,
+        (&case.contact, &estimate.hertz),
         estimate.reduced_modulus,
         &estimate.groups,
         estimate.groups_asymptotic.as_ref(),

@@ -8,7 +8,8 @@ use super::lines::{Lines, NAME_WIDTH, Table};
 use super::results::write_section;
 use super::{heat, inputs, mixed, surfaces};
 use crate::case::CaseEcho;
-use crate::contact::{ContactKind, Groups, Hertz, Supply};
+use crate::contact::roller::Profile;
+use crate::contact::{Contact, ContactKind, Groups, Hertz, Supply};
 use crate::plausible::left_out::words;
 use crate::solution::{Balance, Estimate, Figure, FormulaFilm, Section, Solution, Timings};
 use crate::words::{digits, force, length, pressure};
@@ -24,7 +25,7 @@ pub fn report(case: &CaseEcho, solution: &Solution, folder: Option<&Path>) -> St
     write_case(&mut out, case);
     write_contact(
         &mut out,
-        &solution.hertz,
+        (&case.contact, &solution.hertz),
         solution.reduced_modulus,
         &solution.groups,
         solution.groups_asymptotic.as_ref(),
@@ -160,14 +161,18 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
         };
         out.row("shear thinning", format!("{law}{left_out}"));
     }
-    out.row(
-        "temperature",
-        format!(
-            "{} °C ({} K)",
-            digits(case.temperature - CELSIUS, 5),
-            digits(case.temperature, 6)
-        ),
-    );
+    let temperature = |kelvin: f64| {
+        let celsius = digits(kelvin - CELSIUS, 5);
+        format!("{celsius} °C ({} K)", digits(kelvin, 6))
+    };
+    match case.supply_temperature {
+        None => out.row("temperature", temperature(case.temperature)),
+        Some(supplied) => {
+            out.row("temperature of the oil", temperature(supplied));
+            let of_teeth = temperature(case.temperature) + ", that of the teeth";
+            out.row("temperature of the films", of_teeth);
+        }
+    }
     out.row("ambient viscosity", viscosity(fluid.viscosity));
     out.row(
         "ambient density",
@@ -223,14 +228,13 @@ fn estimate_in_words(key: &str) -> String {
 /// The dry contact and its groups; `groups_asymptotic` are those with α*, the modulus in Pa.
 pub(super) fn write_contact(
     out: &mut Lines,
-    hertz: &Hertz,
+    (contact, hertz): (&Contact, &Hertz),
     reduced_modulus: f64,
     g: &Groups,
     groups_asymptotic: Option<&Groups>,
 ) {
     out.heading("Dry contact (Hertz)");
-    out.row("half-width a", length(hertz.half_width));
-    out.row("largest pressure p_h", pressure(hertz.pressure));
+    write_hertz(out, contact, hertz, reduced_modulus);
     out.row("reduced modulus E'", pressure(reduced_modulus));
     out.heading("Dimensionless groups");
     out.row("Moes", moes(g));
@@ -246,6 +250,35 @@ pub(super) fn write_contact(
             digits(g.material, 4)
         ),
     );
+}
+
+/// Size and pressure of the dry contact: of a roller those of a line under its mean load per length, and those of its crown.
+pub(super) fn write_hertz(out: &mut Lines, contact: &Contact, hertz: &Hertz, reduced_modulus: f64) {
+    let of_line = match &contact.roller {
+        Some(_) => ", mean load per length",
+        None => "",
+    };
+    let row = |name: &str| format!("{name}{of_line}");
+    out.row(&row("half-width a"), length(hertz.half_width));
+    out.row(&row("largest pressure p_h"), pressure(hertz.pressure));
+    let Some(roller) = &contact.roller else {
+        return;
+    };
+    let Profile::Crown { crown_radius } = roller.profile else {
+        return;
+    };
+    let ellipse = Contact::elliptical([contact.radius, crown_radius], contact.load, 0.0);
+    let ellipse = Hertz::new(&ellipse, reduced_modulus);
+    // A crown whose contact ends before its length does.
+    let ends_before = (ellipse.half_width_y).is_some_and(|b| 2.0 * b < roller.length);
+    if ends_before && roller.misalignment == 0.0 {
+        let text = format!(
+            "{}, {} long",
+            pressure(ellipse.pressure),
+            length(2.0 * ellipse.half_width_y.unwrap_or_default())
+        );
+        out.row("largest pressure of the crown, an ellipse", text);
+    }
 }
 
 fn moes(groups: &Groups) -> String {

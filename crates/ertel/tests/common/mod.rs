@@ -56,6 +56,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
         lubricant: Lubricant {
             name: None,
             temperature: 313.15,
+            supply_temperature: None,
             density: DensityLaw::dowson_higginson(870.0).unwrap(),
             viscosity: ViscosityLaw::roelands(0.04, 22e-9).unwrap(),
             shear_thinning: None,

@@ -5,6 +5,7 @@ mod smoothing;
 mod spline;
 
 pub use segments::{MotionLaw, Segment};
+pub use smoothing::TableLift;
 pub use spline::PeriodicSpline;
 
 use std::f64::consts::TAU;
@@ -29,8 +30,8 @@ pub enum LiftLaw {
     },
     /// Dwells, rises and returns one after another, from θ = 0 and s = 0 on.
     Segments(Vec<Segment>),
-    /// A table of lifts, interpolated by a periodic spline.
-    Table(PeriodicSpline),
+    /// A table of lifts, by a periodic spline through or near it.
+    Table(Box<TableLift>),
 }
 
 impl LiftLaw {
@@ -44,34 +45,48 @@ impl LiftLaw {
         Ok(LiftLaw::Segments(segments))
     }
 
-    /// A law through a table of angles (rad) and lifts (m); the last row is not the first of the next turn.
+    /// A law through a table of angles (rad) and exact lifts (m); the last row is not the first of the next turn.
     ///
     /// # Errors
     ///
     /// Tables out of order or of unfit size.
     pub fn table(angles: &[f64], lifts: &[f64]) -> Result<LiftLaw, CamError> {
-        Ok(LiftLaw::Table(PeriodicSpline::new(angles, lifts, TAU)?))
+        LiftLaw::rounded_table(angles, lifts, 0.0, None)
     }
 
-    /// A smooth law near a table whose lifts have errors, such as of rounding, of the root mean square `tolerance` (m).
+    /// A law of a table whose lifts are rounded to a multiple of `digit` (m), the unit of their last digit, or have errors of the root mean square
+    /// `tolerance` (m), which is that of rounding if absent: `digit`/√12.
     ///
-    /// Errors of a table grow by about 4/Δθ² in s'': lifts that are rounded to 1 µm at each degree make s'' uncertain by several mm if the law goes through all of them.
+    /// Errors of a table grow by about 4/Δθ² in s'': lifts that are rounded to 1 µm at each degree make s'' uncertain by several mm if the law goes through all of
+    /// them. Where that counts the law is the smoothest one with these errors; a tolerance of 0 leads through all lifts in any case.
     ///
     /// # Errors
     ///
     /// Tables out of order or of unfit size, and negative tolerances.
-    pub fn smooth_table(
+    pub fn rounded_table(
         angles: &[f64],
         lifts: &[f64],
-        tolerance: f64,
+        digit: f64,
+        tolerance: Option<f64>,
     ) -> Result<LiftLaw, CamError> {
-        let inside = tolerance >= 0.0;
-        in_range("tolerance of the lifts", tolerance, inside, "not negative")?;
-        if tolerance == 0.0 {
-            return LiftLaw::table(angles, lifts);
+        let rounding = digit / 12.0_f64.sqrt();
+        let error = tolerance.unwrap_or(rounding);
+        in_range(
+            "tolerance of the lifts",
+            error,
+            error >= 0.0,
+            "not negative",
+        )?;
+        let law = TableLift::new(angles, lifts, TAU, error, tolerance.is_some())?;
+        Ok(LiftLaw::Table(Box::new(law)))
+    }
+
+    /// By how much s'' (m) may be off at the angle θ (rad), as a table of lifts is rounded; 0 of other laws.
+    pub fn acceleration_bar(&self, angle: f64) -> f64 {
+        match self {
+            LiftLaw::Table(table) => table.bar(angle),
+            _ => 0.0,
         }
-        let spline = smoothing::smooth(angles, lifts, TAU, tolerance)?;
-        Ok(LiftLaw::Table(spline))
     }
 
     /// s, s' and s'' (m, per rad and rad²) at the angle θ (rad).
@@ -90,7 +105,7 @@ impl LiftLaw {
                 ]
             }
             LiftLaw::Segments(parts) => segments::at(parts, angle.rem_euclid(TAU)),
-            LiftLaw::Table(spline) => spline.at(angle),
+            LiftLaw::Table(table) => table.at(angle),
         }
     }
 

@@ -86,12 +86,28 @@ impl PeriodicSpline {
 
     /// The value and its first two derivatives.
     pub fn at(&self, place: f64) -> [f64; 3] {
-        let first = self.places[0];
-        let x = first + (place - first).rem_euclid(self.period);
-        let interval = self.places.partition_point(|t| *t <= x).max(1) - 1;
+        let x = self.within(place);
+        let interval = self.interval(place);
         let local = std::array::from_fn(|k| self.coefficients[self.column(interval, k)]);
         let [value, first, second, _] = self.derivatives(interval, local, x);
         [value, first, second]
+    }
+
+    /// A place of the period from the first knot on.
+    fn within(&self, place: f64) -> f64 {
+        let first = self.places[0];
+        first + (place - first).rem_euclid(self.period)
+    }
+
+    /// The interval, by its first knot, in which a place is.
+    pub(super) fn interval(&self, place: f64) -> usize {
+        let x = self.within(place);
+        self.places.partition_point(|t| *t <= x).max(1) - 1
+    }
+
+    /// The period.
+    pub(super) fn period(&self) -> f64 {
+        self.period
     }
 
     /// The value and three derivatives from the coefficients of an interval.

@@ -1,12 +1,13 @@
 //! A cam and its follower: the contact at one angle, or all over a turn.
 
+mod doubts;
 mod lift;
 
 use std::f64::consts::TAU;
 use std::path::Path;
 
 use ertel_input::{Bounds, InputError, Table};
-use ertel_machines::cam::{Cam, CamError, CamOperation, CamPoint, Follower};
+use ertel_machines::cam::{Cam, CamBars, CamError, CamOperation, CamPoint, Follower};
 use ertel_quantity::Dimension;
 
 use super::whole::{Axis, Choice, MachineContact, WholeMachine, like};
@@ -98,6 +99,7 @@ pub(super) fn read(
                 })?,
         ),
     };
+    let is_straight = !matches!(follower, Follower::Finger { .. });
     let cam = Cam::new(law, follower, base_radius).map_err(|error| refused(table, &error))?;
     let told = Told {
         base_radius,
@@ -111,7 +113,13 @@ pub(super) fn read(
             .at(&operation, angle)
             .map_err(|error| refused(table, &error))?;
         check_undercut(table, &[point])?;
-        return single(table, &told, &point, load_key, None, Vec::new());
+        let bars = cam.bars(&operation, angle);
+        let warnings = doubts::warnings(&cam, &operation, &[point], is_straight);
+        let machine = single(table, &told, (&point, &bars), load_key, None, Vec::new())?;
+        return Ok(Machine {
+            warnings,
+            ..machine
+        });
     }
     let turn = cam
         .turn(&operation, points)
@@ -127,12 +135,16 @@ pub(super) fn read(
             "no contact of the turn can be solved: the follower leaves the cam everywhere, or pressures are out of range",
         ));
     };
-    let (reversing, warnings) = unsolved(&turn, &contacts, &reversals);
+    let reversals_told = doubts::reversals(&cam, &operation, &reversals);
+    let (mut of_turn, mut warnings) = unsolved(&turn, &contacts, reversals_told);
+    of_turn.push(doubts::steepest(&turn));
+    warnings.extend(doubts::warnings(&cam, &operation, &turn, is_straight));
     let title = format!(
         "cam on {follower_words}, base radius {}",
         length(base_radius)
     );
     let point = turn[governing];
+    let bars = cam.bars(&operation, point.angle);
     let whole = WholeMachine {
         title,
         mechanics: Mechanics::Cam(Box::new(CamMechanics {
@@ -147,7 +159,14 @@ pub(super) fn read(
         is_line: true,
         folders,
     };
-    let machine = single(table, &told, &point, load_key, Some(whole), reversing)?;
+    let machine = single(
+        table,
+        &told,
+        (&point, &bars),
+        load_key,
+        Some(whole),
+        of_turn,
+    )?;
     Ok(Machine {
         bulk_temperature: None,
         warnings,
@@ -295,7 +314,7 @@ struct Told<'a> {
 fn single(
     table: &Table<'_>,
     told: &Told<'_>,
-    point: &CamPoint,
+    (point, bars): (&CamPoint, &CamBars),
     load_key: &'static str,
     whole: Option<WholeMachine>,
     of_turn: Vec<(&str, String)>,
@@ -332,13 +351,25 @@ fn single(
     }
     rows.number("angle θ", point.angle.to_degrees(), "deg");
     rows.number("lift s", 1e3 * point.lift, "mm");
-    rows.number("s''", 1e3 * point.lift_acceleration, "mm");
-    rows.length("reduced radius R", contact.radius);
+    let acceleration = format!("{} mm", digits(1e3 * point.lift_acceleration, 6));
+    let with_bar = [point.lift_acceleration, bars.lift_acceleration];
+    rows.text("s''", doubts::with_bar(acceleration, with_bar, 1e3, "mm"));
+    let with_bar = [contact.radius, bars.reduced_radius];
+    let radius = length(contact.radius);
+    rows.text(
+        "reduced radius R",
+        doubts::with_bar(radius, with_bar, 1e3, "mm"),
+    );
     rows.number("force along the follower's motion", point.force, "N");
     rows.number("pressure angle", point.pressure_angle.to_degrees(), "deg");
     rows.length("width b", told.width);
     rows.text("load per length w", force(contact.load, true, 6));
-    rows.text("Hertz pressure", pressure(point.hertz_pressure));
+    let with_bar = [point.hertz_pressure, bars.hertz_pressure];
+    let highest = pressure(point.hertz_pressure);
+    rows.text(
+        "Hertz pressure",
+        doubts::with_bar(highest, with_bar, 1e-6, "MPa"),
+    );
     rows.number("u of the cam", point.u_2, "m/s");
     rows.number("u of the follower", point.u_1, "m/s");
     rows.number("u_m", point.entrainment_speed, "m/s");
@@ -414,20 +445,14 @@ fn heaviest(contacts: &[MachineContact]) -> Option<usize> {
 fn unsolved(
     turn: &[CamPoint],
     contacts: &[MachineContact],
-    reversals: &[f64],
+    reversals: Option<String>,
 ) -> (Vec<(&'static str, String)>, Vec<Warning>) {
     let is_unsolved = |point: &CamPoint| {
         let found = turn.iter().position(|other| other.angle == point.angle);
         found.is_some_and(|i| contacts[i].like.is_none())
     };
     let mut rows = Vec::new();
-    if !reversals.is_empty() {
-        let at: Vec<String> = reversals
-            .iter()
-            .map(|angle| digits(angle.to_degrees(), 4))
-            .collect();
-        rows.push(("entrainment reverses", format!("at {} deg", at.join(", "))));
-    }
+    rows.extend(reversals.map(|at| ("entrainment reverses", at)));
     let slow = ranges(turn, |point| is_unsolved(point) && is_contact(point));
     if !slow.is_empty() {
         let text = format!("{slow}: there the film is what squeeze leaves of it");

@@ -24,7 +24,7 @@ pub struct WholeMachine {
     pub contacts: Vec<MachineContact>,
     /// What tells the places of its contacts apart.
     pub axis: Axis,
-    /// Which of them the case itself is: the one under the largest pressure, or that of the pitch point.
+    /// Which of them the case itself is: the one under the largest pressure.
     pub governing: usize,
     /// Whether its contacts are lines, whose loads are per length.
     pub is_line: bool,

@@ -149,7 +149,7 @@ pub fn report_page(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Stri
             write_case(out, case);
             write_contact(
                 out,
-                &solution.hertz,
+                (&case.contact, &solution.hertz),
                 solution.reduced_modulus,
                 &solution.groups,
                 solution.groups_asymptotic.as_ref(),

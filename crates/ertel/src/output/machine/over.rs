@@ -78,7 +78,11 @@ pub(in crate::output) const DRAWN: [Drawn; 8] = [
         curve: "temperature-curve",
         axis: "Temperature",
         scale: Scale::Celsius,
-        figures: &["bearing_temperature", "contact_temperature"],
+        figures: &[
+            "bearing_temperature",
+            "contact_temperature",
+            "contact_temperature_blok",
+        ],
     },
     Drawn {
         name: "safety",

@@ -1,11 +1,12 @@
 //! Loads and films around a bearing, or along a path of contact and over a turn of a cam.
 
+use ertel_machines::gear::PathLabel;
 use ertel_plot::{
-    Axis, Chart, Drawing, Look, PALETTE, Polar, Series, Side, polar_row, side_by_side,
+    Axis, Chart, Drawing, Look, Marker, PALETTE, Polar, Series, Side, polar_row, side_by_side,
 };
 
 use super::super::pictures::{Picture, film_unit};
-use crate::case::{MachineAxis, RINGS};
+use crate::case::{GearMechanics, MachineAxis, Mechanics, RINGS};
 use crate::solution::{Figure, Solution};
 use crate::study::MachineSolution;
 use crate::words::{force_unit, pressure_unit};
@@ -130,6 +131,67 @@ fn around(title: &str, machine: &MachineSolution) -> Drawing {
     polar_row(title, &[of_loads, of_films])
 }
 
+/// By how much of the path a place lies beside B or D.
+const BESIDE: f64 = 1e-6;
+/// Relative difference of loads on both sides of a place from which the load jumps there.
+const JUMP: f64 = 1e-3;
+
+/// The gears of a machine, if it is a pair of them.
+fn gears(machine: &MachineSolution) -> Option<&GearMechanics> {
+    match &machine.machine.mechanics {
+        Mechanics::Gears(gears) => Some(gears),
+        Mechanics::Bearing(_) | Mechanics::Cam(_) => None,
+    }
+}
+
+/// Where the load jumps as pairs of teeth take over, with the Hertz pressures before and behind: [place (m), pressure, pressure (Pa)].
+fn jumps(gears: &GearMechanics) -> Vec<[f64; 3]> {
+    let points = gears.pair.points;
+    let beside = BESIDE * (points.e - points.a);
+    let taken_over = [PathLabel::B, PathLabel::D];
+    let at = |s: f64| (gears.pair.contact_at(&gears.operation, gears.sharing, s)).ok();
+    let labelled = gears.path.iter().filter(|point| {
+        let label = point.label;
+        label.is_some_and(|label| taken_over.contains(&label))
+    });
+    let jump = |s: f64| {
+        let (before, behind) = (at(s - beside)?, at(s + beside)?);
+        let change = (behind.load_per_length / before.load_per_length).ln();
+        (change.abs() > JUMP).then_some([s, before.hertz_pressure, behind.hertz_pressure])
+    };
+    labelled.filter_map(|point| jump(point.position)).collect()
+}
+
+/// Lines through points are interrupted where the load jumps, [place, pressure before, pressure behind]: a point there has the larger load, of the single contact.
+fn interrupted(points: Vec<[f64; 2]>, jumps: &[[f64; 3]]) -> Vec<[f64; 2]> {
+    let mut shown: Vec<[f64; 2]> = Vec::with_capacity(points.len() + jumps.len());
+    for point in points {
+        if let Some(last) = shown.last().map(|last| last[0]) {
+            let between = |[place, before, behind]: &[f64; 3]| match before < behind {
+                true => point[0] == *place,
+                false => last == *place,
+            };
+            if jumps.iter().any(between) {
+                shown.push([point[0], f64::NAN]);
+            }
+        }
+        shown.push(point);
+    }
+    shown
+}
+
+/// Points with those of both sides of each jump: [place, value before, value behind].
+fn with_both_sides(points: Vec<[f64; 2]>, jumps: &[[f64; 3]]) -> Vec<[f64; 2]> {
+    let mut shown = Vec::with_capacity(points.len() + jumps.len());
+    for point in points {
+        match jumps.iter().find(|jump| jump[0] == point[0]) {
+            Some([place, before, behind]) => shown.extend([[*place, *before], [*place, *behind]]),
+            None => shown.push(point),
+        }
+    }
+    shown
+}
+
 /// Films, pressures, speeds and friction over the place.
 fn along(title: &str, machine: &MachineSolution) -> Drawing {
     let whole = &machine.machine;
@@ -137,12 +199,24 @@ fn along(title: &str, machine: &MachineSolution) -> Drawing {
         MachineAxis::LineOfAction => (1e3, "distance from the pitch point (mm)"),
         _ => (1f64.to_degrees(), "angle of the cam (deg)"),
     };
-    let shown = |points: Vec<[f64; 2]>, factor: f64| -> Vec<[f64; 2]> {
+    let gears = gears(machine);
+    let jumps = gears.map_or_else(Vec::new, jumps);
+    let scaled = |points: Vec<[f64; 2]>, factor: f64| -> Vec<[f64; 2]> {
         points
             .into_iter()
             .map(|[x, y]| [scale * x, factor * y])
             .collect()
     };
+    let shown = |points, factor| scaled(interrupted(points, &jumps), factor);
+    let named = gears.into_iter().flat_map(|gears| &gears.path);
+    let markers: Vec<Marker> = named
+        .filter_map(|point| {
+            Some(Marker {
+                x: scale * point.position,
+                label: point.label?.to_string(),
+            })
+        })
+        .collect();
     let places: Vec<f64> = whole
         .contacts
         .iter()
@@ -154,8 +228,9 @@ fn along(title: &str, machine: &MachineSolution) -> Drawing {
         let heights = series
             .iter()
             .flat_map(|(_, points, _)| points.iter().map(|p| p[1]));
-        let axis = Axis::linear_around(y, heights.chain([0.0]));
+        let axis = Axis::linear_around(y, heights.filter(|h| h.is_finite()).chain([0.0]));
         let mut chart = Chart::new(title, Axis::linear(label, low, high), axis);
+        chart.markers.clone_from(&markers);
         chart.series = (series.into_iter().zip(PALETTE))
             .map(|((label, points, look), colour)| Series {
                 label,
@@ -181,23 +256,28 @@ fn along(title: &str, machine: &MachineSolution) -> Drawing {
     let hertz = values(machine, 0, |i| Some(whole.contacts[i].hertz_pressure));
     let (factor, unit) = pressure_unit(largest(std::slice::from_ref(&hertz)));
     let label = format!("Hertz pressure *p*_{{h}} ({unit})");
+    let hertz = with_both_sides(hertz, &jumps);
     charts.push(chart(
         &label,
-        vec![(String::new(), shown(hertz, factor), Look::LineAndDots)],
+        vec![(String::new(), scaled(hertz, factor), Look::LineAndDots)],
     ));
     let speeds = |value: fn(&crate::contact::Motion) -> f64| {
         values(machine, 0, |i| Some(value(&machine.of(i)?.case.motion)))
+    };
+    let names = match gears {
+        Some(_) => ["wheel (body 1)", "pinion (body 2)"],
+        None => ["body 1", "body 2"],
     };
     charts.push(chart(
         "Surface speeds (m/s)",
         vec![
             (
-                "body 1".into(),
+                names[0].into(),
                 shown(speeds(|m| m.body_1_speed()), 1.0),
                 Look::Line,
             ),
             (
-                "body 2".into(),
+                names[1].into(),
                 shown(speeds(|m| m.body_2_speed()), 1.0),
                 Look::Dashed,
             ),
@@ -225,6 +305,19 @@ fn along(title: &str, machine: &MachineSolution) -> Drawing {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The load jumps at 1 and 3: a line is interrupted before the first of them and behind the second, and a pressure has both values there.
+    #[test]
+    fn jumps_are_drawn_as_jumps() {
+        let points: Vec<[f64; 2]> = (0..5).map(|i| [f64::from(i), 10.0]).collect();
+        let jumps = [[1.0, 5.0, 10.0], [3.0, 10.0, 6.0]];
+        let shown = interrupted(points.clone(), &jumps);
+        let gaps: Vec<usize> = (0..shown.len()).filter(|i| shown[*i][1].is_nan()).collect();
+        assert_eq!((shown.len(), gaps), (7, vec![1, 5]));
+        let both = with_both_sides(points, &jumps);
+        assert_eq!(both[1..3], [[1.0, 5.0], [1.0, 10.0]]);
+        assert_eq!(both[4..6], [[3.0, 10.0], [3.0, 6.0]]);
+    }
 
     /// Of nine elements, 40° apart, points of the rings stand 2.4° to either side.
     #[test]

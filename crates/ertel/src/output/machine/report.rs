@@ -70,15 +70,15 @@ pub(in crate::output) fn write_figures(out: &mut Lines, figures: &MachineFigures
     }
 }
 
-/// A rise, and no temperature.
-const FLASH: &str = "flash_temperature";
+/// Rises, and no temperatures.
+const FLASH: [&str; 2] = ["flash_temperature", "flash_temperature_blok"];
 
 /// A figure with its unit as people read it.
 pub(in crate::output) fn shown(figure: &MachineFigure) -> String {
     let e = figure.estimate;
     match figure.unit {
         "m" => estimate(&e),
-        "K" if figure.name == FLASH => in_unit(e, 1.0, "K"),
+        "K" if FLASH.contains(&figure.name) => in_unit(e, 1.0, "K"),
         "K" => temperature(e, None),
         "Pa" => match e.error {
             Some(_) => super::super::figure::pressure_estimate(e),

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ertel_input::csv::{CsvError, CsvTable};
+use ertel_input::csv::{CsvError, CsvTable, Wanted};
 use ertel_input::file::{LARGEST_TABLE, read_text};
 use ertel_input::{Bounds, InputError, Table};
 use ertel_machines::cam::{CamError, LiftLaw, MotionLaw, Segment};
@@ -81,14 +81,7 @@ pub(super) fn read(table: &mut Table<'_>, folder: &Path) -> Result<(LiftLaw, Str
         return Ok((LiftLaw::Eccentric { eccentricity }, words));
     }
     if let Some(file) = file {
-        let law = of_table(table, folder, file, tolerance.unwrap_or(0.0))?;
-        let words = match tolerance {
-            Some(tolerance) if tolerance > 0.0 => {
-                format!("{file}, smoothed by {}", length(tolerance))
-            }
-            _ => file.to_owned(),
-        };
-        return Ok((law, words));
+        return of_table(table, folder, file, tolerance);
     }
     let Some(lift) = lift else {
         return Err(table.missing("lift"));
@@ -175,22 +168,26 @@ fn of_parts(
     Ok((law, words))
 }
 
-/// A law through a table of angles and lifts, or near one whose lifts have errors (m).
+/// A law of a table of angles and lifts, whose lifts have errors of the root mean square `tolerance` (m) or those of rounding; and what it is in words.
 fn of_table(
     table: &Table<'_>,
     folder: &Path,
     file: &str,
-    tolerance: f64,
-) -> Result<LiftLaw, InputError> {
+    tolerance: Option<f64>,
+) -> Result<(LiftLaw, String), InputError> {
     let path = folder.join(file);
     let text = read_text(&path, LARGEST_TABLE)
         .map_err(|error| table.error("lift_table", format!("{} {error}", path.display())))?;
-    let (angles, lifts) = rows(file, &text).map_err(|error| {
+    let Lifts {
+        angles,
+        lifts,
+        digit,
+    } = rows(file, &text).map_err(|error| {
         table.error("lift_table", error.to_string()).with_help(
-            "lifts are a CSV table with the columns `angle` and `lift`, each with its unit: angle [deg], lift [mm]",
+            "lifts are a CSV table with a column of the angle and one of the lift, each with its unit: angle [deg], lift [mm]",
         )
     })?;
-    LiftLaw::smooth_table(&angles, &lifts, tolerance).map_err(|error| {
+    let law = LiftLaw::rounded_table(&angles, &lifts, digit, tolerance).map_err(|error| {
         let told = table.error("lift_table", error.to_string());
         match error {
             CamError::TableOrder { .. } => told.with_help(
@@ -198,19 +195,47 @@ fn of_table(
             ),
             _ => told,
         }
-    })
+    })?;
+    let smoothed = match &law {
+        LiftLaw::Table(of) if of.tolerance > 0.0 => {
+            format!("smoothed by {} (root mean square)", length(of.tolerance))
+        }
+        _ => "through all of it".to_owned(),
+    };
+    let words = format!(
+        "{file}, ± {} by its last digit, {smoothed}",
+        length(0.5 * digit)
+    );
+    Ok((law, words))
 }
 
-/// Angles (rad) and lifts (m) of a CSV file. A last row one turn behind the first, with its lift, is the first once more.
-fn rows(file: &str, text: &str) -> Result<(Vec<f64>, Vec<f64>), CsvError> {
-    let csv = CsvTable::parse(file, text)?;
-    let missing = |name: &str| csv.error(csv.header(), 0, format!("there is no column `{name}`"));
-    let angle = csv
-        .find_with_unit("angle", Dimension::ANGLE)?
-        .ok_or_else(|| missing("angle"))?;
-    let lift = csv
-        .find_with_unit("lift", Dimension::LENGTH)?
-        .ok_or_else(|| missing("lift"))?;
+/// A table of lifts.
+struct Lifts {
+    /// rad.
+    angles: Vec<f64>,
+    /// m.
+    lifts: Vec<f64>,
+    /// Unit of the last digit of the lifts, m.
+    digit: f64,
+}
+
+/// The lifts of a CSV file. A last row one turn behind the first, with its lift, is the first once more.
+fn rows(file: &str, text: &str) -> Result<Lifts, CsvError> {
+    let of_angle = Wanted {
+        names: &["angle"],
+        dimension: Dimension::ANGLE,
+    };
+    let of_lift = Wanted {
+        names: &["lift"],
+        dimension: Dimension::LENGTH,
+    };
+    let (csv, [angle, lift]) = CsvTable::series(file, text, [of_angle, of_lift])?;
+    let title = csv.title(angle.index).to_lowercase();
+    if ["crank", "kurbel"].iter().any(|word| title.contains(word)) {
+        let problem =
+            "these are angles of the crank, of which the cam turns half: give those of the cam";
+        return Err(csv.error(csv.header(), angle.index, problem));
+    }
     let (mut angles, mut lifts) = (Vec::new(), Vec::new());
     for row in csv.rows() {
         angles.push(csv.required_number(row, &angle)?);
@@ -224,5 +249,41 @@ fn rows(file: &str, text: &str) -> Result<(Vec<f64>, Vec<f64>), CsvError> {
         angles.pop();
         lifts.pop();
     }
-    Ok((angles, lifts))
+    let digit = csv.last_digit(&lift);
+    fill(&mut angles, &mut lifts, digit);
+    Ok(Lifts {
+        angles,
+        lifts,
+        digit,
+    })
+}
+
+/// Steps of a table beyond which rows count as left out.
+const GAP: f64 = 4.0;
+
+/// Adds the rows that tables leave out where the lift stays the same within a `digit` (m), as on the base circle: a spline would wander there.
+fn fill(angles: &mut Vec<f64>, lifts: &mut Vec<f64>, digit: f64) {
+    let n = angles.len();
+    let widths: Vec<f64> = (0..n)
+        .map(|i| angles.get(i + 1).map_or(angles[0] + TURN, |next| *next) - angles[i])
+        .collect();
+    let mut sorted = widths.clone();
+    sorted.sort_by(f64::total_cmp);
+    let Some(step) = sorted.get(n / 2).copied().filter(|step| *step > 0.0) else {
+        return;
+    };
+    let rows: Vec<[f64; 2]> = angles.iter().zip(&*lifts).map(|(a, s)| [*a, *s]).collect();
+    angles.clear();
+    lifts.clear();
+    for (i, [angle, lift]) in rows.iter().enumerate() {
+        let next = rows[(i + 1) % n][1];
+        let is_gap = widths[i] > GAP * step && (lift - next).abs() <= digit;
+        let more = if is_gap {
+            (widths[i] / step).round() as usize
+        } else {
+            1
+        };
+        angles.extend((0..more).map(|k| angle + widths[i] * k as f64 / more as f64));
+        lifts.extend(std::iter::repeat_n(*lift, more));
+    }
 }

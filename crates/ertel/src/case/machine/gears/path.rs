@@ -179,12 +179,15 @@ pub(super) fn read(table: &mut Table<'_>, given: Given<'_>) -> Result<Machine, I
     })
 }
 
-/// The pitch point, or the contact under the largest pressure where the path does not have it.
+/// The contact under the largest pressure; of equal ones the first.
 fn governing(path: &[PathPoint], contacts: &[MachineContact]) -> Option<usize> {
-    let solved = || (0..path.len()).filter(|i| contacts[*i].like.is_some());
-    let pitch = solved().find(|i| path[*i].label == Some(PathLabel::C));
-    pitch.or_else(|| {
-        solved().max_by(|a, b| path[*a].hertz_pressure.total_cmp(&path[*b].hertz_pressure))
+    let solved = (0..path.len()).filter(|i| contacts[*i].like == Some(*i));
+    solved.reduce(|best, i| {
+        // A hair more, so that rounding does not choose among equal ones.
+        match path[i].hertz_pressure > path[best].hertz_pressure * (1.0 + 1e-9) {
+            true => i,
+            false => best,
+        }
     })
 }
 

@@ -437,7 +437,11 @@ fn tell(rows: &mut Rows, found: &Distribution, (governing, word): (Place, &str))
     let contact = at(found, governing);
     rows.text("most loaded contact", name(governing, word));
     rows.number("  its load", contact.load, "N");
-    rows.text("  its Hertz pressure", pressure(contact.pressure));
+    let hertz = match contact.peak_slice() {
+        Some(_) => "  its Hertz pressure, of the heaviest slice",
+        None => "  its Hertz pressure",
+    };
+    rows.text(hertz, pressure(contact.pressure));
     rows.number("  its contact angle", contact.angle.to_degrees(), "deg");
     if let Some(share) = contact.peak_slice() {
         rows.number(

@@ -82,11 +82,13 @@ fn against_a_separate_program() {
         n += 1;
     }
     assert_eq!(n, 3);
-    // The case itself is the pitch point.
-    let (pitch, contact) = named(&case, "C, pitch point");
-    assert_eq!(whole(&case).governing, pitch);
+    // The case itself is the contact under the largest pressure.
+    let (governing, contact) = named(&case, "B, inner single contact");
+    assert_eq!(whole(&case).governing, governing);
+    let pressures = whole(&case).contacts.iter().map(|c| c.hertz_pressure);
+    assert_eq!(contact.hertz_pressure, pressures.fold(0.0, f64::max));
     assert_relative_eq!(case.contact.load, contact.load, max_relative = 1e-12);
-    assert_eq!(row(&case, "most loaded contact"), "C, pitch point");
+    assert_eq!(row(&case, "most loaded contact"), "B, inner single contact");
     assert!(whole(&case).title.contains("16 and 24 teeth"));
     let Mechanics::Gears(gears) = &whole(&case).mechanics else {
         panic!("gears")
@@ -355,6 +357,69 @@ fn teeth_have_their_temperature() {
             [Some(353.15), Some(363.15)]
         );
     }
+}
+
+/// Oil on teeth has their temperature before it enters a contact: viscosity and α are those of an oil at the bulk temperature, in the whole path and in one
+/// contact of it, with and without heat.
+#[test]
+fn films_are_those_at_the_temperature_of_the_teeth() {
+    let heat =
+        "thermal_conductivity = \"0.14 W/(m.K)\"\nheat_capacity = \"2000 J/(kg.K)\"\n[thermal]\n";
+    let of = |bulk: &str, oil: &str, position: &str, heat: &str| {
+        let mut machine = FZG.replace("kind =", &format!("{bulk}kind ="));
+        if position != "path" {
+            machine = machine
+                .replace("points = 5\n", "")
+                .replace("\"path\"", "\"pitch point\"");
+        }
+        let text = format!(
+            "[machine]{machine}\n[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n[lubricant]\ntemperature = \"{oil}\"\niso_vg = 100\nbase_oil = \"mineral\"\n{heat}"
+        );
+        let document = Document::parse("machine.toml", text).unwrap();
+        Case::from_document(&document, Path::new("")).unwrap()
+    };
+    let bulk = "bulk_temperature = \"110 degC\"\n";
+    for (position, heat) in [
+        ("path", ""),
+        ("path", heat),
+        ("pitch point", ""),
+        ("pitch point", heat),
+    ] {
+        let case = of(bulk, "90 degC", position, heat);
+        let hot = of("", "110 degC", position, heat);
+        assert_eq!(
+            case.lubricant.ambient_viscosity(),
+            hot.lubricant.ambient_viscosity()
+        );
+        assert_eq!(case.lubricant.temperature, 383.15);
+        assert_eq!(case.lubricant.oil_temperature(), 363.15);
+        let film = |case: &Case| crate::estimate::estimate(case).film.central;
+        assert_eq!(film(&case), film(&hot));
+    }
+    // Without it, films are at the temperature of the oil.
+    let plain = of("", "90 degC", "path", "");
+    assert_eq!(plain.lubricant.temperature, 363.15);
+    assert_eq!(plain.lubricant.supply_temperature, None);
+}
+
+/// A law without temperature cannot follow the teeth, and the temperature of the oil changes nothing beside them: both are reported.
+#[test]
+fn temperatures_of_oil_and_teeth_without_effect_are_reported() {
+    let with_bulk = FZG.replace("kind =", "bulk_temperature = \"110 degC\"\nkind =");
+    let told = |warnings: &[crate::warning::Warning], words: &str| {
+        warnings.iter().any(|w| w.contains(words))
+    };
+    let case = fzg(&with_bulk).unwrap();
+    assert!(
+        told(&case.warnings, "does not depend on temperature")
+            || told(&case.warnings, "depends on temperature")
+    );
+    let text = format!(
+        "[machine]{with_bulk}\n[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n[lubricant]\ntemperature = \"90 degC\"\niso_vg = 100\nbase_oil = \"mineral\"\n"
+    );
+    let set = ["lubricant.temperature=70 degC".to_owned()];
+    let case = Case::from_text_with("machine.toml", &text, Path::new(""), &set).unwrap();
+    assert!(told(&case.warnings, "machine.bulk_temperature"));
 }
 
 /// What is not computed of a machine is not left out silently.

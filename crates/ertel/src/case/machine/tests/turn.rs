@@ -216,6 +216,94 @@ fn tables_of_lifts() {
     std::fs::remove_dir_all(&folder).unwrap();
 }
 
+/// A cam of the closed form s = h (1 − (θ/80°)²)³, h = 6.604 mm, at each degree as on paper: by hand the entrainment r_b + s + 2 s'' vanishes at ± 22.11°, and at the nose
+/// s'' = −6 h/θ_0², R = r_b + s + s'' = 4.279 mm.
+#[test]
+fn tables_rounded_on_paper() {
+    const INCH: f64 = 25.4;
+    let folder = std::env::temp_dir().join(format!("ertel-cam-rounded-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let lift = |degrees: i32| 6.604 * (1.0 - (f64::from(degrees) / 80.0).powi(2)).powi(3);
+    let mut bars = Vec::new();
+    for (titles, unit, digits) in [
+        ("angle [deg];lift [in]", INCH, 3),
+        ("Cam angle [deg];Valve lift [in]", INCH, 4),
+        ("Nockenwinkel (°);Hub (mm)", 1.0, 3),
+        ("theta / deg;s / mm", 1.0, 5),
+        ("rotation, deg;ordinate, um", 1e-3, 0),
+    ] {
+        let mut table = format!("{titles}\n");
+        for degrees in -80..=80 {
+            table += &format!("{degrees};{:.digits$}\n", lift(degrees) / unit);
+        }
+        std::fs::write(folder.join("cam.csv"), table).unwrap();
+        let text = CAM
+            .replace("lift = \"4 mm\"\nlobes = 2", "lift_table = \"cam.csv\"")
+            .replace("points = 12", "points = 36");
+        let text = format!("[machine]{text}{REST}");
+        let document = Document::parse("machine.toml", text).unwrap();
+        let case = Case::from_document(&document, &folder).unwrap();
+        let Mechanics::Cam(cam) = &case.whole.as_ref().unwrap().mechanics else {
+            panic!("a cam")
+        };
+        let reversals: Vec<f64> = cam.reversals.iter().map(|a| a.to_degrees()).collect();
+        assert_eq!(reversals.len(), 2, "{titles}: {reversals:?}");
+        for (found, right) in cam.reversals.iter().zip([22.11_f64, 337.89]) {
+            let bar = cam.cam.reversal_bar(&cam.operation, *found);
+            let off = (found - right.to_radians()).abs();
+            assert!(off < bar + 1e-3, "{titles}: {reversals:?} {bar}");
+        }
+        let bar = cam.cam.bars(&cam.operation, 0.0).reduced_radius;
+        let off = (cam.points[0].reduced_radius - 4.279e-3).abs();
+        assert!(off < bar + 1e-6, "{titles}: {off} {bar}");
+        bars.push(bar);
+        // The base circle has no rows.
+        assert!(cam.points[18].lift.abs() < 1e-5, "{titles}");
+        let rows = &case.machine.as_ref().unwrap().rows;
+        let (_, law) = rows.iter().find(|(name, _)| name == "lift s(θ)").unwrap();
+        assert!(law.contains("by its last digit"), "{law}");
+    }
+    assert!(bars[0] > bars[1] && bars[2] > bars[3], "{bars:?}");
+    let crank = "Crank angle [deg];lift [mm]\n0;0\n1;1\n";
+    std::fs::write(folder.join("cam.csv"), crank).unwrap();
+    let text = CAM.replace("lift = \"4 mm\"\nlobes = 2", "lift_table = \"cam.csv\"");
+    let document = Document::parse("machine.toml", format!("[machine]{text}{REST}")).unwrap();
+    let error = Case::from_document(&document, &folder).unwrap_err();
+    assert!(error.to_string().contains("crank"), "{error}");
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+/// By hand: a roller whose path is off the axis by 27 mm, of r_b + r_f = 28 mm, has sin φ = 27/28 on the base circle, 74.6°.
+#[test]
+fn steep_pressure_angles_are_reported() {
+    let of = |offset: &str| {
+        let text = CAM
+            .replace(
+                "\"flat\"",
+                &format!("\"roller\"\nfollower_radius = \"10 mm\"\nfollower_offset = \"{offset}\""),
+            )
+            .replace(
+                "lobes = 2\n",
+                "rise = { angle = \"80 deg\", law = \"3-4-5\" }\n",
+            );
+        read(&text).unwrap()
+    };
+    let told = |case: &Case, words: &str| case.warnings.iter().any(|w| w.contains(words));
+    let steep = of("27 mm");
+    assert!(
+        told(&steep, "the pressure angle reaches 74.6 deg"),
+        "{:?}",
+        steep.warnings
+    );
+    let rows = &steep.machine.as_ref().unwrap().rows;
+    let (_, angle) = rows
+        .iter()
+        .find(|(name, _)| name == "largest pressure angle")
+        .unwrap();
+    assert!(angle.starts_with("74.6"), "{angle}");
+    assert!(!told(&of("0 mm"), "the pressure angle reaches"));
+}
+
 #[test]
 fn bad_cams_are_refused() {
     for (old, new, words) in [
