@@ -71,8 +71,8 @@ impl TableLift {
 const SURE: f64 = 1e-3;
 /// Standard deviations of rounding that a bar of s'' has.
 const DEVIATIONS: f64 = 3.0;
-/// How often a bar has the smoothing's own error as estimated: at a corner of s'', as of cycloidal moves, smoothing that is repeated sees a sixth of it.
-const SMOOTHING: f64 = 6.0;
+/// How often a bar has the smoothing's own error as estimated: at a corner of s'', as of cycloidal moves, smoothing that is repeated sees an eighth of it or more.
+const SMOOTHING: f64 = 8.0;
 /// Rows to either side whose largest bar counts: the errors of neighbours go together.
 const NEIGHBOURS: usize = 2;
 
