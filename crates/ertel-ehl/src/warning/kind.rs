@@ -325,6 +325,16 @@ kinds! {
         "The follower leaves the cam.",
         "Contact force below zero.",
         "Stiffen or preload the spring, or lower the speed.";
+    /// A pressure angle at which followers jam.
+    PressureAngle "pressure-angle" Caution,
+        "The pressure angle of the cam is steep: the follower pushes sideways and may jam in its guide.",
+        "30 degrees of a follower in a straight guide, 45 degrees of an arm (Norton 2002, chapter 7; VDI 2142).",
+        "Enlarge the base radius, lower the offset, or spread the rise over a wider angle.";
+    /// Lifts with too few digits for their curvature.
+    LiftDigits "lift-digits" Unusable,
+        "The last digit of the table of lifts leaves the radius of curvature open, and with it pressures and films.",
+        "Bar of the reduced radius beyond half of it.",
+        "Give lifts with more digits, or a closed form of the motion.";
     /// Rollers as lines whose heaviest slice carries much more than the mean.
     UnevenRoller "uneven-roller" Caution,
         "Rollers are solved as lines under their mean load per length, but one slice carries much more.",

@@ -67,7 +67,7 @@ pub(super) fn warnings(
     is_straight: bool,
 ) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    let mut warn = |text: String| warnings.push(Warning::new(WarningKind::Other, text));
+    let mut warn = |kind, text: String| warnings.push(Warning::new(kind, text));
     let size = |point: &CamPoint| point.pressure_angle.abs();
     let largest = points.iter().map(size).fold(0.0, f64::max);
     let (limit, effect) = match is_straight {
@@ -76,12 +76,15 @@ pub(super) fn warnings(
     };
     if largest > limit {
         let at = ranges(points, |point| size(point) > limit);
-        warn(format!(
-            "the pressure angle reaches {} deg and exceeds {} deg at {at}: {effect} (limits: Norton 2002, chapter 7; VDI 2142); a larger base radius or a \
+        warn(
+            WarningKind::PressureAngle,
+            format!(
+                "the pressure angle reaches {} deg and exceeds {} deg at {at}: {effect} (limits: Norton 2002, chapter 7; VDI 2142); a larger base radius or a \
              smaller offset lowers it",
-            digits(largest.to_degrees(), 3),
-            digits(limit.to_degrees(), 3)
-        ));
+                digits(largest.to_degrees(), 3),
+                digits(limit.to_degrees(), 3)
+            ),
+        );
     }
     let is_open = |point: &CamPoint| {
         let bar = cam.bars(operation, point.angle).reduced_radius;
@@ -89,10 +92,13 @@ pub(super) fn warnings(
     };
     let open = ranges(points, is_open);
     if !open.is_empty() {
-        warn(format!(
-            "the digits of the table of lifts do not resolve the radius of curvature at {open}: pressures and films there are not to be used; give lifts \
+        warn(
+            WarningKind::LiftDigits,
+            format!(
+                "the digits of the table of lifts do not resolve the radius of curvature at {open}: pressures and films there are not to be used; give lifts \
              with more digits"
-        ));
+            ),
+        );
     }
     warnings
 }
