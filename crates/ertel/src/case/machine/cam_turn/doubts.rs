@@ -88,7 +88,7 @@ pub(super) fn warnings(
     }
     let is_open = |point: &CamPoint| {
         let bar = cam.bars(operation, point.angle).reduced_radius;
-        !point.contact_lost && !(bar <= RESOLVED * point.reduced_radius)
+        !point.contact_lost && (bar.is_nan() || bar > RESOLVED * point.reduced_radius)
     };
     let open = ranges(points, is_open);
     if !open.is_empty() {
