@@ -330,16 +330,16 @@ kinds! {
         "The follower leaves the cam.",
         "Contact force below zero.",
         "Stiffen or preload the spring, or lower the speed.";
-    /// A steep pressure angle of a cam.
+    /// A pressure angle at which followers jam.
     PressureAngle "pressure-angle" Caution,
-        "The force of the cam acts at a steep angle to the motion of the follower, which may jam.",
-        "30 degrees of followers that move along a straight line, 45 degrees of those on an arm (Norton 2002, chapter 7; VDI 2142).",
-        "Increase the base radius, or reduce the offset.";
-    /// A table of lifts whose digits leave its curvature open.
-    LiftTable "lift-table" Caution,
-        "The digits of the table of lifts do not resolve the radius of curvature of the cam.",
-        "A bar of the radius, from half of the last digit, that is wider than half of the radius.",
-        "Give lifts with more digits, or the law of the motion.";
+        "The pressure angle of the cam is steep: the follower pushes sideways and may jam in its guide.",
+        "30 degrees of a follower in a straight guide, 45 degrees of an arm (Norton 2002, chapter 7; VDI 2142).",
+        "Enlarge the base radius, lower the offset, or spread the rise over a wider angle.";
+    /// Lifts with too few digits for their curvature.
+    LiftDigits "lift-digits" Unusable,
+        "The last digit of the table of lifts leaves the radius of curvature open, and with it pressures and films.",
+        "Bar of the reduced radius beyond half of it.",
+        "Give lifts with more digits, or a closed form of the motion.";
     /// Rollers as lines whose heaviest slice carries much more than the mean.
     UnevenRoller "uneven-roller" Caution,
         "Rollers are solved as lines under their mean load per length, but one slice carries much more.",

@@ -88,12 +88,12 @@ pub(super) fn warnings(
     }
     let is_open = |point: &CamPoint| {
         let bar = cam.bars(operation, point.angle).reduced_radius;
-        !point.contact_lost && !(bar <= RESOLVED * point.reduced_radius)
+        !point.contact_lost && (bar.is_nan() || bar > RESOLVED * point.reduced_radius)
     };
     let open = ranges(points, is_open);
     if !open.is_empty() {
         warn(
-            WarningKind::LiftTable,
+            WarningKind::LiftDigits,
             format!(
                 "the digits of the table of lifts do not resolve the radius of curvature at {open}: pressures and films there are not to be used; give lifts \
              with more digits"
