@@ -280,7 +280,7 @@ fn solved_flanks_are_the_contact_temperature() {
     }
 }
 
-/// The mean of four angles; those at 90° and 270° are alike but for the direction of the follower, which does not matter to speeds.
+/// The mean of four angles is within the bar; those at 90° and 270° are alike but for the direction of the follower, which does not matter to speeds.
 #[test]
 fn a_turn_of_a_cam() {
     let (case, solved, found) = solve(CAM);
@@ -289,11 +289,13 @@ fn a_turn_of_a_cam() {
     let power: f64 = (0..4)
         .map(|i| figure(&solved, i, Figure::FrictionPower) * 12e-3 / 4.0)
         .sum();
-    assert_relative_eq!(value(&found, "friction_power"), power, max_relative = 1e-9);
+    let turn = found.find("friction_power").unwrap().estimate;
+    let off = (turn.value - power).abs();
+    assert!(off < turn.error.unwrap(), "{power} {turn:?}");
     let omega = 1500.0 * std::f64::consts::TAU / 60.0;
     assert_relative_eq!(
         value(&found, "friction_torque"),
-        power / omega,
+        turn.value / omega,
         max_relative = 1e-9
     );
     // F e of a disc beside its centre, at 90°.

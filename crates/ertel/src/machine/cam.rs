@@ -1,12 +1,12 @@
 //! Figures of a cam over a turn.
 //!
 //! ```text
-//!   P = (1/2π) ∮ p b dθ,  p = µ w |u_2 − u_1| + f |u_m|     p: friction power per length of the solved contacts (W/m)
+//!   P = (1/2π) ∮ p b dθ,  p = µ w |u_2 − u_1| + p_r         p, p_r: power of friction and of rolling per length of the solved contacts (W/m)
 //!   M = P/ω
 //!   T = F ds/dθ                                             torque of the force F along the follower's motion, without friction
 //! ```
 //!
-//! Where no film is solved because the entrainment reverses, µ and f are those between the neighbours: such moments are short, and loads and
+//! Where no film is solved because the entrainment reverses, µ and p_r are those between the neighbours: such moments are short, and loads and
 //! sliding go on. Where contact is lost there is no friction.
 
 use std::f64::consts::TAU;
@@ -20,7 +20,7 @@ use crate::mark::{Mark, Marked, Marks};
 use crate::point::MachineSolution;
 use crate::solution::Figure;
 
-/// Angles of a turn over which is summed: forces and speeds are known at each of them, µ and f are linear between the solved contacts.
+/// Angles of a turn over which is summed: forces and speeds are known at each of them, µ and p_r are linear between the solved contacts.
 const ANGLES: usize = 1440;
 
 /// The figures of a cam.
@@ -128,10 +128,13 @@ pub(super) fn smallest(cam: &CamMechanics, values: Vec<(f64, Marked)>) -> Option
     })
 }
 
-/// µ and f of the solved contacts, those whose place among them is kept.
+/// Share of the difference between all contacts and every second one in the bar of their sums: the rule of meshes, for µ has peaks where the entrainment reverses.
+const DIFFERENCES: f64 = 2.0;
+
+/// µ and p_r of the solved contacts, those whose place among them is kept.
 struct Rubbing {
     coefficient: Curve,
-    resistance: Curve,
+    rolling: Curve,
 }
 
 impl Rubbing {
@@ -141,7 +144,7 @@ impl Rubbing {
         keeps: impl Fn(usize) -> bool,
     ) -> Option<Rubbing> {
         let mut coefficient = Vec::new();
-        let mut resistance = Vec::new();
+        let mut rolling = Vec::new();
         for (i, at) in cam.points.iter().enumerate() {
             if solved.machine.contacts[i].like.is_none() || !keeps(i) {
                 continue;
@@ -149,14 +152,13 @@ impl Rubbing {
             let point = solved.of(i)?;
             let mu = figure_of(point, Figure::TractionCoefficient)?.abs();
             let power = figure_of(point, Figure::FrictionPower)?;
-            let slide = at.load_per_length * at.sliding_speed.abs();
-            let rolling = (power.value - mu.value * slide) / at.entrainment_speed.abs();
             coefficient.push((at.angle, mu));
-            resistance.push((at.angle, Marked::exact(rolling)));
+            let rest = power.value - mu.value * slide(at);
+            rolling.push((at.angle, Marked::exact(rest)));
         }
         Some(Rubbing {
             coefficient: round(coefficient)?,
-            resistance: round(resistance)?,
+            rolling: round(rolling)?,
         })
     }
 
@@ -169,8 +171,7 @@ impl Rubbing {
     /// Power lost over a turn, W.
     fn power(&self, cam: &CamMechanics, turn: &[CamPoint]) -> f64 {
         Rubbing::mean(cam, turn, |point| {
-            self.coefficient.at(point.angle) * slide(point)
-                + self.resistance.at(point.angle) * point.entrainment_speed.abs()
+            self.coefficient.at(point.angle) * slide(point) + self.rolling.at(point.angle)
         })
     }
 }
@@ -198,7 +199,7 @@ fn friction(
         error: all.coefficient.has_bars().then_some(bar),
         marks: all.coefficient.marks(),
     };
-    let power = power.wider(spacing.fold(0.0, f64::max));
+    let power = power.wider(DIFFERENCES * spacing.fold(0.0, f64::max));
     let figure = |name, words, estimate, unit, source| MachineFigure {
         name,
         words,
