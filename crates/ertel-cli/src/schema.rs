@@ -194,34 +194,43 @@ fn names(names: &[&str]) -> Value {
 /// A table with the key `law`, each law with keys of its own.
 fn law(laws: &Laws) -> Value {
     let keys: Vec<_> = (laws.laws.iter())
-        .map(|law| (law.name, laws.keys_of(law)))
+        .map(|law| (vec![law.name.to_owned()], laws.keys_of(law)))
         .collect();
-    variants(table_of(Map::new(), laws.tables()), "law", &keys)
+    let mut schema = variants(table_of(Map::new(), laws.tables()), "law", &keys);
+    schema["required"] = json!(["law"]);
+    schema
 }
 
-/// A table with the key `kind`, each kind with keys of its own.
+/// A table with the key `kind`, each kind with keys of its own. A designation says the kind, too: that of a bearing.
 fn machine(machines: &[(&str, &[Row])]) -> Value {
     let properties = Map::from_iter([("kind".to_owned(), json!({}))]);
-    let of = |rows: &[Row]| {
+    let of = |rows: &[Row]| -> Vec<&'static str> {
         rows.iter()
             .flat_map(|row| row.keys.iter().copied())
             .collect()
     };
+    // Underscores may stand for hyphens.
+    let spellings = |kind: &str| match kind.contains('-') {
+        true => vec![kind.to_owned(), kind.replace('-', "_")],
+        false => vec![kind.to_owned()],
+    };
     let keys: Vec<_> = machines
         .iter()
-        .map(|(kind, rows)| (*kind, of(rows)))
+        .map(|(kind, rows)| (spellings(kind), of(rows)))
         .collect();
     let table = table_of(properties, machines.iter().map(|(_, rows)| *rows));
-    variants(table, "kind", &keys)
+    let mut schema = variants(table, "kind", &keys);
+    schema["anyOf"] = json!([{ "required": ["kind"] }, { "required": ["designation"] }]);
+    schema
 }
 
-/// Lets a key of a table choose which others there are.
-fn variants(mut schema: Value, key: &str, variants: &[(&str, Vec<&str>)]) -> Value {
-    let names: Vec<&str> = variants.iter().map(|(name, _)| *name).collect();
-    let one = |(name, keys): &(&str, Vec<&str>)| {
+/// Lets a key of a table choose which others there are, each choice with its spellings.
+fn variants(mut schema: Value, key: &str, variants: &[(Vec<String>, Vec<&str>)]) -> Value {
+    let names: Vec<&String> = variants.iter().flat_map(|(names, _)| names).collect();
+    let one = |(names, keys): &(Vec<String>, Vec<&str>)| {
         let keys: Vec<&str> = std::iter::once(key).chain(keys.iter().copied()).collect();
         json!({
-            "if": { "properties": { key: { "const": name } }, "required": [key] },
+            "if": { "properties": { key: { "enum": names } }, "required": [key] },
             "then": { "propertyNames": { "enum": keys } },
         })
     };
@@ -229,7 +238,6 @@ fn variants(mut schema: Value, key: &str, variants: &[(&str, Vec<&str>)]) -> Val
     if let Some(property) = schema["properties"][key].as_object_mut() {
         property.shift_remove("type");
     }
-    schema["required"] = json!([key]);
     schema["allOf"] = variants.iter().map(one).collect();
     schema
 }

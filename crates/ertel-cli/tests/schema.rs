@@ -3,7 +3,7 @@
 use crate::common::root;
 
 #[path = "draft7/mod.rs"]
-mod draft7;
+pub mod draft7;
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -16,7 +16,7 @@ use serde_json::{Map, Value, json};
 
 use draft7::errors;
 
-fn schema(of: &str) -> Value {
+pub fn schema(of: &str) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
         .args(["schema", of])
         .output()
@@ -203,6 +203,20 @@ fn mistakes_are_refused() {
             "viscosity": { "law": "barus", "mu_0": "40 mPa.s", "alpha": "22 1/GPa" } },
     });
     assert!(errors(&case_schema, &good).is_empty());
+    // A designation says the kind of a machine, and its words may be joined by underscores.
+    for machine in [
+        json!({ "designation": "6206", "radial_load": "2 kN", "inner_ring_speed": "3000 rpm" }),
+        json!({ "kind": "ball_bearing", "designation": "6206", "radial_load": "2 kN" }),
+    ] {
+        let mut bearing = good.clone();
+        for section in ["contact", "motion"] {
+            bearing.as_object_mut().unwrap().remove(section);
+        }
+        bearing["machine"] = machine;
+        assert_eq!(errors(&case_schema, &bearing), Vec::<String>::new());
+        bearing["machine"] = json!({ "radial_load": "2 kN" });
+        assert!(!errors(&case_schema, &bearing).is_empty(), "no kind");
+    }
     for (pointer, value) in [
         ("/contact/kind", json!("round")),
         ("/contact/radius", json!(16)),

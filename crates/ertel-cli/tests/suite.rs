@@ -23,6 +23,7 @@ mod own_data;
 mod places;
 mod releases;
 mod schema;
+mod schema_random;
 mod solve;
 mod studies;
 mod studies_in_time;

@@ -48,11 +48,17 @@ pub enum Target {
     Python,
     /// What the page of a browser asks for.
     Web,
+    /// A case with a map of a surface: text or SDF.
+    Surface,
+    /// The same with the parts of an X3P.
+    X3p,
+    /// A case with a table of what changes in time.
+    Course,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Target; 19] = [
+    pub const ALL: [Target; 22] = [
         Target::Case,
         Target::Solve,
         Target::Study,
@@ -72,6 +78,9 @@ impl Target {
         Target::View,
         Target::Python,
         Target::Web,
+        Target::Surface,
+        Target::X3p,
+        Target::Course,
     ];
 
     /// Its name on the command line and in findings.
@@ -96,6 +105,9 @@ impl Target {
             Target::View => "view",
             Target::Python => "python",
             Target::Web => "web",
+            Target::Surface => "surface",
+            Target::X3p => "x3p",
+            Target::Course => "course",
         }
     }
 
@@ -112,7 +124,7 @@ impl Target {
             Target::FitFilm => 15,
             Target::Measured => 60,
             Target::Journal => 40,
-            Target::Machine => 40,
+            Target::Machine => 80,
             Target::Settings => 60,
             Target::Answers => 10,
             Target::OwnData => 60,
@@ -121,6 +133,9 @@ impl Target {
             Target::View => 40,
             Target::Python => 30,
             Target::Web => 60,
+            Target::Surface => 60,
+            Target::X3p => 60,
+            Target::Course => 60,
         }
     }
 
@@ -141,6 +156,9 @@ impl Target {
             Target::CurveResult => "curve.json",
             Target::View => "report.html",
             Target::Python => "call.json",
+            Target::Surface => "map.txt",
+            Target::X3p => "main.xml",
+            Target::Course => "course.csv",
         }
     }
 

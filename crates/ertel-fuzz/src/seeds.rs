@@ -10,7 +10,7 @@ use fastrand::Rng;
 use crate::bad::bad_cases;
 use crate::input::{Input, Target};
 use crate::mutate::Words;
-use crate::targets::{self, Verdict, answers, journal, view};
+use crate::targets::{self, Verdict, answers, course, journal, surface, view};
 
 /// Lines of a seed table, at most: long tables are slow and say no more.
 const MOST_LINES: usize = 25;
@@ -118,6 +118,8 @@ impl Seeds {
         inputs.push(journal);
         inputs.extend(answers::seeds());
         inputs.extend(view::seeds());
+        inputs.extend(surface::seeds());
+        inputs.extend(course::seeds());
         inputs.extend(corpus(root)?);
         let texts = inputs.iter().flat_map(|input| &input.files);
         let words = Words::new(

@@ -24,11 +24,14 @@ use super::shown::message;
 use ertel_quantity::{Dimension, Unit};
 use header::NoHead;
 use names::Match;
-pub use number::Decimal;
 use number::Marks;
+pub use number::{Decimal, is_missing};
 pub use params::{ColumnMap, CsvParams, Vocabulary};
 use split::{Records, Separator, is_comment};
 use title::{NamedUnit, Title};
+
+/// Bytes of a line at most, some thousand columns: the search for the titles keeps the cells of some hundred lines.
+const LONGEST_LINE: usize = 32_768;
 
 /// What is wrong with a table, and where.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -127,6 +130,13 @@ impl CsvTable {
             column,
             problem: problem.to_owned(),
         };
+        let long = text.split('\n').position(|line| line.len() > LONGEST_LINE);
+        if let Some(i) = long {
+            let problem = format!(
+                "the line has more than {LONGEST_LINE} bytes, the most that a line of a table has: is it one without line breaks?"
+            );
+            return Err(at(i + 1, 1, &problem));
+        }
         const OPEN_QUOTE: &str = "the quote that begins here is not closed on its line";
         let head = header::find(text, header::start_of(text), vocabulary, params).map_err(
             |none| match none {

@@ -30,6 +30,7 @@ struct Report {
     place: Option<Place>,
     label: String,
     help: Vec<String>,
+    is_missing: bool,
 }
 
 /// A stretch of one line; counted from 1, columns in characters.
@@ -60,6 +61,7 @@ impl InputError {
             place: Some(Place::of(&source.text, span)),
             label: String::new(),
             help: Vec::new(),
+            is_missing: false,
         }))
     }
 
@@ -72,7 +74,19 @@ impl InputError {
             place: None,
             label: String::new(),
             help: Vec::new(),
+            is_missing: false,
         }))
+    }
+
+    /// Marks it as one about a key that is not there.
+    pub(super) fn of_missing(mut self) -> Self {
+        self.0.is_missing = true;
+        self
+    }
+
+    /// Whether it is about a key that is not there.
+    pub(super) fn is_missing(&self) -> bool {
+        self.0.is_missing
     }
 
     /// Adds words after the caret.

@@ -72,6 +72,14 @@ impl Inputs {
     }
 }
 
+/// Why two quantities cannot be correlated.
+pub(super) enum NotCorrelated<'k> {
+    /// This one has no uncertainty.
+    Certain(&'k str),
+    /// They are already.
+    Twice,
+}
+
 /// Notes the quantities of a table, and of those in it.
 #[derive(Clone, Debug)]
 pub struct Recorder<'a> {
@@ -91,19 +99,27 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    /// Notes a correlation of two quantities of the table; `Err` with the one that has no uncertainty.
+    /// Notes a correlation of two quantities of the table.
+    ///
+    /// # Errors
+    ///
+    /// A quantity without an uncertainty; a pair that is correlated already, in either order.
     pub(super) fn correlate<'k>(
         &self,
         keys: [&'k str; 2],
         coefficient: f64,
-    ) -> Result<(), &'k str> {
+    ) -> Result<(), NotCorrelated<'k>> {
         let mut noted = (self.inputs.noted.lock()).unwrap_or_else(PoisonError::into_inner);
         let paths = keys.map(|key| self.path(key));
         for (key, path) in keys.into_iter().zip(&paths) {
             let uncertain = |i: &Input| i.key == *path && i.uncertainty.is_some();
             if !noted.inputs.iter().any(uncertain) {
-                return Err(key);
+                return Err(NotCorrelated::Certain(key));
             }
+        }
+        let is_same = |known: &Correlation| paths.iter().all(|path| known.keys.contains(path));
+        if noted.correlations.iter().any(is_same) {
+            return Err(NotCorrelated::Twice);
         }
         noted.correlations.push(Correlation {
             keys: paths,

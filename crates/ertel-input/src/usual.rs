@@ -71,8 +71,15 @@ pub(crate) const HEIGHTS: Usual = usual(D::LENGTH, [0.1, 10_000.0], HEIGHT);
 pub(crate) const CROWNS: Usual = likely(D::LENGTH, [1.0, 1e6], SIZE);
 /// Drops, layers, short distances.
 pub(crate) const COATINGS: Usual = likely(D::LENGTH, [0.01, 1000.0], GAP);
+/// Clearances and preloads of bearings.
+pub(crate) const CLEARANCES: Usual = likely(D::LENGTH, [1.0, 500.0], GAP);
+/// Extents of reliefs along the surface.
+pub(crate) const RELIEFS: Usual = likely(D::LENGTH, [1.0, 5000.0], GAP);
 pub(crate) const OIL_LAYER: Usual =
     likely(D::LENGTH, [0.005, 500.0], ("um", 1e-6, &["um", "nm", "m"]));
+/// Contact temperatures at which oils lose their protection against scuffing, K: data sheets give them in degC.
+pub(crate) const SCUFFING: Usual =
+    likely(D::TEMPERATURE, [350.0, 850.0], ("K", 1.0, &["degC", "K"]));
 pub(crate) const LIGHT: Usual = likely(
     D::LENGTH,
     [100.0, 2000.0],
@@ -170,11 +177,12 @@ pub fn usual_of(key: &str, dimension: Dimension) -> Option<&'static Usual> {
 /// with which it is nearest to that.
 #[must_use]
 pub fn unit_meant(key: &str, dimension: Dimension, number: f64) -> String {
-    if dimension == Dimension::TEMPERATURE {
+    let row = usual_of(key, dimension);
+    if row.is_none() && dimension == Dimension::TEMPERATURE {
         let is_celsius = (CELSIUS[0]..=CELSIUS[1]).contains(&number);
         return if is_celsius { "degC" } else { "K" }.to_owned();
     }
-    let Some(row) = usual_of(key, dimension) else {
+    let Some(row) = row else {
         return dimension.si_unit();
     };
     let size = number.abs();
@@ -212,6 +220,19 @@ mod tests {
             ("bodies.roughness", 400.0, "nm"),
             ("bodies.roughness", 4e-7, "m"),
             ("surface_roughness.body_1_ra", 0.8, "um"),
+            ("machine.pinion_ra", 0.4, "um"),
+            ("machine.tip_relief", 20.0, "um"),
+            ("machine.wheel_tip_relief", 0.02, "mm"),
+            ("machine.radial_clearance", 12.0, "um"),
+            ("machine.axial_preload", -5.0, "um"),
+            ("machine.lift_tolerance", 1.3, "um"),
+            ("machine.scuffing_temperature", 380.0, "degC"),
+            ("machine.scuffing_temperature", 653.0, "K"),
+            ("surface.depth", 0.5, "um"),
+            ("surface.amplitude", 50.0, "nm"),
+            ("surface.rms_height", 0.2, "um"),
+            ("surface.wavelength", 50.0, "um"),
+            ("surface.wavelength", 0.2, "mm"),
             ("inlet.oil_layer", 0.5, "um"),
             ("contact.profile.end_drop", 8.0, "um"),
             ("contact.profile.crown_radius", 5000.0, "mm"),

@@ -11,6 +11,7 @@ mod solution;
 mod solve;
 mod study;
 
+use ertel::case::{LEAST_MAP_POINTS, MOST_MAP_POINTS};
 use pyo3::prelude::*;
 
 /// The functions and classes behind the package `ertel`.
@@ -18,6 +19,7 @@ use pyo3::prelude::*;
 fn _ertel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     let py = module.py();
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add("MAP_POINTS", (LEAST_MAP_POINTS, MOST_MAP_POINTS))?;
     module.add("CaseError", py.get_type::<errors::CaseError>())?;
     module.add(
         "ConvergenceError",

@@ -81,6 +81,10 @@ def test_curves(line: dict[str, Any], tmp_path: Path) -> None:
     assert isinstance(again, ertel.Curve) and len(again) == 3 and not again.failures
     assert again.to_pandas().equals(curve.to_pandas()) and again.report == curve.report and again.to_dict() == curve.to_dict()
     assert again.case.text == curve.case.text
+    for content in ["", "a,b\n1,2,3,4\n1,2\n", 'a,b\n"1,2\n']:
+        (tmp_path / "curve" / "curve.csv").write_text(content)
+        with pytest.raises(ertel.OutputError, match="curve.csv: damaged, it is no table"):
+            ertel.read(tmp_path / "curve").to_pandas()
     pytest.importorskip("matplotlib")
     axes = again.plot().axes[0]
     assert [text.get_color() for text in axes.get_lines()][0] == "#0072B2", "the first colour of the program"

@@ -114,6 +114,11 @@ kinds! {
         "The measured profile of a roller was levelled, averaged, shifted or made monotone before it was used.",
         "Any change of the measured heights.",
         "Compare the reported changes with the accuracy of the instrument.";
+    /// A map of a surface that does not cover the contact area.
+    SmallMap "small-map" Caution,
+        "A map of a surface is smaller than the contact area, or lies outside it: the rest of the surface is smooth.",
+        "More than 1 % of the dry contact area beyond the map without its rim.",
+        "Measure a larger area, give a smaller `taper`, or see the figures as those of a rough patch.";
     /// A roller whose pressure reaches its ends.
     RollerEnds "roller-ends" Caution,
         "The relief of the roller is so small that the contact reaches its ends, where half-spaces are stiffer than real bodies.",

@@ -2,6 +2,7 @@
 
 pub mod answers;
 mod case;
+pub mod course;
 mod curve_result;
 mod fit;
 pub mod journal;
@@ -10,6 +11,7 @@ mod own_data;
 mod python;
 mod settings;
 mod study;
+pub mod surface;
 pub mod view;
 mod web;
 
@@ -38,7 +40,10 @@ pub enum Verdict {
 /// A rule that does not hold.
 pub fn run(input: &Input, folder: &Path) -> Result<Verdict, Defect> {
     match input.target {
-        Target::Case | Target::Table | Target::Machine => case::run(folder),
+        Target::Case | Target::Table | Target::Machine | Target::Surface | Target::Course => {
+            case::run(folder)
+        }
+        Target::X3p => surface::x3p(input, folder),
         Target::Solve => case::solve(folder),
         Target::Study | Target::Points => study::run(folder),
         Target::FitViscosity | Target::FitDensity | Target::FitFilm => fit::run(input),

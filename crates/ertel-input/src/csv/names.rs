@@ -13,7 +13,7 @@ struct Names {
 }
 
 /// Written as [`fold`] writes them.
-const NAMES: [Names; 12] = [
+const NAMES: &[Names] = &[
     Names {
         own: "pressure",
         others: &[
@@ -261,6 +261,53 @@ const NAMES: [Names; 12] = [
         symbols: &["mu", "µ"],
         open: &[],
     },
+    // Places on a surface, and its heights.
+    Names {
+        own: "x",
+        others: &[
+            "x position",
+            "length",
+            "distance",
+            "position",
+            "lateral",
+            "lateral position",
+            "trace length",
+            "scan length",
+            "laenge",
+            "strecke",
+            "weg",
+            "abstand",
+            "taststrecke",
+            "messstrecke",
+        ],
+        symbols: &[],
+        open: &[],
+    },
+    Names {
+        own: "y",
+        others: &["y position", "width", "breite"],
+        symbols: &[],
+        open: &[],
+    },
+    Names {
+        own: "z",
+        others: &[
+            "z height",
+            "height",
+            "heights",
+            "profile",
+            "profile height",
+            "surface height",
+            "elevation",
+            "topography",
+            "hoehe",
+            "hoehen",
+            "profil",
+            "profilhoehe",
+        ],
+        symbols: &[],
+        open: &[],
+    },
 ];
 
 /// Words beside a name that do not change what it names.
@@ -415,7 +462,7 @@ mod tests {
 
     #[test]
     fn names_are_written_as_they_are_folded() {
-        for names in &NAMES {
+        for names in NAMES {
             for list in [names.others, names.symbols, names.open] {
                 for name in list {
                     assert_eq!(fold(name), **name);

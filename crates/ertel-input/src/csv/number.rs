@@ -14,13 +14,14 @@ pub enum Decimal {
 }
 
 /// Words for a value that is not there, in small letters.
-const MISSING: [&str; 17] = [
-    "-", "--", "---", "–", "—", "n/a", "na", "n.a.", "nan", "#n/a", "#na", "#nv", "null", "none",
-    "k.a.", "nv", "*",
+const MISSING: [&str; 22] = [
+    "no data", "nodata", "no_data", "bad", "missing", "-", "--", "---", "–", "—", "n/a", "na",
+    "n.a.", "nan", "#n/a", "#na", "#nv", "null", "none", "k.a.", "nv", "*",
 ];
 
 /// Whether a cell says that nothing stands there.
-pub(super) fn is_missing(cell: &str) -> bool {
+#[must_use]
+pub fn is_missing(cell: &str) -> bool {
     // No longer word is one of them.
     cell.is_empty() || (cell.len() < 8 && MISSING.contains(&cell.to_lowercase().as_str()))
 }

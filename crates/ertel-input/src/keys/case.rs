@@ -13,7 +13,7 @@ use super::settings::{COMPARE, MESH, OUTPUT, SOLVER, THERMAL};
 use super::{ANGLE, LENGTH, PRESSURE, ROTATION, SPEED, TEMPERATURE, TIME};
 use crate::usual::{
     COATINGS, CROWNS, GROOVES, HEIGHTS, HERTZ_PRESSURE, LENGTHS, LINE_LOAD, LOAD, MODULUS,
-    OIL_LAYER, RADII, SOLID_CONDUCTIVITY, SOLID_DENSITY, SPECIFIC_HEATS, SPEEDS,
+    OIL_LAYER, RADII, RELIEFS, SOLID_CONDUCTIVITY, SOLID_DENSITY, SPECIFIC_HEATS, SPEEDS,
 };
 
 rows! {
@@ -172,35 +172,35 @@ rows! {
         kind: Choice(&["dent", "bump", "groove", "ridge", "waves", "map", "generated"]) => r"round; straight; waves behind a first crest that fade out before it
             over a wavelength; heights of a file; a self-affine surface with random phases";
         body: Choice(&["body_1", "body_2"]) => "the body that it moves with";
-        radius: LENGTH => "r_0 of a dent or a bump, whose height falls to zero at 1.2 r_0";
-        half_width: LENGTH => "the same of a groove or a ridge, across it";
-        depth: LENGTH => "depth of a dent or a groove in its middle";
-        height: LENGTH => "height of a bump or a ridge in its middle";
-        wavelength: LENGTH => "length of the waves";
-        amplitude: LENGTH => "amplitude of the waves";
-        pitch: LENGTH => r"distance at which a dent or bump is repeated against the motion behind the first one, a groove or ridge across itself (to both sides if it lies
+        radius: LENGTH, usual [RELIEFS] => "r_0 of a dent or a bump, whose height falls to zero at 1.2 r_0";
+        half_width: LENGTH, usual [RELIEFS] => "the same of a groove or a ridge, across it";
+        depth: LENGTH, usual [HEIGHTS] => "depth of a dent or a groove in its middle";
+        height: LENGTH, usual [HEIGHTS] => "height of a bump or a ridge in its middle";
+        wavelength: LENGTH, usual [RELIEFS] => "length of the waves";
+        amplitude: LENGTH, usual [HEIGHTS] => "amplitude of the waves";
+        pitch: LENGTH, usual [RELIEFS] => r"distance at which a dent or bump is repeated against the motion behind the first one, a groove or ridge across itself (to both sides if it lies
             along the motion); not less than its whole width, 2.4 r_0; optional";
         count: Count, bounds [1.0, 1e6] => "how many there are with `pitch`; without it there is no end of them";
-        pitch_across: LENGTH => "the same of dents and bumps across the motion, half of them on either side of `y`";
+        pitch_across: LENGTH, usual [RELIEFS] => "the same of dents and bumps across the motion, half of them on either side of `y`";
         count_across: Count, bounds [1.0, 1e6] => "how many there are with `pitch_across`";
         file: Text => "a file with the heights of a map: rows of heights, points, CSV, SDF or X3P ([formats](#maps))";
         layout: Choice(&["rows", "points"]), default "rows" => "what a plain text has in a line: a row of heights, or x, y and z of a point";
-        spacing, row_spacing: LENGTH => "distances of the points in a row, and of the rows, of a text in rows; `row_spacing` is `spacing` if absent";
+        spacing, row_spacing: LENGTH, usual [RELIEFS] => "distances of the points in a row, and of the rows, of a text in rows; `row_spacing` is `spacing` if absent";
         height_unit: Text => "what the heights of a plain text are in, such as `\"um\"`";
         length_unit: Text => "what the places of points in a plain text are in";
         missing_share: Number, bounds [0.0, 0.5], default "0.05" => "share of the points of a map that may have no height{}; they are filled by a membrane through those about them";
         level: Choice(&["none", "mean", "plane", "quadratic"]), default "plane" => "form that is subtracted from a map, by least squares";
-        high_pass: LENGTH => "cutoff of a Gaussian filter that takes longer waves out of a map, half of those of this length; optional";
-        low_pass: LENGTH => r"cutoff of a Gaussian filter that takes shorter waves out of a map; the grids resolve waves of this length, without it waves of two distances of
+        high_pass: LENGTH, usual [RELIEFS] => "cutoff of a Gaussian filter that takes longer waves out of a map, half of those of this length; optional";
+        low_pass: LENGTH, usual [RELIEFS] => r"cutoff of a Gaussian filter that takes shorter waves out of a map; the grids resolve waves of this length, without it waves of two distances of
             points";
-        length, width: LENGTH => "sides of a generated surface, along its rows and across them; line contacts have no width";
-        rolloff_wavelength: LENGTH => "wavelength above which the spectral density of a generated surface is constant";
-        shortest_wavelength: LENGTH => "wavelength below which it is zero";
+        length, width: LENGTH, usual [RELIEFS] => "sides of a generated surface, along its rows and across them; line contacts have no width";
+        rolloff_wavelength: LENGTH, usual [RELIEFS] => "wavelength above which the spectral density of a generated surface is constant";
+        shortest_wavelength: LENGTH, usual [RELIEFS] => "wavelength below which it is zero";
         hurst_exponent: Number, bounds [0.0, 1.0] => "Hurst exponent between both";
-        rms_height: LENGTH => "root mean square height Sq of a generated surface";
+        rms_height: LENGTH, usual [HEIGHTS] => "root mean square height Sq of a generated surface";
         anisotropy: Number, bounds [0.01, 100.0], default "1" => "how much longer its hills are along the rows than across them";
         seed: Count, bounds [0.0, 4294967295.0] => "number of the surface: the same one gives the same heights";
-        taper: LENGTH => "width over which the heights of a map or a generated surface fall to zero along the rim, by a cosine; a tenth of the shorter side if absent";
+        taper: LENGTH, usual [RELIEFS] => "width over which the heights of a map or a generated surface fall to zero along the rim, by a cosine; a tenth of the shorter side if absent";
         direction: ANGLE, default "0 deg" => r"direction across a groove or a ridge, in which waves follow each other, or of the rows of a map, from the motion: -90 to 90
             degrees, of maps -180 to 180; 0 where grooves and waves lie across the motion";
         x: LENGTH => "where its middle, or its first crest, lies at t = 0; negative before the contact";

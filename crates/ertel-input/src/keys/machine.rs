@@ -7,7 +7,8 @@ use super::case::PROFILE;
 use super::{ANGLE, FORCE, LENGTH, PRESSURE, ROTATION, SPEED, TEMPERATURE};
 use super::{Row, rows};
 use crate::usual::{
-    HERTZ_PRESSURE, LENGTHS, LIFT_ACCELERATION, LOAD, MODULES, RADII, ROTATIONS, SPEEDS, TORQUE,
+    CLEARANCES, COATINGS, HEIGHTS, HERTZ_PRESSURE, LENGTHS, LIFT_ACCELERATION, LOAD, MODULES,
+    RADII, ROTATIONS, SCUFFING, SPEEDS, TORQUE,
 };
 
 /// Of thermal resistances.
@@ -62,11 +63,11 @@ rows! {
         designation: Text => r#"a bearing of the catalogue, such as `"6206"`, `"6306-2RS/C3"` or `"7210 B"`, in place of dimensions; each of them may
             still be given and then replaces that of the catalogue"#;
         balls: Count => "number of balls Z";
-        radial_clearance: LENGTH => "radial internal clearance, negative where the balls are squeezed; in place of `contact_angle`";
+        radial_clearance: LENGTH, usual [CLEARANCES] => "radial internal clearance, negative where the balls are squeezed; in place of `contact_angle`";
         radial_load: FORCE => r#"force on the inner ring across the axis, at ball 0; with this key, `axial_load` or `axial_preload` the file describes
             [a bearing under its loads](#a-bearing-under-its-loads)"#;
         axial_load: FORCE => "force on the inner ring along the axis; optional, 0";
-        axial_preload: LENGTH => "axial shift of the rings against each other beyond first touch, in place of `axial_load`";
+        axial_preload: LENGTH, usual [CLEARANCES] => "axial shift of the rings against each other beyond first touch, in place of `axial_load`";
         moment: Quantity(&[D::ENERGY]) => "tilting moment on the inner ring in the plane of the radial load; optional: the rings do not tilt";
         misalignment: ANGLE => "tilt of the inner ring in that plane, in place of `moment`";
         element: Count => "number of one ball, from 0 at the radial load on: with `ring`, its contact alone";
@@ -100,12 +101,12 @@ rows! {
         designation: Text => r#"a bearing of the catalogue, such as `"NU 206 E"` or `"30206"`, in place of dimensions"#;
         contact_angle: ANGLE => "α of the cup, half of its angle: with it, or by their designation, the rollers are tapered";
         rollers: Count => "number of rollers Z";
-        radial_clearance: LENGTH => "radial internal clearance; not of tapered rollers";
+        radial_clearance: LENGTH, usual [CLEARANCES] => "radial internal clearance; not of tapered rollers";
         roller_profile: Choice(&["cylinder", "logarithmic"]) => "relief of the rollers under bearing loads: none, or the reference profile of ISO/TS 16281";
         radial_load: FORCE => r#"force on the inner ring across the axis, at roller 0; with this key the file describes
             [a bearing under its loads](#a-bearing-under-its-loads)"#;
         axial_load: FORCE => "of tapered rollers: force on the inner ring along the axis that presses the rings together";
-        axial_preload: LENGTH => "of tapered rollers: axial shift of the rings against each other beyond first touch, in place of `axial_load`";
+        axial_preload: LENGTH, usual [CLEARANCES] => "of tapered rollers: axial shift of the rings against each other beyond first touch, in place of `axial_load`";
         moment: Quantity(&[D::ENERGY]) => "tilting moment on the inner ring, in place of `misalignment`";
         roller_contacts: Choice(&["lines", "finite"]), default "lines" => r#"how contacts are solved: `"lines"` under the mean load per length, or `"finite"`
             rollers over their whole length with relief and tilt"#;
@@ -151,8 +152,8 @@ rows! {
         keep_tip_clearance: Switch => "tips from the basic rack are shortened so as to keep its clearance; optional";
         internal: Switch => "whether the teeth of the wheel are inside; optional";
         pinion_face_width, wheel_face_width: LENGTH, usual [LENGTHS], aside "of gears of two widths, in place of `face_width`";
-        tip_relief: LENGTH => "C_a of both gears, normal to the flank; optional. Load sharing by stiffness knows of it";
-        pinion_tip_relief, wheel_tip_relief: LENGTH, aside "of one gear, in place of `tip_relief`";
+        tip_relief: LENGTH, usual [COATINGS] => "C_a of both gears, normal to the flank; optional. Load sharing by stiffness knows of it";
+        pinion_tip_relief, wheel_tip_relief: LENGTH, usual [COATINGS], aside "of one gear, in place of `tip_relief`";
         tip_relief_length: LENGTH => "along the path of contact, from its ends";
         tip_relief_shape: Choice(&["linear", "parabolic"]), default "linear" => "optional";
         load_sharing: SHARING => r#"optional: how pairs of teeth share the load. `"uniform"`: evenly over the contact lines (default of a path);
@@ -164,9 +165,9 @@ rows! {
         points: Count => "equally spaced points of a path, with B, C and D besides; optional, 30";
         folders: Switch => "of a path: whether each contact has a folder of its results; optional";
         bulk_temperature: TEMPERATURE => "of the teeth, with `[thermal]` in the contacts, too, unless that gives `body_1_temperature` and `body_2_temperature`; optional, that of the lubricant";
-        scuffing_temperature: TEMPERATURE => "contact temperature at which teeth scuff with this oil; optional, for a safety";
+        scuffing_temperature: TEMPERATURE, usual [SCUFFING] => "contact temperature at which teeth scuff with this oil; optional, for a safety";
         permissible_lambda: Number => "specific film λ_GFP without micropitting; optional, for a safety";
-        pinion_ra, wheel_ra: LENGTH => "roughness Ra of the flanks; optional, for specific films and models of friction";
+        pinion_ra, wheel_ra: LENGTH, usual [HEIGHTS] => "roughness Ra of the flanks; optional, for specific films and models of friction";
         oil_factor: Number => "X_L of models of friction; optional, 1 (mineral oils)";
     }
     HELICAL_GEAR {
@@ -193,8 +194,8 @@ rows! {
         keep_tip_clearance: Switch => "tips from the basic rack are shortened so as to keep its clearance; optional";
         internal: Switch => "whether the teeth of the wheel are inside; optional";
         pinion_face_width, wheel_face_width: LENGTH, usual [LENGTHS], aside "of gears of two widths, in place of `face_width`";
-        tip_relief: LENGTH => "C_a of both gears, normal to the flank; optional. Load sharing by stiffness knows of it";
-        pinion_tip_relief, wheel_tip_relief: LENGTH, aside "of one gear, in place of `tip_relief`";
+        tip_relief: LENGTH, usual [COATINGS] => "C_a of both gears, normal to the flank; optional. Load sharing by stiffness knows of it";
+        pinion_tip_relief, wheel_tip_relief: LENGTH, usual [COATINGS], aside "of one gear, in place of `tip_relief`";
         tip_relief_length: LENGTH => "along the path of contact, from its ends";
         tip_relief_shape: Choice(&["linear", "parabolic"]), default "linear" => "optional";
         load_sharing: SHARING => r#"optional: how pairs of teeth share the load. `"uniform"`: evenly over the contact lines (default of a path);
@@ -206,9 +207,9 @@ rows! {
         points: Count => "equally spaced points of a path, with B, C and D besides; optional, 30";
         folders: Switch => "of a path: whether each contact has a folder of its results; optional";
         bulk_temperature: TEMPERATURE => "of the teeth, with `[thermal]` in the contacts, too, unless that gives `body_1_temperature` and `body_2_temperature`; optional, that of the lubricant";
-        scuffing_temperature: TEMPERATURE => "contact temperature at which teeth scuff with this oil; optional, for a safety";
+        scuffing_temperature: TEMPERATURE, usual [SCUFFING] => "contact temperature at which teeth scuff with this oil; optional, for a safety";
         permissible_lambda: Number => "specific film λ_GFP without micropitting; optional, for a safety";
-        pinion_ra, wheel_ra: LENGTH => "roughness Ra of the flanks; optional, for specific films and models of friction";
+        pinion_ra, wheel_ra: LENGTH, usual [HEIGHTS] => "roughness Ra of the flanks; optional, for specific films and models of friction";
         oil_factor: Number => "X_L of models of friction; optional, 1 (mineral oils)";
     }
     CAM_AND_TAPPET {
@@ -228,7 +229,7 @@ rows! {
         return: Table(PART) => "the return; optional, as the rise. The rest of the turn is the base circle";
         lobes: Count => "in place of `rise`: harmonic lobes, s = (h/2)(1 − cos nθ)";
         lift_table: Text => "in place of these: a CSV table with the columns `angle` and `lift`, each with its unit";
-        lift_tolerance: LENGTH => "by which the lifts of a table may be smoothed, as they are rounded; optional";
+        lift_tolerance: LENGTH, usual [COATINGS] => "by which the lifts of a table may be smoothed, as they are rounded; optional";
         eccentricity: LENGTH => "in place of these: a disc on an axis beside its centre, s = e cos θ";
         follower: Choice(&["flat", "roller", "curved", "finger"]) => "kind of the follower";
         follower_radius: LENGTH, usual [RADII] => "of a roller, a curved face, or the face of a finger";

@@ -8,6 +8,7 @@ mod lubricant;
 mod machine;
 mod settings;
 mod told;
+mod unknown;
 
 use std::sync::LazyLock;
 
@@ -22,6 +23,7 @@ pub use lubricant::{
 pub use machine::MACHINES;
 pub use settings::{CODES, COMPARE, INTERFEROGRAM, MESH, OUTPUT, SOLVER, THERMAL};
 pub use told::{plain, table, table_of_laws};
+pub use unknown::{unknown_first, unknown_path};
 
 use crate::Bounds;
 use crate::usual::Usual;

@@ -19,6 +19,7 @@ pub const CODES: &[&str] = &[
     "strength",
     "asperity-data",
     "measured-profile",
+    "small-map",
     "roller-ends",
     "gears",
     "pressure-range",

@@ -104,7 +104,7 @@ impl Table<'_> {
         let suspect = unread
             .filter(|entry| nearest(&entry.key, [key]).is_some())
             .min_by_key(|entry| strsim::osa_distance(&entry.key, key));
-        match suspect {
+        let error = match suspect {
             Some(entry) => InputError::at(
                 self.source,
                 entry.key_span.clone(),
@@ -113,7 +113,8 @@ impl Table<'_> {
             )
             .with_label(format!("did you mean `{key}`?")),
             None => InputError::at(self.source, self.span.clone(), self.path_of(key), message),
-        }
+        };
+        error.of_missing()
     }
 
     pub(super) fn at_node(&self, node: &Node, key: &str, message: impl Into<String>) -> InputError {
@@ -142,10 +143,19 @@ impl Table<'_> {
 }
 
 /// The choice most like `name`, if any is like it.
-fn nearest<'n>(name: &str, choices: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
+pub(crate) fn nearest<'n>(
+    name: &str,
+    choices: impl IntoIterator<Item = &'n str>,
+) -> Option<&'n str> {
     let name = name.to_lowercase();
-    choices
-        .into_iter()
+    let choices: Vec<&str> = choices.into_iter().collect();
+    // A number at the end that no key has: `kinematic_viscosity_70` is meant for the key without one.
+    let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let stem = stem.strip_suffix('_').filter(|_| stem.len() < name.len());
+    if let Some(choice) = choices.iter().find(|choice| Some(**choice) == stem) {
+        return Some(choice);
+    }
+    (choices.into_iter())
         .map(|choice| (strsim::osa_distance(&name, &choice.to_lowercase()), choice))
         .filter(|(distance, choice)| {
             // A third of the letters may differ (`raduis`, `visosity`), more after a common start (`circle`).

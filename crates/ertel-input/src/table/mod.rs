@@ -6,6 +6,8 @@ mod numbers;
 mod tables;
 mod text;
 
+pub(crate) use errors::nearest;
+
 use std::ops::Range;
 
 use super::Source;

@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 __version__: str
+# Points of a map in each direction at least, and of all of it at most.
+MAP_POINTS: tuple[int, int]
 
 class CaseError(ValueError): ...
 class ConvergenceError(RuntimeError):

@@ -59,12 +59,20 @@ def write_map(
     if sizes is None:
         raise CaseError("sizes: lengths of the sides of the map")
     try:
+        if np.iscomplexobj(values):
+            raise CaseError("heights are complex numbers; give their real parts")
         heights: NDArray[np.float64] = np.ma.filled(np.ma.asarray(values, dtype=float), np.nan)
         lengths = np.atleast_1d(np.asarray(sizes, dtype=float))
+    except CaseError:
+        raise
     except (TypeError, ValueError) as error:
         raise CaseError(f"heights and sizes are numbers: {error}") from None
     if heights.ndim not in (1, 2) or lengths.shape != (heights.ndim,):
         raise CaseError(f"heights of {heights.ndim} axes and {lengths.size} sizes: one or two axes, and a size for each")
+    least, most = _ertel.MAP_POINTS
+    if min(heights.shape) < least or heights.size > most:
+        shape = " x ".join(map(str, heights.shape))
+        raise CaseError(f"{shape} points: a map has {least} in each direction at least and {most} at most, a profile {least} to {most}")
     if not (np.all(np.isfinite(lengths)) and np.all(lengths > 0.0)):
         raise CaseError(f"sizes = {sizes!r}: lengths above zero")
     if np.any(np.isinf(heights)):

@@ -110,9 +110,7 @@ class Tabulated(Stored):
 
     def to_pandas(self) -> pd.DataFrame:
         """The table, units in the titles of the columns."""
-        import pandas as pd
-
-        return pd.read_csv(io.StringIO(self.table))
+        return frame(self.table, "the table" if self._folder is None else str(self._folder / self._table_file))
 
 
 def text_of(path: Path) -> str:
@@ -131,6 +129,22 @@ def text_of(path: Path) -> str:
         raise OutputError(f"{path}: it is no UTF-8 text; the file is damaged") from None
     except OSError as error:
         raise OutputError(f"{path}: cannot be read: {error.strerror}") from None
+
+
+def frame(text: str, name: str) -> pd.DataFrame:
+    """A table of the program.
+
+    Raises
+    ------
+    OutputError
+        Of what is no such table, by its name.
+    """
+    import pandas as pd
+
+    try:
+        return pd.read_csv(io.StringIO(text))
+    except ValueError as error:  # EmptyDataError and ParserError of pandas are such.
+        raise OutputError(f"{name}: damaged, it is no table: {str(error).strip()}") from None
 
 
 def document(path: Path, format: str, needed: tuple[str, ...]) -> dict[str, Any]:
@@ -184,7 +198,10 @@ def shaped(path: Path, read: Any) -> Any:
 
 def columns(path: Path) -> dict[str, Floats]:
     """The columns of a CSV file of numbers; empty fields are not a number."""
-    rows = list(csv.reader(line for line in text_of(path).splitlines() if line))
+    try:
+        rows = list(csv.reader(line for line in text_of(path).splitlines() if line))
+    except csv.Error as error:
+        raise OutputError(f"{path}: damaged, it is no table: {error}") from None
     if len(rows) < 2 or any(len(row) != len(rows[0]) for row in rows):
         raise OutputError(f"{path}: damaged, it has no rows or rows of different lengths")
     try:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,7 +11,7 @@ from . import _ertel
 from ._ertel import OutputError
 from ._machine import MachineSolution
 from ._result import Result
-from ._stored import Stored, document, shaped, text_of
+from ._stored import Stored, document, frame, shaped, text_of
 from ._transient import Transient
 
 if TYPE_CHECKING:
@@ -62,9 +61,7 @@ class Study:
 
     def to_pandas(self) -> pd.DataFrame:
         """The table of the finished points, SI, units in the titles of the columns."""
-        import pandas as pd
-
-        return pd.read_csv(io.StringIO(self._table))
+        return frame(self._table, str(self.folder / "results.csv"))
 
     def point(self, number: int) -> Result | Transient | MachineSolution:
         """The results of a point by its number, from 1; of a study that was run with ``folders=True``.
@@ -221,10 +218,8 @@ class Comparison(Stored):
 
     def to_pandas(self) -> pd.DataFrame:
         """A row for each measurement, as of :func:`compare`."""
-        import pandas as pd
-
-        assert self._folder is not None
-        return pd.read_csv(io.StringIO(text_of(self._folder / "comparison.csv")))
+        path = self._stored("the table") / "comparison.csv"
+        return frame(text_of(path), str(path))
 
     def __len__(self) -> int:
         return self._document["n_rows"]

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from . import _ertel, _toml
 from ._case import Progress, _listener
 from ._ertel import CaseError
+from ._stored import frame, text_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -102,9 +103,8 @@ def _absolute(key: str, path: Any) -> str:
 
 def table(folder: Path, summary: StudySummary) -> pd.DataFrame:
     """The table of a study that was run."""
-    import pandas as pd
-
-    rows = pd.read_csv(folder / "results.csv")
+    path = folder / "results.csv"
+    rows = frame(text_of(path), str(path))
     # As plain data: tables with others cannot be written as Parquet.
     rows.attrs["summary"] = asdict(summary)
     return rows
@@ -145,8 +145,6 @@ def compare(
         A row for each measurement: measured and computed figures, error bars, relative differences (SI). ``attrs["report"]`` has bias, rms,
         the worst row and how many agree within the uncertainty, in words.
     """
-    import pandas as pd
-
     case, measured = Path(case), Path(measured)
     target = Path("results") / f"{case.stem}-{measured.stem}" if folder is None else Path(folder)
     report, text = _ertel.compare(
@@ -159,7 +157,8 @@ def compare(
         jobs=jobs,
         progress=_listener(progress),
     )
-    rows = pd.read_csv(target / "comparison.csv")
+    path = target / "comparison.csv"
+    rows = frame(text_of(path), str(path))
     rows.attrs.update(report=report, summary=asdict(StudySummary._read(text)))
     return rows
 

@@ -250,6 +250,21 @@ fn any_two_viscosities_make_the_oil() {
             ),
             5e-3,
         ),
+        // At a temperature of which there is no key.
+        (
+            format!(
+                "kinematic_viscosity = '{}'\nviscosity_temperature = '70 degC'\nviscosity_index = 105.2",
+                mm2(70.0)
+            ),
+            5e-3,
+        ),
+        (
+            format!(
+                "dynamic_viscosity = '{}'\nviscosity_temperature = '345.15 K'\nkinematic_viscosity_40 = '46 cSt'",
+                mpas(72.0)
+            ),
+            1e-6,
+        ),
         (
             "iso_vg = 'VG 46'\nkinematic_viscosity_100 = '6.9 cSt'".to_owned(),
             1e-6,
@@ -286,6 +301,18 @@ fn any_two_viscosities_make_the_oil() {
         ),
         (
             "kinematic_viscosity_40 = '46 cSt'\ndynamic_viscosity_40 = '40 mPas'\nbase_oil = 'ester'",
+            "say the same thing",
+        ),
+        (
+            "kinematic_viscosity = '20 cSt'\nbase_oil = 'mineral'",
+            "missing key `viscosity_temperature`",
+        ),
+        (
+            "iso_vg = 32\nviscosity_temperature = '70 degC'\nbase_oil = 'mineral'",
+            "neither is given",
+        ),
+        (
+            "kinematic_viscosity = '20 cSt'\ndynamic_viscosity = '17 mPas'\nviscosity_temperature = '70 degC'\nbase_oil = 'mineral'",
             "say the same thing",
         ),
         (

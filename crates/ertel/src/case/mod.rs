@@ -64,7 +64,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use ertel_input::csv::CsvParams;
-use ertel_input::{Document, InputError, Inputs, Table};
+use ertel_input::{Document, InputError, Inputs, Table, keys};
 use ertel_rheology::ShearThinning;
 use ertel_rheology::database::DatabaseError;
 
@@ -93,7 +93,9 @@ pub use machine::{
 pub use params::{read_mesh, read_solver};
 pub use study::Study;
 pub use study::read_named;
-pub use surface::{SurfaceEcho, SurfaceRelief};
+pub use surface::{
+    LEAST_POINTS as LEAST_MAP_POINTS, MOST_POINTS as MOST_MAP_POINTS, SurfaceEcho, SurfaceRelief,
+};
 pub use thermal::read as read_thermal;
 pub use thermal::{Heat, SolidHeat};
 pub use transient::{Reference, Transient, contact_with};
@@ -187,6 +189,11 @@ impl Case {
     ///
     /// As [`Case::read`].
     pub fn from_document(document: &Document, folder: &Path) -> Result<Self, InputError> {
+        Self::known_from_document(document, folder)
+            .map_err(|error| keys::unknown_first(document, keys::CASE, error))
+    }
+
+    fn known_from_document(document: &Document, folder: &Path) -> Result<Self, InputError> {
         let mut case = Self::without_curve(document, folder, BTreeMap::new())?;
         case.curve = curve::read(document, folder, &case)?;
         let draws_none = (case.curve.as_ref()).is_some_and(|curve| !curve.folders);

@@ -182,7 +182,28 @@ fn put(table: &mut dyn TableLike, path: &str, mut value: toml_edit::Value) -> Op
         new.set_implicit(rest.contains('.'));
         table.insert(key, Item::Table(new));
     }
-    put(table.get_mut(key)?.as_table_like_mut()?, rest, value)
+    put_into(table.get_mut(key)?, rest, value)
+}
+
+/// Puts a value into a table, or into one of an array of tables, which a key path counts from 1: `surface.1.depth`.
+fn put_into(item: &mut Item, path: &str, value: toml_edit::Value) -> Option<()> {
+    if let Some(table) = item.as_table_like_mut() {
+        return put(table, path, value);
+    }
+    let (place, rest) = path.split_once('.').unwrap_or((path, ""));
+    let place = place.parse::<usize>().ok()?.checked_sub(1)?;
+    match item {
+        Item::ArrayOfTables(tables) => put(tables.get_mut(place)?, rest, value),
+        Item::Value(toml_edit::Value::Array(array)) => {
+            let entry = array.get_mut(place)?;
+            match rest {
+                "" => *entry = value.decorated("", ""),
+                rest => put(entry.as_inline_table_mut()?, rest, value)?,
+            }
+            Some(())
+        }
+        _ => None,
+    }
 }
 
 #[cfg(test)]
@@ -276,6 +297,39 @@ mod tests {
         ] {
             let error = read(settings).unwrap_err().to_string();
             assert!(error.contains(words), "{settings:?}: {error}");
+        }
+    }
+
+    /// Tables of arrays are counted from 1, whichever way they are written.
+    #[test]
+    fn tables_of_arrays_take_values() {
+        let waves = "kind = \"waves\"\nbody = \"body_2\"\nwavelength = \"0.2 mm\"\namplitude = \"0.1 um\"\nx = \"0 mm\"\n";
+        let line = waves.trim_end().replace('\n', ", ");
+        let at_rest = CASE.replace("slide_to_roll_ratio = 0.0", "slide_to_roll_ratio = -2.0");
+        assert_ne!(at_rest, CASE);
+        for (text, n) in [
+            (
+                format!("{at_rest}\n[[surface]] # First\n{waves}\n[[surface]]\n{waves}"),
+                2,
+            ),
+            (
+                format!("surface = [{{ {line} }}, {{ {line} }}]\n{at_rest}"),
+                2,
+            ),
+        ] {
+            let key = format!("surface.{n}.amplitude");
+            let settings = [format!("{key}=0.02 um"), "contact.load=30 kN/m".to_owned()];
+            let case = Case::from_text_with("c.toml", &text, Path::new(""), &settings).unwrap();
+            let again = Case::from_text("c.toml", &case.source, Path::new("")).unwrap();
+            assert_eq!(again.given, case.given);
+            assert_eq!(case.given["surface"][n - 1]["amplitude"], "0.02 um");
+            assert_eq!(case.given["surface"][n - 2]["amplitude"], "0.1 um");
+            let beyond = [format!("surface.{}.amplitude=0.02 um", n + 1)];
+            let error = Case::from_text_with("c.toml", &text, Path::new(""), &beyond).unwrap_err();
+            assert!(
+                error.to_string().contains("none of the 2 entries"),
+                "{error}"
+            );
         }
     }
 

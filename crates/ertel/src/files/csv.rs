@@ -1,10 +1,12 @@
 //! Fields of CSV tables.
 
+use ertel_input::escaped;
+
 /// A text as a field: quoted where it must be (RFC 4180), and, where a spreadsheet would take it for a formula, with an
 /// apostrophe before it. Numbers stay as they are.
 pub fn text_field(text: &str) -> String {
     if is_formula(text) {
-        format!("\"'{}\"", text.replace('"', "\"\""))
+        format!("\"'{}\"", escaped(text).replace('"', "\"\""))
     } else {
         quoted(text)
     }
@@ -12,6 +14,8 @@ pub fn text_field(text: &str) -> String {
 
 /// A field, quoted where any of the usual separators would end it.
 pub fn quoted(text: &str) -> String {
+    // A terminal that shows the table acts on no character of it.
+    let text = &*escaped(text);
     if text.contains([',', ';', '\t', '"', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {
@@ -49,6 +53,8 @@ mod tests {
         for plain in ["-1.5e-3", "+2", "-5", "", "oil = thick", "a-b", "-0"] {
             assert_eq!(text_field(plain), plain);
         }
+        assert_eq!(text_field("\u{1b}[31mred"), "\\u001b[31mred");
+        assert_eq!(text_field("=\u{7}1"), "\"'=\\u00071\"");
         assert_eq!(text_field("a;b"), "\"a;b\"");
         assert_eq!(quoted("-5.1 %"), "-5.1 %");
     }

@@ -43,6 +43,9 @@ pub enum SweepError {
         /// Folder of the part.
         folder: PathBuf,
     },
+    /// Nothing to be joined.
+    #[error("no parts to join: name the folders of the parts of a study")]
+    NoParts,
     /// Results of a point cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),

@@ -10,7 +10,7 @@ use crate::study::table::StudyEcho;
 /// Joins parts of one study: their journals and their table, in a folder that may hold a part of it.
 ///
 /// # Errors
-/// [`SweepError`]: parts of different studies, folders without a study, and the system's reasons.
+/// [`SweepError`]: no parts, parts of different studies, folders without a study, and the system's reasons.
 pub fn merge(target: &Path, parts: &[PathBuf]) -> Result<SweepSummary, SweepError> {
     let clock = Instant::now();
     let mut study: Option<(StudyEcho, &Path)> = None;
@@ -34,7 +34,7 @@ pub fn merge(target: &Path, parts: &[PathBuf]) -> Result<SweepSummary, SweepErro
         all.push(look(part)?);
     }
     let Some((echo, _)) = study else {
-        return Ok(SweepSummary::default());
+        return Err(SweepError::NoParts);
     };
     let (mut journal, former) = open(target, &echo)?;
     let mut records = former.records;

@@ -11,7 +11,7 @@ pub(super) use self::data::{computed, datum_of, figures, given};
 use self::base_oil::needs_base_oil;
 use self::coefficient::COEFFICIENTS;
 use self::data::estimated;
-use self::viscosity::{DYNAMIC, KINEMATIC, has_dynamic, points};
+use self::viscosity::{ANY, AT_ANY, DYNAMIC, KINEMATIC, has_dynamic, points};
 use super::{density::reference_temperature, locate};
 use crate::data_sheet::{BaseOil, WATER_AT_15, viscosity_index};
 use crate::density::{DowsonHigginson, ThermalExpansion};
@@ -54,7 +54,10 @@ pub(super) struct Sheet {
 /// Whether the table has keys of a data sheet; the first of them.
 pub(super) fn first_key(table: &mut Table<'_>) -> Option<&'static str> {
     let of_temperature = KINEMATIC.iter().chain(&DYNAMIC).chain(&COEFFICIENTS);
-    let mut all = of_temperature.map(|(key, _)| *key).chain(KEYS);
+    let at_any = AT_ANY.into_iter().chain([ANY]);
+    let mut all = (of_temperature.map(|(key, _)| *key))
+        .chain(at_any)
+        .chain(KEYS);
     all.find(|key| table.contains(key))
 }
 

@@ -45,12 +45,50 @@ pub(super) const DYNAMIC: [(&str, f64); 8] = [
     ("dynamic_viscosity_100", 100.0),
 ];
 
+/// Keys of one viscosity at any temperature, which the key below gives.
+pub(super) const AT_ANY: [&str; 2] = ["kinematic_viscosity", "dynamic_viscosity"];
+pub(super) const ANY: &str = "viscosity_temperature";
+/// Temperatures that a viscosity is given at, K: Walther's equation has no others.
+const TEMPERATURES: Bounds = Bounds::closed(223.15, 473.15);
+
 /// Temperature (K) and kinematic viscosity (m²/s) there.
 pub(super) type Point = (f64, f64);
 
 /// Whether a dynamic viscosity is given, which needs the density to become a kinematic one.
 pub(super) fn has_dynamic(table: &mut Table<'_>) -> bool {
-    DYNAMIC.iter().any(|(key, _)| table.contains(key))
+    let mut keys = DYNAMIC.iter().map(|(key, _)| *key).chain([AT_ANY[1]]);
+    keys.any(|key| table.contains(key))
+}
+
+/// The key of a viscosity at any temperature, and that temperature in degC.
+fn at_any(table: &mut Table<'_>) -> Result<Option<(&'static str, f64)>, InputError> {
+    let keys: Vec<&'static str> = AT_ANY
+        .into_iter()
+        .filter(|key| table.contains(key))
+        .collect();
+    let celsius = (table.optional_quantity(ANY, Dimension::TEMPERATURE, TEMPERATURES)?)
+        .map(|kelvin| kelvin - ZERO_CELSIUS);
+    match (&keys[..], celsius) {
+        ([], None) => Ok(None),
+        ([key], Some(celsius)) => Ok(Some((key, celsius))),
+        ([_, second, ..], _) => Err(table.error(
+            second,
+            format!(
+                "`{}` and `{second}` say the same thing: give one of them",
+                AT_ANY[0]
+            ),
+        )),
+        ([key], None) => Err(table.missing(ANY).with_help(format!(
+            "the temperature of `{key}`, as in {ANY} = \"70 degC\""
+        ))),
+        ([], Some(_)) => Err(table.error(
+            ANY,
+            format!(
+                "`{ANY}` is that of `{}` or `{}`, and neither is given",
+                AT_ANY[0], AT_ANY[1]
+            ),
+        )),
+    }
 }
 
 /// Two points of the viscosity, by what the sheet gives. `density` is known where [`has_dynamic`].
@@ -64,10 +102,11 @@ pub(super) fn points(
         key.starts_with("kinematic") && [40.0, 100.0].contains(celsius)
     };
     let all = KINEMATIC.iter().chain(&DYNAMIC);
-    let given_keys: Vec<(&'static str, f64)> = all
+    let mut given_keys: Vec<(&'static str, f64)> = all
         .filter(|(key, _)| table.contains(key))
         .copied()
         .collect();
+    given_keys.extend(at_any(table)?);
     if given_keys.iter().all(is_usual) {
         let index = table.contains("viscosity_index") || base_oil.is_some();
         let by_100 = table.contains("kinematic_viscosity_100")

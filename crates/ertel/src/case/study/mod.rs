@@ -33,7 +33,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use ertel_input::tree::{Node, Value};
-use ertel_input::{Document, InputError, Table};
+use ertel_input::{Document, InputError, Table, excerpt, keys};
 use ertel_quantity::Dimension;
 use rayon::prelude::*;
 
@@ -92,8 +92,8 @@ impl Reader {
         point.case.source = format!(
             "# Point {} of {}: {}\n{}",
             index + 1,
-            self.name,
-            point.label,
+            excerpt(&self.name),
+            excerpt(&point.label),
             text::to_toml(varied.tree())
         );
         Ok(point)
@@ -164,7 +164,9 @@ impl StudyPoint {
             }
             Ok(case)
         };
-        let mut case = read().map_err(|error| error.with_help(told(&label)))?;
+        let mut case = read().map_err(|error| {
+            keys::unknown_first(&varied, keys::CASE, error).with_help(told(&label))
+        })?;
         let keys = settings.iter().map(|s| s.key.as_str());
         let ignored = case.lubricant.temperature_ignored(keys, "varies");
         case.warn(ignored);
@@ -253,8 +255,18 @@ impl Study {
         settings: &[String],
         places: Option<&[usize]>,
     ) -> Result<Self, InputError> {
-        let folder = path.parent().unwrap_or(Path::new(""));
         let study = Document::read(path)?;
+        Self::of_document(&study, path, settings, places)
+            .map_err(|error| keys::unknown_first(&study, keys::STUDY, error))
+    }
+
+    fn of_document(
+        study: &Document,
+        path: &Path,
+        settings: &[String],
+        places: Option<&[usize]>,
+    ) -> Result<Self, InputError> {
+        let folder = path.parent().unwrap_or(Path::new(""));
         let mut root = study.root();
         let title = root.optional_str("title")?.unwrap_or_default().to_owned();
         let base = folder.join(root.required_str("case").map_err(|error| {
@@ -273,12 +285,12 @@ impl Study {
             None => (case, Vec::new()),
             Some(name) => {
                 let table = folder.join(name);
-                let (case, group) = points::read(case, &table, &study)?;
+                let (case, group) = points::read(case, &table, study)?;
                 files.push(table);
                 (case, vec![group])
             }
         };
-        groups.extend(axis::read(&mut root, &study, offset)?);
+        groups.extend(axis::read(&mut root, study, offset)?);
         root.finish()?;
         if groups.is_empty() {
             return Err(study.root().missing("axis").with_help(
@@ -338,6 +350,8 @@ fn build(
             "there are {n_points} points, and not all of those asked for"
         )));
     }
+    // What is wrong in all points is said before there are a million of them.
+    reader.read(places[0])?;
     let read: Vec<Result<(StudyPoint, Vec<PathBuf>), InputError>> = (places.par_iter())
         .map(|index| {
             let mut point = reader.read(*index)?;
@@ -423,6 +437,11 @@ fn check_keys(case: &Document, groups: &[Group]) -> Result<(), InputError> {
                 &axis.key,
                 format!("`{}` varies twice", axis.key),
             ));
+        }
+    }
+    for axis in &axes {
+        if let Some(error) = keys::unknown_path(case, &axis.key, axis.key_span.clone()) {
+            return Err(error);
         }
     }
     for group in groups {

@@ -140,6 +140,7 @@ pub(super) fn measured(
     let own = Own {
         file: Some(file.to_owned()),
         format: heights.format.words(),
+        heights_by: heights.format.heights_by(),
         hash: Some(format!("{:016x}", heights.hash)),
         missing,
         level: levels
@@ -214,6 +215,7 @@ pub(super) fn generated(
     let own = Own {
         file: None,
         format: "generated",
+        heights_by: "`rms_height`",
         hash: None,
         missing: 0,
         level: "none",
@@ -227,6 +229,8 @@ pub(super) fn generated(
 struct Own {
     file: Option<String>,
     format: &'static str,
+    /// What says how large heights are.
+    heights_by: &'static str,
     hash: Option<String>,
     missing: usize,
     level: &'static str,
@@ -304,10 +308,15 @@ fn finished(
     let (filtered, filtered_spectra) = (map.parameters(), spectra(&map));
     if !HEIGHT.contains(filtered.sz) {
         return Err(table.error(
-            if own.file.is_some() { "file" } else { "rms_height" },
+            if own.file.is_some() {
+                "file"
+            } else {
+                "rms_height"
+            },
             format!(
-                "heights of the surface differ by {}, where 1 pm to 1 mm is a relief; check `height_unit`",
-                length(filtered.sz)
+                "heights of the surface differ by {}, where 1 pm to 1 mm is a relief; check {}",
+                length(filtered.sz),
+                own.heights_by
             ),
         ));
     }

@@ -1,6 +1,7 @@
 //! `[[surface]]`: what stands on a surface, what is missing from it, and what was measured of it.
 
 mod array;
+mod coverage;
 mod map;
 mod reader;
 
@@ -16,6 +17,7 @@ use crate::params::{ElasticModel, Method, SensitivityDemand};
 use crate::warning::{Warning, WarningKind};
 use crate::words::length;
 pub use map::SurfaceEcho;
+pub use reader::{LEAST_POINTS, MOST_POINTS};
 
 /// A relief of a surface, m.
 #[derive(Clone, Debug, PartialEq)]
@@ -172,8 +174,9 @@ const REST: f64 = 1e-9;
 /// others.
 pub(super) fn check(case: &Case, root: &mut Table<'_>) -> Result<Vec<Warning>, InputError> {
     let tables = root.tables("surface")?;
+    let mut warnings = coverage::warnings(case);
     let Some(first) = tables.first().filter(|_| case.transient.is_none()) else {
-        return Ok(Vec::new());
+        return Ok(warnings);
     };
     if let Some((_, reason)) = refusals(case).iter().find(|(is_refused, _)| *is_refused) {
         return Err(first.error_here(format!("[[surface]] does not go together with {reason}")));
@@ -200,16 +203,13 @@ pub(super) fn check(case: &Case, root: &mut Table<'_>) -> Result<Vec<Warning>, I
                 ));
         }
     }
-    let is_rough = case.roughness.is_some();
-    Ok(is_rough
-        .then(|| {
-            Warning::new(
-                WarningKind::NoEffect,
-                "the roughness has no effect with [[surface]] except on the lambda ratio and the asperities: heights in both count twice there",
-            )
-        })
-        .into_iter()
-        .collect())
+    if case.roughness.is_some() {
+        warnings.push(Warning::new(
+            WarningKind::NoEffect,
+            "the roughness has no effect with [[surface]] except on the lambda ratio and the asperities: heights in both count twice there",
+        ));
+    }
+    Ok(warnings)
 }
 
 /// What is not solved with reliefs that stand still.

@@ -63,6 +63,47 @@ fn a_map_is_echoed() {
 
 /// What makes no map is told with the key.
 #[test]
+fn maps_smaller_than_the_contact_are_warned_about() {
+    let folder = tempfile::tempdir().unwrap();
+    let share = |case: &Case| -> Option<f64> {
+        let is_it = |text: &&str| text.contains("of the contact area");
+        let text = case.warnings.iter().map(|w| w.text.as_str()).find(is_it)?;
+        let (_, behind) = text.split_once("covers ")?;
+        behind.split_once(" %")?.0.parse().ok()
+    };
+    let case = map(folder.path(), BALL, &rows(0), "taper = \"6 um\"").unwrap();
+    // 39 x 29 distances of 2 um, less the rim, in the circle.
+    let expected = 66e-6 * 46e-6 / (std::f64::consts::PI * case.hertz().half_width.powi(2));
+    assert!(case.hertz().half_width > 60e-6);
+    assert_relative_eq!(share(&case).unwrap(), 100.0 * expected, max_relative = 0.05);
+    let text = case
+        .warnings
+        .iter()
+        .map(|w| w.text.as_str())
+        .find(|text| text.contains("covers"));
+    assert!(
+        text.unwrap()
+            .starts_with("surface 1: the map of 78 um x 58 um"),
+        "{text:?}"
+    );
+    // Points as far apart as ten of them make a map that is large enough, unless it lies elsewhere.
+    let wide = |more: &str| {
+        std::fs::write(folder.path().join("map.txt"), rows(0)).unwrap();
+        let surface = format!(
+            "kind = \"map\"\nfile = \"map.txt\"\nspacing = \"20 um\"\nheight_unit = \"nm\"\n{more}"
+        );
+        read(BALL, folder.path(), &surface).unwrap()
+    };
+    assert_eq!(share(&wide("")), None);
+    assert_eq!(share(&wide("y = \"5 mm\"")), Some(0.0));
+    // A profile in a line contact.
+    let profile: String = (0..31).map(|i| format!("{}\n", 20 * (i % 5))).collect();
+    let case = map(folder.path(), LINE, &profile, "taper = \"6 um\"").unwrap();
+    let expected = 24e-6 / case.hertz().half_width;
+    assert_relative_eq!(share(&case).unwrap(), 100.0 * expected, max_relative = 0.05);
+}
+
+#[test]
 fn maps_that_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let holes = rows(100);

@@ -135,7 +135,7 @@ pub fn netcdf(
     [x, y]: &[Vec<f64>; 2],
     figures: &[GridFigure],
 ) -> Vec<u8> {
-    let text = |text: &str| Attribute::Text(text.to_owned());
+    let text = |text: &str| Attribute::Text(ertel_input::escaped(text).into_owned());
     let named = |unit: &str, words: &str| vec![("units", text(unit)), ("long_name", text(words))];
     let axis = |name: &str, dimension, values: &[f64], words| Variable {
         name: name.to_owned(),

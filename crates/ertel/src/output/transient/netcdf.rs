@@ -129,7 +129,7 @@ pub fn transient_netcdf(case: &CaseEcho, found: &TransientSolution) -> Vec<u8> {
 }
 
 fn text(text: &str) -> Attribute {
-    Attribute::Text(text.to_owned())
+    Attribute::Text(ertel_input::escaped(text).into_owned())
 }
 
 /// What stands where there is no number, of the type of the values.

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use crate::case::Case;
 use crate::case::study::{AxisValue, MOST_POINTS, Study, StudyColumn, StudyPoint};
 use crate::params::SensitivityDemand;
-use ertel_input::Input;
+use ertel_input::{Input, excerpt};
 
 pub use sampling::SampleError;
 pub use statistics::{Distribution, MonteCarlo, QUANTILES, Sampled};
@@ -88,8 +88,9 @@ fn point(
         }
     }
     sampled.source = format!(
-        "# Sample {} of the inputs: {label}\n{}",
+        "# Sample {} of the inputs: {}\n{}",
         index + 1,
+        excerpt(&label),
         case.source
     );
     Ok(StudyPoint {

@@ -12,6 +12,8 @@ use thiserror::Error;
 
 use crate::contact::topography::Topography;
 
+/// Points of a map in each direction at least, and of a profile in its row.
+pub const LEAST_POINTS: usize = 4;
 /// Points of a map at most: 2048 by 2048.
 pub const MOST_POINTS: usize = 4_194_304;
 
@@ -37,7 +39,7 @@ pub enum Format {
     Rows,
     /// Points with their places.
     Points,
-    /// CSV with the columns x, y and z.
+    /// CSV with columns of places and heights.
     Csv,
     /// SDF.
     Sdf,
@@ -54,6 +56,16 @@ impl Format {
             Format::Csv => "CSV",
             Format::Sdf => "SDF of ISO 25178-71",
             Format::X3p => "X3P of ISO 25178-72",
+        }
+    }
+
+    /// What says how large its heights are.
+    pub fn heights_by(self) -> &'static str {
+        match self {
+            Format::Rows | Format::Points => "`height_unit`",
+            Format::Csv => "the unit in the title of the heights",
+            Format::Sdf => "Zscale of the file",
+            Format::X3p => "CZ/Increment in main.xml",
         }
     }
 }
@@ -79,7 +91,7 @@ pub enum MapError {
     #[error("{0}")]
     Csv(#[from] CsvError),
     /// A key that the case has to give.
-    #[error("the file does not tell {what}: give `{key}`, such as {key} = \"{example}\"")]
+    #[error("the file does not say {what}: give `{key}`, such as {key} = \"{example}\"")]
     Untold {
         /// What is missing.
         what: &'static str,
@@ -89,7 +101,7 @@ pub enum MapError {
         example: &'static str,
     },
     /// A key that the file leaves no room for.
-    #[error("the file tells {what} itself: leave `{key}` out")]
+    #[error("the file says {what} itself: leave `{key}` out")]
     ToldTwice {
         /// What it tells.
         what: &'static str,
@@ -200,18 +212,15 @@ fn checked(counts: [usize; 2]) -> Result<[usize; 2], MapError> {
             )));
         }
     }
-    let is_grid = counts[0] >= LEAST && (counts[1] >= LEAST || counts[1] == 1);
+    let is_grid = counts[0] >= LEAST_POINTS && (counts[1] >= LEAST_POINTS || counts[1] == 1);
     match is_grid {
         true => Ok(counts),
         false => Err(MapError::content(format!(
-            "{} x {} points are too few: a map has {LEAST} in each direction at least, a profile {LEAST} in a row",
+            "{} x {} points are too few: a map has {LEAST_POINTS} in each direction at least, a profile {LEAST_POINTS} in a row",
             counts[0], counts[1]
         ))),
     }
 }
-
-/// Points in a direction at least.
-const LEAST: usize = 4;
 
 #[cfg(test)]
 mod tests;

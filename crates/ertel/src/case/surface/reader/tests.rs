@@ -367,6 +367,234 @@ fn x3p() {
     }
 }
 
+/// z = offset + increment n; integers need the increment, and it has a name in errors.
+#[test]
+fn x3p_heights_are_offset_and_increments() {
+    let folder = folder();
+    let link = "<DataLink><PointDataLink>data.bin</PointDataLink></DataLink>";
+    let heights = |kind: &str, axis: &str, bytes: &[u8]| {
+        let description = description(kind, axis, link);
+        let archive = zipped(&[
+            ("main.xml", description.as_bytes(), true),
+            ("data.bin", bytes, true),
+        ]);
+        read(&written(&folder, "z.x3p", &archive), &Told::default()).map(|read| read.map.heights)
+    };
+    let numbers: Vec<i16> = (0..20).map(|k| 7 * k - 50).collect();
+    let shorts: Vec<u8> = numbers.iter().flat_map(|n| n.to_le_bytes()).collect();
+    let found = heights(
+        "I",
+        "<Increment>2e-11</Increment><Offset>1.25e-8</Offset>",
+        &shorts,
+    )
+    .unwrap();
+    for (h, n) in found.iter().zip(&numbers) {
+        let expected = 1.25e-8 + 2e-11 * f64::from(*n);
+        assert!((h - expected).abs() < 1e-20, "{h}");
+    }
+    let doubles: Vec<u8> = numbers
+        .iter()
+        .flat_map(|n| (f64::from(*n) * 1e-9).to_le_bytes())
+        .collect();
+    let found = heights(
+        "D",
+        "<Increment>1</Increment><Offset>-3e-9</Offset>",
+        &doubles,
+    )
+    .unwrap();
+    assert!((found[3] - (-29e-9 - 3e-9)).abs() < 1e-20);
+    for (axis, says) in [
+        (
+            "<Offset>0</Offset>",
+            "no Record1/Axes/CZ/Increment, the metres",
+        ),
+        ("<Increment/>", "no Record1/Axes/CZ/Increment"),
+        ("<Increment>-1e-9</Increment>", "CZ/Increment is \"-1e-9\""),
+        (
+            "<Increment>1e-9</Increment><Offset>high</Offset>",
+            "CZ/Offset is \"high\"",
+        ),
+    ] {
+        let said = heights("I", axis, &shorts).unwrap_err().to_string();
+        assert!(
+            said.contains(says) && !said.contains("height_unit"),
+            "{said}"
+        );
+    }
+}
+
+/// Desktops pack the folder; the checksums are those of `md5sum`.
+#[test]
+fn x3p_in_a_folder_and_with_checksums() {
+    let folder = folder();
+    let doubles: Vec<u8> = expected().iter().flat_map(|h| h.to_le_bytes()).collect();
+    let described = |sum: &str| {
+        let link = format!(
+            "<DataLink><PointDataLink>bindata/data.bin</PointDataLink><MD5ChecksumPointData>{sum}</MD5ChecksumPointData></DataLink>"
+        );
+        description("D", "", &link).replace(
+            "</p:ISO5436_2>",
+            "<Record4><ChecksumFile>md5checksum.hex</ChecksumFile></Record4></p:ISO5436_2>",
+        )
+    };
+    let sum = super::x3p::md5::digest(&doubles).to_uppercase();
+    let read = |main: &str, files: [&str; 3], sums: &str| {
+        let [a, b, c] = files;
+        let archive = zipped(&[
+            (b, &doubles, true),
+            (a, main.as_bytes(), true),
+            (c, sums.as_bytes(), false),
+        ]);
+        read(&written(&folder, "sums.x3p", &archive), &Told::default())
+    };
+    let plain = ["main.xml", "bindata/data.bin", "md5checksum.hex"];
+    let main = described(&sum);
+    let sums = format!("{} *main.xml\n", super::x3p::md5::digest(main.as_bytes()));
+    for files in [
+        plain,
+        [
+            "scan/main.xml",
+            "scan/bindata/data.bin",
+            "scan/md5checksum.hex",
+        ],
+        [
+            "a/Scan/Main.xml",
+            "a/Scan/bindata\\data.bin",
+            "a/Scan/md5checksum.hex",
+        ],
+    ] {
+        assert_is_expected(&read(&main, files, &sums).unwrap(), Format::X3p);
+    }
+    // Writers that compute none leave it empty or zero.
+    for none in ["", "00000000000000000000000000000000"] {
+        assert_is_expected(&read(&described(none), plain, "").unwrap(), Format::X3p);
+    }
+    let other = "d41d8cd98f00b204e9800998ecf8427e";
+    for (main, sums, says) in [
+        (
+            described(other),
+            String::new(),
+            "`bindata/data.bin` was changed after it was written",
+        ),
+        (
+            main,
+            format!("{other} *main.xml\r\n"),
+            "`main.xml` was changed after it was written",
+        ),
+    ] {
+        let said = read(&main, plain, &sums).unwrap_err().to_string();
+        assert!(said.contains(says) && said.contains(other), "{said}");
+    }
+    let two = zipped(&[("a/main.xml", b"<a/>", true), ("b/main.xml", b"<a/>", true)]);
+    let said = super::read(&written(&folder, "two.x3p", &two), &Told::default());
+    assert!(said.unwrap_err().to_string().contains("2 folders"));
+}
+
+/// Descriptions that grow in the memory, or that a parser reads for minutes, are refused at once.
+#[test]
+fn x3p_bombs_are_refused() {
+    let folder = folder();
+    let attributes: String = (0..300_000).map(|i| format!(" a{i}=\"1\"")).collect();
+    // A closing bracket in a value does not end the element.
+    let split: String = (0..80_000).map(|i| format!(" a{i}=\">\"")).collect();
+    for (text, says) in [
+        (format!("<r{attributes}/>"), "2000 attributes"),
+        (format!("<r{split}/>"), "2000 attributes"),
+        (
+            format!("<r>{}</r>", "<a/>".repeat(1_500_000)),
+            "300000 elements",
+        ),
+        (
+            format!("<r>{}</r>", "<a>".repeat(400_000)),
+            "300000 elements",
+        ),
+        (
+            format!("<r>{}</r>", " ".repeat(20_000_000)),
+            "more than 8388608 bytes",
+        ),
+        (
+            "<!DOCTYPE r [<!ENTITY a \"aa\">]><r>&a;</r>".to_owned(),
+            "main.xml",
+        ),
+    ] {
+        let archive = zipped(&[("main.xml", text.as_bytes(), true)]);
+        let path = written(&folder, "bomb.x3p", &archive);
+        let clock = std::time::Instant::now();
+        let said = read(&path, &Told::default()).unwrap_err().to_string();
+        assert!(said.contains(says), "{said}");
+        assert!(
+            clock.elapsed().as_secs_f64() < 1.0,
+            "{says}: {:?}",
+            clock.elapsed()
+        );
+    }
+}
+
+/// Titles by which people call places and heights, and points without a height as instruments write them.
+#[test]
+fn tables_with_other_titles_and_points_without_data() {
+    let folder = folder();
+    let profile = |text: &str| {
+        let path = written(&folder, "profile.csv", text.as_bytes());
+        read(&path, &Told::default()).unwrap()
+    };
+    for head in [
+        "Length (mm),Height (um)",
+        "x [mm];z [um]",
+        "# exported\nPosition / mm\tProfile height / um",
+        "Weg (mm);H\u{f6}he (\u{b5}m)",
+    ] {
+        let separator = [';', '\t', ',']
+            .into_iter()
+            .find(|c| head.contains(*c))
+            .unwrap();
+        let rows: String = (0..6)
+            .map(|i| {
+                let z = if i == 3 {
+                    "No Data".to_owned()
+                } else {
+                    format!("0.{i}")
+                };
+                format!("{:.3}{separator}{z}\n", 0.005 * f64::from(i))
+            })
+            .collect();
+        let read = profile(&format!("{head}\n{rows}"));
+        assert_eq!(
+            (read.format, read.map.counts),
+            (Format::Csv, [6, 1]),
+            "{head}"
+        );
+        assert!((read.map.spacing[0] - 5e-6).abs() < 1e-15);
+        assert!((read.map.heights[5] - 0.5e-6).abs() < 1e-15 && read.map.heights[3].is_nan());
+    }
+    // Between blanks the two words are one height.
+    let text = "0 0 1\n1 0 No Data\n2 0 2\n3 0 no data\n4 0 1\n";
+    let path = written(&folder, "a.xyz", text.as_bytes());
+    let holes = read(&path, &POINTS).unwrap().map.heights;
+    assert_eq!(holes.iter().filter(|h| h.is_nan()).count(), 2);
+}
+
+/// Tables without line breaks are refused before they fill the memory.
+#[test]
+fn one_line_of_megabytes_is_refused() {
+    let folder = folder();
+    let long = |head: &str, cell: &str| format!("{head}{}", cell.repeat(6_000_000));
+    for (text, told, says) in [
+        (long("", "1 "), ROWS, "more than 4194304 points"),
+        (long("", "1;"), ROWS, "more than 4194304 points"),
+        (long("1 2 ", "3 "), POINTS, "numbers, where a point has"),
+        (
+            long("x (um),z (um)\n", "1,"),
+            Told::default(),
+            "more than 32768 bytes",
+        ),
+    ] {
+        let path = written(&folder, "long.txt", text.as_bytes());
+        let said = read(&path, &told).unwrap_err().to_string();
+        assert!(said.contains(says), "{said}");
+    }
+}
+
 /// Places of their own: both of them in a matrix, in a list in another order, y alone, and as texts.
 #[test]
 fn x3p_with_places() {
@@ -487,7 +715,7 @@ fn x3p_with_places() {
         (
             described(axis("A", "D", "0"), absolute(), absolute(), &in_list),
             Vec::new(),
-            "increment of CX",
+            "CX/Increment is \"0\"",
         ),
         (
             described(axis("A", "X", "1"), absolute(), absolute(), &in_list),

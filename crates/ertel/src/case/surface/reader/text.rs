@@ -1,28 +1,48 @@
 //! Heights as text: rows of them, or points with their places.
 
-use ertel_input::csv::CsvTable;
+use ertel_input::csv::{CsvParams, CsvTable, Vocabulary, is_missing};
 use ertel_quantity::Dimension;
 
-use super::{LEAST, MOST_POINTS, MapError, Told, checked};
+use super::{LEAST_POINTS, MOST_POINTS, MapError, Told, checked};
 use crate::contact::topography::Topography;
 
+/// How a point without a height is written.
+const NO_HEIGHT: &str = "nan";
 /// Distances of points that count as equal, over each other.
 const EQUAL: f64 = 0.01;
 
-/// Whether the first line with content names columns.
+/// Places and heights, as the program calls them.
+const COLUMNS: Vocabulary<'static> = Vocabulary {
+    names: &["x", "y", "z"],
+    is_key: &|_| false,
+};
+/// Bytes from the beginning on among which titles are looked for.
+const HEAD: usize = 32_768;
+
+/// Whether a line names columns of places and heights: with their units, or as more than a comment.
 pub(super) fn has_header(text: &str) -> bool {
-    let first = text.lines().find(|line| !is_left_out(line));
-    first.is_some_and(|line| {
-        let cells: Vec<&str> = line.split([';', ',', '\t']).map(str::trim).collect();
-        let begins = |name: &str| {
-            cells.iter().any(|cell| {
-                let plain = cell.trim_matches('"').to_lowercase();
-                plain == name
-                    || plain.starts_with(&format!("{name} "))
-                    || plain.starts_with(&format!("{name}("))
-            })
-        };
-        begins("x") && begins("z")
+    let end = match text.as_bytes().get(..HEAD) {
+        Some(head) => head.iter().rposition(|b| *b == b'\n').unwrap_or(0),
+        None => text.len(),
+    };
+    // What is wrong further down is said by the reader of the table.
+    let first = || text[..end].lines().find(|line| !is_left_out(line));
+    names_columns(&text[..end])
+        .or_else(|| names_columns(first()?))
+        .unwrap_or(false)
+}
+
+/// The same of a table; `None` where it is none.
+fn names_columns(text: &str) -> Option<bool> {
+    let table = CsvTable::parse_for("", text, &COLUMNS, &CsvParams::default()).ok()?;
+    let found = ["x", "z"].map(|name| table.find_with_unit(name, Dimension::LENGTH));
+    Some(match found {
+        [Ok(Some(_)), Ok(Some(_))] => true,
+        // A title without its unit.
+        [Ok(Some(_)) | Err(_), Ok(Some(_)) | Err(_)] => {
+            !is_left_out(&text[table.header().span.clone()])
+        }
+        _ => false,
     })
 }
 
@@ -34,11 +54,28 @@ fn is_left_out(line: &str) -> bool {
 
 /// Cells of a line: between semicolons, tabs or commas, or else spaces. Numbers between semicolons, tabs or spaces may have a decimal comma.
 fn cells(line: &str, separator: Option<char>) -> Vec<&str> {
+    // A row of more is refused; what comes behind it would fill the memory.
+    let most = MOST_POINTS + 1;
     match separator {
-        None => line.split_whitespace().collect(),
+        None => {
+            let mut cells: Vec<&str> = Vec::new();
+            for word in line.split_whitespace().take(most) {
+                match cells.last_mut() {
+                    // Two words for one height that is not there.
+                    Some(last)
+                        if last.eq_ignore_ascii_case("no") && word.eq_ignore_ascii_case("data") =>
+                    {
+                        *last = NO_HEIGHT;
+                    }
+                    _ => cells.push(word),
+                }
+            }
+            cells
+        }
         // A separator at the end of a line separates nothing.
         Some(c) => (line.trim_end().strip_suffix(c).unwrap_or(line))
             .split(c)
+            .take(most)
             .map(str::trim)
             .collect(),
     }
@@ -56,10 +93,7 @@ fn separator(text: &str) -> Option<char> {
 
 /// A number, or not a number where a point has no height.
 fn number(cell: &str, separator: Option<char>, line: usize) -> Result<f64, MapError> {
-    let is_missing = ["", "-", "nan", "bad", "null", "none"]
-        .iter()
-        .any(|word| cell.eq_ignore_ascii_case(word));
-    if is_missing {
+    if is_missing(cell) {
         return Ok(f64::NAN);
     }
     let with_point = match separator {
@@ -179,7 +213,7 @@ pub(super) fn parse_points(text: &str, told: &Told) -> Result<Topography, MapErr
 
 /// A table with the columns x, z and, but of a profile, y, with their units.
 pub(super) fn parse_csv(file: &str, text: &str) -> Result<Topography, MapError> {
-    let csv = CsvTable::parse(file, text)?;
+    let csv = CsvTable::parse_for(file, text, &COLUMNS, &CsvParams::default())?;
     let required = |name: &'static str| {
         csv.find_with_unit(name, Dimension::LENGTH)?
             .ok_or_else(|| csv.error(csv.header(), 0, format!("there is no column `{name}`")))
@@ -258,7 +292,7 @@ fn axis(mut values: Vec<f64>, d: usize) -> (f64, Result<Option<f64>, MapError>, 
             "points along {} lie at more than {MOST_POINTS} places",
             ["x", "y"][d]
         );
-        return (first, Err(MapError::content(text)), LEAST);
+        return (first, Err(MapError::content(text)), LEAST_POINTS);
     }
     let step = length / n;
     let off = |value: &f64| {
