@@ -121,10 +121,11 @@ fn put(case: &mut Value, path: &str, value: Value) -> bool {
         let Some(table) = here.as_object_mut() else {
             return false;
         };
-        here = match table.entry(name).or_insert_with(|| json!({})) {
-            Value::Array(tables) if !tables.is_empty() => &mut tables[0],
-            other => other,
-        };
+        here = table.entry(name).or_insert_with(|| json!({}));
+        // Of an array of tables the first.
+        if here.get(0).is_some() {
+            here = &mut here[0];
+        }
     }
     let Some(table) = here.as_object_mut() else {
         return false;

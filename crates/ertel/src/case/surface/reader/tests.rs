@@ -555,7 +555,7 @@ fn tables_with_other_titles_and_points_without_data() {
                 } else {
                     format!("0.{i}")
                 };
-                format!("0.00{}{separator}{z}\n", 5 * i)
+                format!("{:.3}{separator}{z}\n", 0.005 * f64::from(i))
             })
             .collect();
         let read = profile(&format!("{head}\n{rows}"));
