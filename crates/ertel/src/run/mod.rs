@@ -31,7 +31,7 @@ use crate::warning::{Warning, WarningKind, silence};
 
 /// Version of the numerics: raised whenever the figures of some case move by more than rounding, so that points of studies that
 /// were solved before are solved anew.
-pub const NUMERICS: u32 = 24;
+pub const NUMERICS: u32 = 25;
 
 /// Whether a solve of the case would begin: it has the data that it needs, and a mesh that is allowed resolves its film.
 /// Takes milliseconds.
