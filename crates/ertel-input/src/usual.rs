@@ -71,7 +71,7 @@ pub(crate) const HEIGHTS: Usual = usual(D::LENGTH, [0.1, 10_000.0], HEIGHT);
 pub(crate) const CROWNS: Usual = likely(D::LENGTH, [1.0, 1e6], SIZE);
 /// Drops, layers, short distances.
 pub(crate) const COATINGS: Usual = likely(D::LENGTH, [0.01, 1000.0], GAP);
-/// Clearances and preloads of bearings.
+/// Clearances and preloads of bearings, reliefs of tips of teeth.
 pub(crate) const CLEARANCES: Usual = likely(D::LENGTH, [1.0, 500.0], GAP);
 /// Extents of reliefs along the surface.
 pub(crate) const RELIEFS: Usual = likely(D::LENGTH, [1.0, 5000.0], GAP);

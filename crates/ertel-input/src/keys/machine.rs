@@ -152,8 +152,8 @@ rows! {
         keep_tip_clearance: Switch => "tips from the basic rack are shortened so as to keep its clearance; optional";
         internal: Switch => "whether the teeth of the wheel are inside; optional";
         pinion_face_width, wheel_face_width: LENGTH, usual [LENGTHS], aside "of gears of two widths, in place of `face_width`";
-        tip_relief: LENGTH, usual [COATINGS] => "C_a of both gears, normal to the flank; optional. Load sharing by stiffness knows of it";
-        pinion_tip_relief, wheel_tip_relief: LENGTH, usual [COATINGS], aside "of one gear, in place of `tip_relief`";
+        tip_relief: LENGTH, usual [CLEARANCES] => "C_a of both gears, normal to the flank; optional. Load sharing by stiffness knows of it";
+        pinion_tip_relief, wheel_tip_relief: LENGTH, usual [CLEARANCES], aside "of one gear, in place of `tip_relief`";
         tip_relief_length: LENGTH => "along the path of contact, from its ends";
         tip_relief_shape: Choice(&["linear", "parabolic"]), default "linear" => "optional";
         load_sharing: SHARING => r#"optional: how pairs of teeth share the load. `"uniform"`: evenly over the contact lines (default of a path);
@@ -194,8 +194,8 @@ rows! {
         keep_tip_clearance: Switch => "tips from the basic rack are shortened so as to keep its clearance; optional";
         internal: Switch => "whether the teeth of the wheel are inside; optional";
         pinion_face_width, wheel_face_width: LENGTH, usual [LENGTHS], aside "of gears of two widths, in place of `face_width`";
-        tip_relief: LENGTH, usual [COATINGS] => "C_a of both gears, normal to the flank; optional. Load sharing by stiffness knows of it";
-        pinion_tip_relief, wheel_tip_relief: LENGTH, usual [COATINGS], aside "of one gear, in place of `tip_relief`";
+        tip_relief: LENGTH, usual [CLEARANCES] => "C_a of both gears, normal to the flank; optional. Load sharing by stiffness knows of it";
+        pinion_tip_relief, wheel_tip_relief: LENGTH, usual [CLEARANCES], aside "of one gear, in place of `tip_relief`";
         tip_relief_length: LENGTH => "along the path of contact, from its ends";
         tip_relief_shape: Choice(&["linear", "parabolic"]), default "linear" => "optional";
         load_sharing: SHARING => r#"optional: how pairs of teeth share the load. `"uniform"`: evenly over the contact lines (default of a path);

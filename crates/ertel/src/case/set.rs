@@ -351,7 +351,7 @@ mod tests {
             let beyond = [format!("surface.{}.amplitude=0.02 um", n + 1)];
             let error = Case::from_text_with("c.toml", &text, Path::new(""), &beyond).unwrap_err();
             assert!(
-                error.to_string().contains("none of the 2 entries"),
+                error.to_string().contains("has 2 entries, counted from 1"),
                 "{error}"
             );
         }

@@ -192,8 +192,8 @@ fn a_bad_table_is_refused_with_its_place() {
             &["contact.size", "unknown"],
         ),
         (
-            "output.png,film_central [nm]\ntrue,5\n",
-            &["output.png", "cannot be an axis"],
+            "output.vtu,film_central [nm]\ntrue,5\n",
+            &["output.vtu", "cannot be an axis"],
         ),
     ] {
         refused(text, words);

@@ -87,7 +87,7 @@ fn not_covered(wanted: &str) -> Option<&'static str> {
 
 /// Designations with the same first sign and bore code, then with the longest common beginning, then the nearest numbers.
 pub(super) fn unknown(given: &str) -> DesignationError {
-    let wanted: String = compact(given);
+    let wanted: String = compact(without_maker(&given.trim().to_ascii_uppercase()));
     let number = |text: &str| {
         let digits: String = text.chars().filter(char::is_ascii_digit).take(5).collect();
         digits.parse::<i64>().unwrap_or(0)

@@ -218,7 +218,7 @@ fn errors_point_to_the_study() {
             "unknown key `laod` in [contact]",
         ),
         (
-            "[[axis]]\nkey = \"bodies.body_2.modulus\"\nvalues = [\"20 GPa\"]\n",
+            "[[axis]]\nkey = \"bodies.body_2.youngs_modulus\"\nvalues = [\"20 GPa\"]\n",
             3,
             "`bodies.body_2` is a string, not a table",
         ),

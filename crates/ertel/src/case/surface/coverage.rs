@@ -8,7 +8,7 @@ use crate::warning::{Warning, WarningKind};
 use crate::words::{digits, length};
 
 /// Points of the contact area along each axis at which it is asked whether a map covers them.
-const POINTS: i32 = 40;
+const POINTS: i32 = 100;
 /// Share of the contact area that may be uncovered without a word.
 const UNCOVERED: f64 = 0.01;
 

@@ -40,7 +40,7 @@ fn bad_machines_are_refused_with_their_reason() {
             DISC,
             "disc_speed",
             "plane_speed",
-            &["missing key `disc_speed`"],
+            &["unknown key `plane_speed`", "disc_speed"],
         ),
         (
             DISC,

@@ -316,7 +316,11 @@ fn bad_helical_gears_are_refused() {
             &["missing key `helix_angle`"],
         ),
         ("25 deg", "60 deg", &["helix_angle", "between 0"]),
-        ("normal_module", "module", &["missing key `normal_module`"]),
+        (
+            "normal_module",
+            "module",
+            &["unknown key `module`", "did you mean `normal_module`?"],
+        ),
         (
             "position",
             "addendum_pinion = \"1 mm\"\naddendum_wheel = \"1 mm\"\nposition",
