@@ -20,7 +20,7 @@ pub fn run(arguments: &ExplainArgs) -> Result<(), Failure> {
     print::report(&text)
 }
 
-/// All codes with the first sentence of their meaning.
+/// All codes with their meaning.
 fn list() -> String {
     let text =
         "Codes of warnings and notes (`ertel explain CODE` for meaning, limit and remedy):\n\n";

@@ -65,9 +65,13 @@ fn run_all(arguments: &SolveArgs, events: &Events) -> Result<(), Failure> {
     let read: Vec<PathBuf> = jobs.iter().flat_map(|job| job.given.files()).collect();
     for Job { folder, .. } in &jobs {
         inputs::keep_within(&read, folder)?;
+        // Where the results of a run go that ends early.
+        let partial = output::place_of_partial(folder);
+        inputs::keep_within(&read, &partial)?;
         // A long solve whose results have no place to go would be in vain.
         output::clear_leftovers(folder);
         output::check_target(folder)?;
+        output::check_target(&partial)?;
         check_writable(folder)?;
     }
     listen_for_interrupts();
@@ -328,11 +332,11 @@ pub fn points_not_resolved(n: usize, all: usize, table: &Path) -> Failure {
 }
 
 /// What to do about figures that are not resolved.
-pub const RESOLVE: &str = "raise [mesh] max_unknowns, or accept such figures with --accept-unresolved; the warnings say \
-    what the mesh lacks";
+pub const RESOLVE: &str = "the warnings say why: raise [mesh] max_unknowns where the mesh is too coarse, give the lubricant what limits its \
+    friction where that is too large; --accept-unresolved accepts such figures";
 
 /// What to do about figures that are beyond limits of physics.
-const POSSIBLE: &str = "look at the constants of the laws, and add what the case leaves out, as the warnings say: [lubricant] shear_thinning \
+const POSSIBLE: &str = "look at the constants of the laws, and add what the case neglects (see the warnings): [lubricant] shear_thinning \
     with its `limit`, or [thermal]; --accept-unresolved accepts the other figures";
 
 /// Writes what was solved of a curve; says what was not.

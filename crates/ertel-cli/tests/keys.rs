@@ -29,7 +29,7 @@ fn wrong<'a>(path: &str, row: &'a Row) -> (&'static str, Check<'a>) {
                 .map(String::as_str)
                 .chain([error.message()]);
             let lists = texts.filter_map(|text| {
-                ["is one of: ", "choices are ", "formats are "]
+                ["is one of: ", "choices are ", "formats are ", "codes are "]
                     .iter()
                     .find_map(|m| Some(text.split_once(m)?.1))
             });
@@ -57,7 +57,8 @@ fn wrong<'a>(path: &str, row: &'a Row) -> (&'static str, Check<'a>) {
     }
     match (row.kind, row.bounds.and_then(|bounds| bounds.ends())) {
         (Kind::Text | Kind::Fluid | Kind::Solid, _) => {
-            ("1", Box::new(says("must be a string".to_owned())))
+            // Numbers are texts, too: `designation = 6206`.
+            ("true", Box::new(says("must be a string".to_owned())))
         }
         (Kind::Switch, _) => ("1", Box::new(says("must be true or false".to_owned()))),
         (Kind::Count, Some([low, high])) => (
@@ -121,6 +122,8 @@ crates/ertel-cli/tests/good/quick.toml
     lubricant.viscosity={ law = "paluch", mu_inf = "1e-6 Pa.s", c_f = 10.0, p_inf = "10 GPa" }
     lubricant.viscosity={ law = "doolittle", mu_0 = "40 mPa.s", b = 4.0, r_0 = 0.66, reference_temperature = "40 degC", epsilon = "-1e-3 1/K", equation_of_state = { k_0r = "9 GPa", k_0r_prime = 11.0, reference_temperature = "40 degC", beta_k = "6e-3 1/K", beta_k_prime = "0 1/K", a_v = "8e-4 1/K" } }
     lubricant.viscosity={ law = "table", file = "oil.csv" }
+    lubricant={ temperature = "70 degC", base_oil = "mineral", kinematic_viscosity = "20 mm^2/s", viscosity_temperature = "70 degC" }
+    lubricant={ temperature = "70 degC", base_oil = "mineral", dynamic_viscosity = "20 mPa.s", viscosity_temperature = "70 degC" }
     lubricant.density={ law = "table", file = "oil.csv" }
     lubricant.shear_thinning={ law = "carreau", g_c = "10 kPa", n = 0.8, beta_c = 2.0, mu_2 = "0 Pa.s" }
     lubricant.thermal_conductivity={ law = "linear", k_0 = "0.1 W/(m.K)", reference_temperature = "40 degC", a_t = "1e-3 1/K" }

@@ -227,7 +227,7 @@ fn ctrl_c_exits_with_130_and_writes_nothing() {
         .unwrap();
     let mut lines = BufReader::new(child.stderr.take().unwrap()).lines();
     let first = lines.next().unwrap().unwrap();
-    assert!(first.contains("stage"), "{first}");
+    assert!(first.contains("grid 1"), "{first}");
     let kill = Command::new("kill")
         .args(["-INT", &child.id().to_string()])
         .status();

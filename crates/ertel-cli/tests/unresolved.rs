@@ -88,7 +88,7 @@ fn points_that_are_not_resolved_are_counted_and_their_warnings_merged() {
         "{report}"
     );
     assert!(
-        report.contains("  · 3 of 3 points have figures that are not resolved")
+        report.contains("  · 3 of 3 points have figures that are not to be used")
             && report.contains("central film thickness in 3"),
         "{report}"
     );

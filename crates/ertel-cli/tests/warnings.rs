@@ -42,7 +42,8 @@ const BOTH: &str = "silence = [\"law-range\", \"opposite-motion\"]";
 
 #[test]
 fn silenced_warnings_are_not_shown_but_counted() {
-    let shown = stderr(&ertel(case(""), &["solve", "case.toml", "--check"])).to_owned();
+    let folder = case("");
+    let shown = stderr(&ertel(&folder, &["solve", "case.toml", "--check"])).to_owned();
     assert!(
         shown.contains("[law-range]") && shown.contains("[opposite-motion]"),
         "{shown}"
@@ -95,7 +96,8 @@ fn unknown_codes_and_unusable_figures_are_refused() {
 /// The name of a case without its ending.
 #[test]
 fn a_case_without_ending_is_named() {
-    let output = ertel(case(""), &["solve", "case", "--check"]);
+    let folder = case("");
+    let output = ertel(&folder, &["solve", "case", "--check"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(
         stderr(&output).contains("did you mean case.toml?"),

@@ -1,4 +1,4 @@
-//! Why a figure is not to be used as it stands, and numbers that carry this along.
+//! Why a figure is not to be used as it is, and numbers that carry this along.
 //!
 //! A reason is found once, at the contact that has it ([`of_figure`]). Sums, products and extremes of [`Marked`] numbers carry it to all that is made of
 //! them.

@@ -104,7 +104,7 @@ fn friction_that_no_lubricant_transmits_marks_totals_of_gears() {
     assert!(report.contains("(!) made of friction that no lubricant transmits"));
 }
 
-/// Of the law that machines take by default the friction of the defect-free program is 0.0199, 20.7 W; the films are those without it. They do not separate
+/// Of the law that machines take by default the friction by the estimated law is 0.0199, 20.7 W; the films are those without it. They do not separate
 /// flanks of Ra 0.5 µm, which a warning and a label say.
 #[test]
 fn friction_of_gears_goes_by_a_law_by_default() {

@@ -173,7 +173,7 @@ kinds! {
         "The film is so thin that surfaces touch or that the lubricant is no continuum.",
         "10 nm, the roughness of the best bearings; 5 nm, ten molecular layers (Habchi 2008, section 6.2).",
         "Use the minimum film as an indication only; give the roughness for mixed lubrication.";
-    /// A film that is not small beside the radius.
+    /// A film that is not small compared with the radius.
     ThickFilm "thick-film" Unusable,
         "The film is not small compared with the radius of the bodies: Reynolds' equation and the parabolic gap do not hold.",
         "Film beyond 0.01 of the smallest radius, where the surfaces are inclined by 0.14.",
@@ -268,8 +268,8 @@ kinds! {
         "Use `pressure_smooth_maximum`, or a finer mesh.";
     /// Another method than finite elements, which did not converge.
     Method "method" Note,
-        "The first method did not converge; the other one (finite elements or finite volumes) did.",
-        "Newton's method of the first one.",
+        "The first method did not converge or did not resolve a film; the other one (finite elements or finite volumes) did.",
+        "Newton's method, or the error bars of the films, of the first one.",
         "Nothing. `[solver] method` chooses the method.";
     /// Newton's method or elements that end short of what was asked for.
     Convergence "convergence" Caution,

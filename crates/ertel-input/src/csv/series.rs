@@ -115,7 +115,11 @@ fn exponent(number: &str) -> i32 {
     let decimals = mantissa
         .split_once('.')
         .map_or(0, |(_, part)| part.trim().len());
-    power.trim().parse::<i32>().unwrap_or(0) - i32::try_from(decimals).unwrap_or(i32::MAX)
+    power
+        .trim()
+        .parse::<i32>()
+        .unwrap_or(0)
+        .saturating_sub(i32::try_from(decimals).unwrap_or(i32::MAX))
 }
 
 #[cfg(test)]

@@ -67,7 +67,7 @@ rows! {
         diameter: LENGTH, aside "diameter D of the roller, for the profile of ISO 16281";
         position: Quantities(&[D::LENGTH]), aside "positions along the axis, increasing, three at least";
         drop: Quantities(&[D::LENGTH]), usual [COATINGS], aside "drops at the positions";
-        file: Text, aside "table of positions and drops, in place of both lists";
+        file: Text, aside "table of positions and drops, instead of both lists";
         smoothing_length: LENGTH, aside "length over which the drops are averaged";
         level: Switch, aside "`true`: take off the straight line that fits best";
     }

@@ -118,7 +118,7 @@ rows! {
             keys and the next, or one with `viscosity_index` or `iso_vg`, in place of those at 40 and 100 °C";
         dynamic_viscosity_20, dynamic_viscosity_25, dynamic_viscosity_30, dynamic_viscosity_40, dynamic_viscosity_50, dynamic_viscosity_60,
             dynamic_viscosity_80, dynamic_viscosity_100: VISCOSITY => r"dynamic viscosity at that temperature, divided by the density there";
-        kinematic_viscosity: KINEMATIC, usual [KINEMATIC_VISCOSITIES] => r"kinematic viscosity at `viscosity_temperature`, in place of one of the keys above";
+        kinematic_viscosity: KINEMATIC, usual [KINEMATIC_VISCOSITIES] => r"kinematic viscosity at `viscosity_temperature`, instead of one of the keys above";
         dynamic_viscosity: VISCOSITY, usual [OIL_VISCOSITY] => r"the same of the dynamic viscosity";
         viscosity_temperature: TEMPERATURE => "temperature of `kinematic_viscosity` or `dynamic_viscosity`, −50 to 200 °C";
         viscosity_index: Number, bounds [-200.0, 500.0] => r"viscosity index of ASTM D2270{}; if absent, 95 for a mineral oil, 150 for a PAO;

@@ -228,7 +228,7 @@ rows! {
         top_dwell: ANGLE => "angle at full lift; optional, 0";
         return: Table(PART) => "the return; optional, as the rise. The rest of the turn is the base circle";
         lobes: Count => "in place of `rise`: harmonic lobes, s = (h/2)(1 − cos nθ)";
-        lift_table: Text => "in place of these: a CSV table with a column of the angle and one of the lift, each with its unit";
+        lift_table: Text => "instead of these: a CSV table with a column of the angle and one of the lift, each with its unit";
         lift_tolerance: LENGTH, usual [COATINGS] => "root mean square of the errors of the lifts, by which they are smoothed; optional, that of rounding the last digit";
         eccentricity: LENGTH => "in place of these: a disc on an axis beside its centre, s = e cos θ";
         follower: Choice(&["flat", "roller", "curved", "finger"]) => "kind of the follower";

@@ -49,6 +49,7 @@ pub const CODES: &[&str] = &[
     "on-its-way",
     "oil-layer-late",
     "checkpoint",
+    "pressure-angle",
     "uneven-roller",
     "missing-data",
     "bearing-speed",
@@ -106,7 +107,7 @@ rows! {
     /// `[solver]`.
     pub SOLVER {
         method: Choice(&["finite-elements", "finite-volumes"]) => r#"`"finite-elements"`, as in Habchi's thesis, or `"finite-volumes"`
-            ([theory](../theory/finite-volumes.md)), for line, circular and elliptical contacts of half-spaces and rollers of finite length, flooded or starved, with heat, too. If absent: finite volumes for rollers of finite length, elliptical and circular contacts without heat, but of flooded circles that are thinned by a power of the stress only those with M above 1500 or L above 11, or with thick films; finite elements for all others and where a key is given that only they have. What one does not solve is left to the other; a note says so. With
+            ([theory](../theory/finite-volumes.md)), for line, circular and elliptical contacts of half-spaces and rollers of finite length, flooded or starved, with heat, too. If absent: finite volumes for rollers of finite length, elliptical and circular contacts without heat, but of flooded circles that are thinned by a power of the stress only those with M above 1500 or L above 11, or with thick films; finite elements for all others and where a key is given that only they have. A case that one method does not solve, or whose films it does not resolve with default edges and without `max_unknowns`, is left to the other; a note says so. With
             `"finite-volumes"` the keys of finite elements are errors"#;
         formulation: Choice(&["gls", "supg", "galerkin"]), default "gls" => "weak form of the Reynolds equation";
         isotropic_diffusion: Number, bounds [0.0, 10.0], default "0" => "coefficient ρ_id of the isotropic diffusion";
@@ -129,7 +130,7 @@ rows! {
         max_iterations: Count, bounds [1.0, 10_000.0], default "60" => "maximum number of Newton iterations on one mesh";
         error_estimate: Switch, default "true" => r"estimate errors and report error bars; if `false`, the mesh is that of `preset` and only
             the last mesh is solved with the element orders of the case";
-        newtonian: Switch, default "false" => "`true`: neglect shear thinning and use the low-shear viscosity; in machines friction goes by the law [all the same](#friction-of-machines)";
+        newtonian: Switch, default "false" => "`true`: neglect shear thinning and use the low-shear viscosity; in machines friction still follows [the law](#friction-of-machines)";
         isothermal: Switch, default "false" => "`true`: neglect the heat of a case that has `[thermal]`";
     }
     /// `[output]`.

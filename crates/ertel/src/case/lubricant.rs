@@ -339,7 +339,7 @@ fn check(
         && (flank - supplied).abs() > SAME_TEMPERATURE
     {
         let text = format!(
-            "films should be those at the {:.2} °C of the teeth, but {reason}, and those of its constants are found, which for an oil of {:.2} °C are too thick: \
+            "the teeth have {:.2} °C and the oil {:.2} °C, but {reason}: films are those of the given constants, not those at the temperature of the teeth; \
              {OILS_WITH_TEMPERATURE}",
             flank - 273.15,
             supplied - 273.15

@@ -58,7 +58,7 @@ fn of_courses(case: &Case, transient: &Transient) -> Vec<Warning> {
         let duration = transient.duration;
         if change >= duration {
             warnings.push(Warning::new(WarningKind::NoEffect, format!(
-                "`{key}` in [transient] changes from {} s on, and the time that is solved ends at {} s: it stays as it is",
+                "`{key}` in [transient] changes from {} s on, after the end of the run at {} s: the change has no effect",
                 digits(change, 4),
                 digits(duration, 4)
             )));

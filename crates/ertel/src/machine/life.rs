@@ -81,7 +81,7 @@ impl Collected {
 const ISO_281: &str = "ISO 281:2007; ISO 76 for C_0";
 const WIDE_GROOVES: &str = "ISO 281:2007, ISO 76; grooves wider than their 0.52 and 0.53 reduce C as in the formula of Lundberg and Palmgren, C_0 by the load under one Hertz pressure";
 const ISO_16281: &str = "L_10r (ISO/TS 16281:2008) counts the load of each ball on each ring, with clearance, contact angles and inertia; L_10 takes P, for which half of the balls carry, as without clearance: the two differ";
-const ISO_16281_ROLLERS: &str = "L_10r (ISO/TS 16281:2008) counts the load of each slice of each roller on each ring, pressure at the ends by its eq. 60, and goes with the fourth power of the load; L_10 takes P with the power 10/3: the two differ, most under light loads";
+const ISO_16281_ROLLERS: &str = "L_10r (ISO/TS 16281:2008) counts the load of each slice of each roller on each ring, pressure at the ends by its eq. 60, and depends on the fourth power of the load; L_10 takes P with the power 10/3: the two differ, most under light loads";
 const CATALOGUE: &str = "C and C_0 of the catalogue: NSK, Rolling Bearings, E1102e; those of other makers differ, give `dynamic_load_rating` and `static_load_rating`";
 const GIVEN: &str = "C and C_0 as given";
 const GIVEN_LIMIT: &str = "C_u as given";

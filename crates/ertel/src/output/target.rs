@@ -164,7 +164,7 @@ pub fn place_of_partial(target: &Path) -> PathBuf {
     let place = crate::files::place(target).unwrap_or_else(|_| target.to_owned());
     let mut name = place.file_name().unwrap_or_default().to_owned();
     name.push(PARTIAL);
-    target.with_file_name(name)
+    place.with_file_name(name)
 }
 
 /// Whether a folder holds the result of a run that came to its end.

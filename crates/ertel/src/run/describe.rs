@@ -189,7 +189,7 @@ pub(super) fn note_sensitivities(
         solution.warnings.push(Warning::new(
             WarningKind::Sensitivities,
             format!(
-                "the uncertainty of the figures leaves out that of {}: {}",
+                "the uncertainty of the figures neglects that of {}: {}",
                 input.key, input.reason
             ),
         ));

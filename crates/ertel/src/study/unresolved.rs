@@ -77,7 +77,7 @@ impl UnresolvedFigures {
             n => format!("{n} of {n_points} points have"),
         };
         Some(format!(
-            "{rows} figures that are not to be used, their bars too wide or made of friction that no lubricant transmits: {text} (columns `unresolved`, `uncertain_figures`)"
+            "{rows} figures that are not to be used (error bar too wide, or friction beyond that of lubricants): {text} (columns `unresolved`, `uncertain_figures`)"
         ))
     }
 }
@@ -99,7 +99,7 @@ mod tests {
         }
         let line = found.line(3).expect("two");
         assert!(
-            line.starts_with("2 of 3 points have figures that are not to be used, their bars too wide or made of friction that no lubricant transmits: friction torque in 2, minimum film thickness in 1 ("),
+            line.starts_with("2 of 3 points have figures that are not to be used (error bar too wide, or friction beyond that of lubricants): friction torque in 2, minimum film thickness in 1 ("),
             "{line}"
         );
     }

@@ -6,7 +6,7 @@ mod spline;
 
 pub use segments::{MotionLaw, Segment};
 pub use smoothing::TableLift;
-pub use spline::PeriodicSpline;
+pub use spline::{PeriodicSpline, ROWS};
 
 use std::f64::consts::TAU;
 

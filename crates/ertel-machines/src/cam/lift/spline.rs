@@ -8,7 +8,7 @@ use super::super::error::in_range;
 /// Degree: the curve has four continuous derivatives, so s'' is smooth and not made of straight lines.
 pub(super) const DEGREE: usize = 5;
 /// Fewest and most rows.
-const ROWS: [usize; 2] = [DEGREE + 3, 2000];
+pub const ROWS: [usize; 2] = [DEGREE + 3, 2000];
 
 /// A periodic function through given places, a spline of the fifth degree with its knots there.
 #[derive(Clone, Debug, PartialEq)]

@@ -61,7 +61,7 @@ fn a_map_is_echoed() {
     assert_eq!(case.files(folder.path()), [folder.path().join("map.txt")]);
 }
 
-/// What makes no map is told with the key.
+/// A map that covers a part of the contact area gives a warning with that part.
 #[test]
 fn maps_smaller_than_the_contact_are_warned_about() {
     let folder = tempfile::tempdir().unwrap();
@@ -103,6 +103,7 @@ fn maps_smaller_than_the_contact_are_warned_about() {
     assert_relative_eq!(share(&case).unwrap(), 100.0 * expected, max_relative = 0.05);
 }
 
+/// What makes no map is reported with its key.
 #[test]
 fn maps_that_are_refused() {
     let folder = tempfile::tempdir().unwrap();

@@ -131,7 +131,7 @@ fn around(title: &str, machine: &MachineSolution) -> Drawing {
     polar_row(title, &[of_loads, of_films])
 }
 
-/// By how much of the path a place lies beside B or D.
+/// By how much of the path a place lies next to B or D.
 const BESIDE: f64 = 1e-6;
 /// Relative difference of loads on both sides of a place from which the load jumps there.
 const JUMP: f64 = 1e-3;

@@ -5,7 +5,7 @@ use std::path::Path;
 use ertel_input::csv::{CsvError, CsvTable, Wanted};
 use ertel_input::file::{LARGEST_TABLE, read_text};
 use ertel_input::{Bounds, InputError, Table};
-use ertel_machines::cam::{CamError, LiftLaw, MotionLaw, Segment};
+use ertel_machines::cam::{CamError, LiftLaw, MotionLaw, ROWS, Segment};
 use ertel_quantity::Dimension;
 
 use super::TURN;
@@ -275,15 +275,40 @@ fn fill(angles: &mut Vec<f64>, lifts: &mut Vec<f64>, digit: f64) {
     let rows: Vec<[f64; 2]> = angles.iter().zip(&*lifts).map(|(a, s)| [*a, *s]).collect();
     angles.clear();
     lifts.clear();
+    // Rows that the spline still takes: a table of fine steps has no room for its gaps, and none needs as many.
+    let mut room = ROWS[1].saturating_sub(n);
     for (i, [angle, lift]) in rows.iter().enumerate() {
         let next = rows[(i + 1) % n][1];
         let is_gap = widths[i] > GAP * step && (lift - next).abs() <= digit;
         let more = if is_gap {
-            (widths[i] / step).round() as usize
+            ((widths[i] / step).round() as usize).min(room + 1)
         } else {
             1
         };
+        room -= more - 1;
         angles.extend((0..more).map(|k| angle + widths[i] * k as f64 / more as f64));
         lifts.extend(std::iter::repeat_n(*lift, more));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Gaps of a base circle are filled with rows as far apart as the others, and with no more than the spline takes: steps of 1e-12 rad would make 6e12 rows.
+    #[test]
+    fn gaps_have_bounded_rows() {
+        let filled = |angles: &[f64]| {
+            let (mut angles, mut lifts) = (angles.to_vec(), vec![0.0; angles.len()]);
+            fill(&mut angles, &mut lifts, 1e-6);
+            assert_eq!(angles.len(), lifts.len());
+            assert!(angles.is_sorted());
+            angles.len()
+        };
+        let steps =
+            |n: u32, step: f64| -> Vec<f64> { (0..n).map(|i| step * f64::from(i)).collect() };
+        assert_eq!(filled(&steps(90, TURN / 180.0)), 180);
+        assert_eq!(filled(&[0.0, 1e-12, 2e-12]), ROWS[1]);
+        assert_eq!(filled(&steps(1601, TURN / 3600.0)), ROWS[1]);
     }
 }
