@@ -50,10 +50,10 @@ pub fn around<Plan>(problem: &Problem<Plan>, film: &impl Film) -> Vec<Point> {
 
 /// Share of the way to the end of the bodies at which the contact area ends.
 fn edge(film: &impl Film, place: impl Fn(f64) -> [f64; 2]) -> f64 {
-    let (mut inside, mut outside) = (0.0, 1.0);
-    if film.covers(place(outside)) {
-        inside = outside;
+    if film.covers(place(1.0)) {
+        return 1.0;
     }
+    let (mut inside, mut outside) = (0.0, 1.0);
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (inside + outside);
         match film.covers(place(middle)) {
@@ -90,14 +90,15 @@ fn rays<Plan>(problem: &Problem<Plan>, film: &impl Film) -> Vec<Point> {
         let (sin, cos) = (-PI + turn * (ray as f64 + 0.5)).sin_cos();
         let place =
             move |r: f64| (shape.gap.turn).to_motion([r * ends[0] * cos, r * ends[1] * sin]);
-        beyond(edge(film, place)).map(move |(r, length)| {
+        beyond(edge(film, place)).filter_map(move |(r, length)| {
             let fields = sheared(problem, place(r), separation);
-            Point {
+            // Next to a thin film the deflection, which counts for nothing here, still opens the gap.
+            (fields.film > 0.0).then(|| Point {
                 area: ends[0] * ends[1] * r * length * turn,
                 within: [1.0, inside(&shorter, fields.place)],
                 in_zone: false,
                 fields,
-            }
+            })
         })
     };
     (0..rays).flat_map(of_ray).collect()
@@ -150,7 +151,7 @@ fn sheared<Plan>(problem: &Problem<Plan>, place: [f64; 2], separation: f64) -> P
     let since = gap.since_closest(place, [u, v]);
     let closest = gap.value([place[0] - since * u, place[1] - since * v]);
     let missing = match since > 0.0 {
-        true => film - (separation + closest).clamp(0.0, film),
+        true => film - (separation + closest).max(0.0).min(film),
         false => 0.0,
     };
     PointFields {

@@ -32,7 +32,7 @@ pub struct PointFields {
     pub deflection: f64,
     /// H.
     pub film: f64,
-    /// F, what the gap lacks where a layer of oil does not fill it (see [`crate::forms::oil_layer`]).
+    /// F, what the gap lacks where oil does not fill it: before a starved contact and behind the film (see [`crate::forms::oil_layer`]).
     pub missing: f64,
     /// Temperature across the film, where it varies.
     pub temperature: Option<Box<TemperatureProfile>>,

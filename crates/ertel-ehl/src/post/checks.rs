@@ -19,7 +19,7 @@ pub fn checks<Plan>(
         None => Balance::of(f.here.work, f.here.dissipation + f.through_end),
         Some(thermal) => {
             let made = thermal.balance.shear.value + thermal.balance.compression.value;
-            Balance::of(f.whole.work, made)
+            Balance::of(f.whole.work - f.work_around, made)
         }
     };
     let checks = Checks {

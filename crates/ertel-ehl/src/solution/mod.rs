@@ -58,7 +58,7 @@ pub use thermal::{
 };
 pub use traction::{Traction, TractionAcross};
 pub use uncertainty::{FigureUncertainty, Uncertainties};
-pub use unresolved::{Asked, Unresolved, Why};
+pub use unresolved::{Asked, OPEN_MASS_BALANCE, Unresolved, Why};
 
 /// The solution of a case.
 #[derive(Clone, Debug)]

@@ -237,6 +237,7 @@ impl Levels {
                 wetted: grid.wetted.clone(),
                 contents: grid.contents.clone(),
             };
+            self.levels[l].contents = OnceLock::new();
             self.stored[l] = grid.stored.iter().cloned().collect();
             let moved = [&grid.places, &grid.velocities];
             self.separations[l] = Separations::remembered(grid.origin, moved);

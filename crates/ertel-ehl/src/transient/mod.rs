@@ -38,7 +38,6 @@ pub use checkpoint::{Checkpoint, OtherGrids};
 pub use conditions::{Cavities, Conditions, Speeds};
 pub use course::Course;
 pub use march::{Info, Instant, Params, TransientError, TransientObserver, march, resume};
-pub use told::MOST_GAINED;
 
 #[cfg(test)]
 mod tests;

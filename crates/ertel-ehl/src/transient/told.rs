@@ -6,7 +6,7 @@ use super::march::{Instant, Params};
 use super::present::Present;
 use crate::engine::Problem;
 use crate::engine::figures::sizes;
-use crate::solution::{Bar, Figure, Figures, Measured};
+use crate::solution::{Bar, Figure, Figures, Measured, OPEN_MASS_BALANCE};
 use crate::volumes::Plan;
 use crate::volumes::ending::balance_error;
 use crate::volumes::engine::{TOLD, least_shares};
@@ -14,11 +14,6 @@ use crate::volumes::figures::{bars, figures};
 
 /// Distance between the bodies, in a²/R, that is rounding.
 const ROUNDING: f64 = 1e-13;
-
-/// Mass that the film may gain or lose, over what passes the centre, before none of its figures is resolved. Where edges of the contact area were moved inward, a
-/// balance of -15 % came with central films 1.7 % too thin, at bars of 0.07 %: one of 5 % is worth 0.6 %, beyond the usual bars. Steps that end as they should leave
-/// 1e-5 to 3e-4.
-pub const MOST_GAINED: f64 = 5e-2;
 
 /// What an instant is told with.
 #[derive(Clone, Copy, Default)]
@@ -72,7 +67,7 @@ pub(super) fn instant<'a>(
         if let (Some(bar), Some(reading)) = (bars.get(figure), figures.get(figure)) {
             let size = reading.size.abs();
             let value = bar.value + params.tolerance * size;
-            let value = match mass_error.abs() > MOST_GAINED {
+            let value = match mass_error.abs() > OPEN_MASS_BALANCE {
                 true => value.max(size),
                 false => value,
             };

@@ -10,6 +10,7 @@
 use ertel_fem::linear::gmres::GmresParams;
 
 use super::beyond::Beyond;
+use super::ending::LEAST_FILM;
 use super::engine::{Plan, newton_params, pattern};
 use super::extremes::lowest;
 use super::figures::central;
@@ -44,7 +45,9 @@ pub fn effects(problem: &Problem<Plan>, levels: &[Level]) -> Result<[f64; 2], So
     let Some(there) = stepped(problem, &system, &state)? else {
         return Ok([0.0; 2]);
     };
-    Ok([0, 1].map(|film: usize| (there[film] / here[film] - 1.0).abs()))
+    // Coarse grids have minimum films about zero.
+    let size = |film: usize| here[film].abs().max(LEAST_FILM * here[0].abs());
+    Ok([0, 1].map(|film: usize| ((there[film] - here[film]) / size(film)).abs()))
 }
 
 /// Central and minimum film after a step of Newton's method; `None` where it cannot be taken.

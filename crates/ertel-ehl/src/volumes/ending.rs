@@ -59,7 +59,7 @@ pub struct Progress {
 }
 
 /// Share of the central film that others count as at least: coarse grids have films about zero.
-const LEAST_FILM: f64 = 0.1;
+pub const LEAST_FILM: f64 = 0.1;
 
 /// Share of a change that the linear solves may leave.
 const LEAST_SHARE: f64 = 0.02;

@@ -93,7 +93,7 @@ fn first_box<P>(problem: &Problem<P>) -> [[f64; 2]; 2] {
     bounds(problem).map(|[low, high]| [low.max(-most), high.min(most)])
 }
 
-/// Distance from the centre to which the first grid of a flooded point contact goes, in half-widths.
+/// Distance from the centre beyond which a film in time is not followed unless `[mesh]` gives the edge, in half-widths.
 pub fn widest<P>(problem: &Problem<P>) -> f64 {
     match problem.shape.is_line() {
         true => f64::INFINITY,

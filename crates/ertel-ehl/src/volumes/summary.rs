@@ -59,8 +59,11 @@ pub fn warnings(
             .get(figure)
             .map_or(0.0, |reading| reading.misfit);
         let end = match volumes.stopped {
-            _ if misfit >= film.value => {
+            _ if misfit > 0.0 && misfit >= film.value => {
                 "it lies on the edge of the contact area, or where no finer grid reaches; move the edge outward ([mesh] outlet, side)".to_owned()
+            }
+            _ if volumes.edge_effects.into_iter().fold(0.0, f64::max) > 0.5 * relative => {
+                "the edges of the contact area are near; move them outward ([mesh] inlet, side)".to_owned()
             }
             true => "Newton's method does not converge on the next grid".to_owned(),
             false => format!(

@@ -266,7 +266,7 @@ kinds! {
         "The largest pressure is that of a spike that the mesh does not resolve. The film does not depend on it.",
         "A change beyond 5 % between the last two meshes.",
         "Use `pressure_smooth_maximum`, or a finer mesh.";
-    /// Another method than finite elements, which did not converge.
+    /// The other method, where the first one did not converge or resolve a film.
     Method "method" Note,
         "The first method did not converge or did not resolve a film; the other one (finite elements or finite volumes) did.",
         "Newton's method, or the error bars of the films, of the first one.",

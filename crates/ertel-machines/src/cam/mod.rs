@@ -37,5 +37,5 @@ mod turn;
 
 pub use error::CamError;
 pub use follower::{Follower, Place};
-pub use lift::{LiftLaw, MotionLaw, PeriodicSpline, Segment, TableLift};
+pub use lift::{LiftLaw, MotionLaw, PeriodicSpline, ROWS, Segment, TableLift};
 pub use turn::{Cam, CamBars, CamOperation, CamPoint};

@@ -274,7 +274,9 @@ fn film_power(point: &PointSolution) -> Option<Marked> {
     let reach = hertz.half_width_y.unwrap_or(0.0).max(hertz.half_width);
     let speed = (ball - ring).abs() * reach * 2.0 / 3.0;
     let dry = limits::TRACTION * point.case.contact.load * speed;
-    let is_beyond = speed > 0.0 && power.value - rolling_power(point)?.value > dry;
+    let spin = power - rolling_power(point)?;
+    // What is left of two equal powers is within the bars of both.
+    let is_beyond = speed > 0.0 && spin.value - spin.error.unwrap_or(0.0) > dry;
     Some(power.with(Marks::when(is_beyond, Mark::Unresolved)))
 }
 

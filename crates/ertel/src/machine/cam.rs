@@ -154,7 +154,13 @@ impl Rubbing {
             let power = figure_of(point, Figure::FrictionPower)?;
             coefficient.push((at.angle, mu));
             let rest = power.value - mu.value * slide(at);
-            rolling.push((at.angle, Marked::exact(rest)));
+            rolling.push((
+                at.angle,
+                Marked {
+                    value: rest,
+                    ..power
+                },
+            ));
         }
         Some(Rubbing {
             coefficient: round(coefficient)?,
@@ -189,9 +195,8 @@ fn friction(
 ) -> Option<[MachineFigure; 2]> {
     let all = Rubbing::of(cam, solved, |_| true)?;
     let value = all.power(cam, turn);
-    let bar = Rubbing::mean(cam, turn, |point| {
-        all.coefficient.bar_at(point.angle) * slide(point)
-    });
+    // The bar of the rolling part is that of the whole power of a contact.
+    let bar = Rubbing::mean(cam, turn, |point| all.rolling.bar_at(point.angle));
     let halves = [0, 1].map(|odd| Rubbing::of(cam, solved, |i| i % 2 == odd));
     let spacing = (halves.iter().flatten()).map(|half| (half.power(cam, turn) - value).abs());
     let power = Marked {

@@ -278,7 +278,7 @@ fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec
 /// Efficiency by the loss over the power at the pinion, which cannot exceed that power.
 fn efficiency(loss: Marked) -> Marked {
     let is_beyond = !loss.is_resolved() || loss.value > 1.0;
-    (Marked::exact(1.0) - loss).with(Marks::when(is_beyond, Mark::Unresolved))
+    (loss.map(|loss| 1.0 - loss)).with(Marks::when(is_beyond, Mark::Unresolved))
 }
 
 /// Losses from the solved contacts.

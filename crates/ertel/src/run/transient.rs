@@ -18,11 +18,11 @@ use crate::engine::Observer;
 use crate::params::Method;
 use crate::plausible;
 use crate::problem::{largest_cell, problem_by_slices, with_reliefs};
-use crate::solution::{Estimate, Figure, Measured};
+use crate::solution::{Estimate, Figure, Measured, OPEN_MASS_BALANCE};
 use crate::transient;
 use crate::transient::{
-    Approach, Conditions, Course, Info, Instant, MOST_GAINED, Mover, Params, Speeds, Start,
-    TransientError, TransientObserver, march, resume,
+    Approach, Conditions, Course, Info, Instant, Mover, Params, Speeds, Start, TransientError,
+    TransientObserver, march, resume,
 };
 use crate::volumes::Plan;
 use crate::volumes::engine::LEAST_GRIDS;
@@ -615,7 +615,7 @@ fn warnings(found: &TransientSolution) -> Vec<Warning> {
         warnings.push(Warning::new(WarningKind::MassBalance, format!(
             "the film gains or loses up to {} % of what passes the centre in a step: see the column `mass_error`{}",
             digits(100.0 * worst, 2),
-            match worst > MOST_GAINED {
+            match worst > OPEN_MASS_BALANCE {
                 true => ", and no figure of these instants is resolved; move the edges of [mesh] further out",
                 false => "",
             }

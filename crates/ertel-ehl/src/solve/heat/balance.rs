@@ -63,7 +63,7 @@ pub fn heat_balance(
     let account = system.account;
     let scale = scales.area(&d.contact.shape);
     let [to_body_1, to_body_2] = [0, 1].map(|b| scale * (account.bodies[b] + account.conducted[b]));
-    let by_film = scale * carried_by_film(d, state, fluid, heat, &system.taken_up);
+    let by_film = scale * carried_by_film(d, (state, &streams), fluid, heat, &system.taken_up);
     let (shear, compression) = (scale * account.shear, scale * account.compression);
     let size = shear + scale * account.compression_size;
     let lost = shear + compression - to_body_1 - to_body_2 - by_film;
@@ -81,7 +81,7 @@ pub fn heat_balance(
 /// Heat that the lubricant carries off, W/m² times half-widths squared; `taken_up` by each element.
 fn carried_by_film(
     d: &Discretisation,
-    state: &State,
+    (state, streams): (&State, &Streams),
     fluid: &FilmFluid,
     heat: &Heat,
     taken_up: &[f64],
@@ -93,6 +93,7 @@ fn carried_by_film(
         d,
         space,
         state,
+        streams,
         fluid,
         heat,
         rule: CrossFilm::default(),
@@ -113,6 +114,7 @@ struct Film<'a> {
     d: &'a Discretisation,
     space: &'a HeatSpace,
     state: &'a State,
+    streams: &'a Streams,
     fluid: &'a FilmFluid,
     heat: &'a Heat,
     rule: CrossFilm,
@@ -139,7 +141,9 @@ impl Film<'_> {
         let order = self.space.column.film.n() - 1;
         let mut sum = 0.0;
         for (xi, weight) in points {
-            let column = self.column(&fields_in(self.d, self.state, side.0, xi));
+            let mut fields = fields_in(self.d, self.state, side.0, xi);
+            fields.missing += self.streams.missing(&fields);
+            let column = self.column(&fields);
             for (k, w) in heights.weights().iter().enumerate() {
                 let point = &column.heights[k];
                 let out = point.velocity[0] * normal[0] + point.velocity[1] * normal[1];
