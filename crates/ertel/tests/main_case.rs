@@ -32,7 +32,8 @@ fn circular() {
     // That code's contact area ends at X = −4.5 and |Y| = 3, which makes films 0.15 to 0.2 % thinner.
     assert!((h_m.value / scale - 0.04006).abs() < (h_m.error.unwrap() + 2e-3 * h_m.value) / scale);
     assert!(s.summary.film_balance_error.abs() < 2e-3);
-    assert!(s.summary.load_balance_error < 1e-10);
+    // Newton's steps by linear solves to a hundredth leave 7e-10.
+    assert!(s.summary.load_balance_error < 1e-8);
     assert!(s.warnings.is_empty(), "{:?}", s.warnings);
 }
 

