@@ -144,11 +144,11 @@ fn rolling_alone_has_the_traction_of_the_pressure_gradient() {
             t.coefficient_body_2.value,
             force / case.contact.load
         );
-        // The profile's points are dense, and its slopes differences of second order.
+        // The profile's points are dense, and its slopes differences of second order. Behind the film the penalty leaves slopes of which streams have a share.
         assert_relative_eq!(
             t.coefficient_body_2.value,
             force / case.contact.load,
-            max_relative = 2e-3
+            max_relative = 3e-3
         );
     }
 }

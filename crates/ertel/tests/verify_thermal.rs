@@ -81,7 +81,7 @@ fn bodies_of_one_material() {
     assert_relative_eq!(
         one.traction.coefficient.value,
         -other.traction.coefficient.value,
-        max_relative = 1e-5
+        max_relative = 1e-4
     );
     assert_relative_eq!(
         one.summary.film_minimum.value,
