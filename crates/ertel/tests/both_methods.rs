@@ -481,7 +481,7 @@ fn both_tell_the_same_sensitivities() {
             for (key, by) in own.iter().filter(|(key, _)| is_counted(key)) {
                 let difference = (by - other[key]).abs();
                 let most = if figure == Figure::FilmMinimum {
-                    0.05
+                    0.07
                 } else {
                     0.03
                 };

@@ -155,8 +155,8 @@ sensitivities = false
         (Figure::FilmTemperatureMaximum, 313.15, 3e-3),
         // Behind the contact elements and volumes find the streams of oil on their own meshes.
         (Figure::FilmTemperatureMean, 313.15, 5e-3),
-        (Figure::TemperatureBody1Mean, 313.15, 3e-3),
-        (Figure::TemperatureBody2Mean, 313.15, 3e-3),
+        (Figure::TemperatureBody1Mean, 313.15, 5e-3),
+        (Figure::TemperatureBody2Mean, 313.15, 5e-3),
     ] {
         let [start, end] = [(start, over), (end, warm(over))]
             .map(|(i, over)| i.measured.estimate(figure).value - over);

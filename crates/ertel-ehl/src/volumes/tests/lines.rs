@@ -109,7 +109,8 @@ fn rigid_cylinder() {
     let measured = found.measured(&problem);
     let outlet = measured.find(Figure::OutletPosition).unwrap().value;
     let width = width * problem.scales.length;
-    assert_relative_eq!(outlet, 0.475_13 * width, max_relative = 2e-3);
+    // To half a cell, 2.2e-3.
+    assert_relative_eq!(outlet, 0.475_13 * width, max_relative = 2.5e-3);
 }
 
 /// Segments of all grids cover the contact area once, in the direction of the flow.
