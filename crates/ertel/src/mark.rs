@@ -270,7 +270,7 @@ impl Div<f64> for Marked {
     type Output = Marked;
 
     fn div(self, divisor: f64) -> Marked {
-        self * divisor.recip()
+        Mul::mul(self, divisor.recip())
     }
 }
 

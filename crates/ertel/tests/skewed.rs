@@ -1,7 +1,5 @@
 //! Sliding at an angle, and spin: against straight motion, closed forms of the Newtonian film, mirror images and the balance of energy.
 
-use std::f64::consts::PI;
-
 use crate::common;
 
 use approx::assert_relative_eq;

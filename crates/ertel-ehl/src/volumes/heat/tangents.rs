@@ -233,7 +233,7 @@ pub fn solve<'a>(
         &Films {
             pressure: &own.state.pressure,
             film: &films,
-            missing: &lacking(&own.system, &own.state, &at),
+            missing: &lacking(&own.system, &own.state, at),
             temperature,
             held: &[],
             pressure_rate: &[],
