@@ -54,7 +54,7 @@ fn largest_cell<P>(problem: &Problem<P>) -> f64 {
 }
 
 /// Cells of the first grid along and across the rows, with which the edges of the contact area are lines of the grid: inlet, or meniscus, and side exactly, the outlet
-/// to [`FITS`].
+/// to a hundredth of a half-width.
 pub fn first_cells<P>(problem: &Problem<P>) -> [f64; 2] {
     let largest = largest_cell(problem);
     let [[low, high], [_, side]] = first_box(problem);
