@@ -214,7 +214,7 @@ fn spin_is_bounded_or_not_resolved() {
 #[test]
 fn tables_of_curves_name_marked_figures_and_warnings() {
     let text =
-        gears("[solver]\nnewtonian = true\n[curve]\nquantity = 'machine.pinion_speed'\nvalues = ['1440 rpm']")
+        gears("[solver]\nnewtonian = true\n[curve]\nquantity = 'machine.pinion_speed'\nvalues = ['1440 rpm', '1500 rpm']")
             .replace("points = 6", "points = 2");
     let case = read(&text);
     let curve = solve_curve(case.curve.as_ref().unwrap(), &mut NoObserver);

@@ -139,10 +139,9 @@ fn what_the_mesh_does_not_resolve() {
     );
 }
 
-/// Surfaces at 0 and 60 m/s: skins of 60 µm that form within a cell at the far inlet edge take up heat that is not there. At 2 m/s heat is balanced, and
-/// nothing is said.
+/// Surfaces at 0 and 60 m/s, with skins of 60 µm that form within a cell at the far inlet edge, and at 2 m/s: heat is balanced, and nothing is reported.
 #[test]
-fn an_open_heat_balance() {
+fn heat_balances_close() {
     let hot = |speed, ratio| {
         solved(&format!(
             r#"
@@ -167,12 +166,10 @@ fn an_open_heat_balance() {
 "#
         ))
     };
+    // It was open by 2.2 % where the oil entered with a jump at the walls.
     let fast = hot(30.0, 2.0);
-    let words = warning(&fast, WarningKind::HeatBalance).unwrap();
-    assert!(
-        words.contains("bodies and film remove more than is generated"),
-        "{words}"
-    );
+    assert!(fast.thermal.as_ref().unwrap().balance.error.abs() < 0.02);
+    assert_eq!(warning(&fast, WarningKind::HeatBalance), None);
     let slow = hot(2.0, 0.1);
     assert!(slow.thermal.as_ref().unwrap().balance.error.abs() < 0.01);
     assert_eq!(warning(&slow, WarningKind::HeatBalance), None);
