@@ -200,7 +200,10 @@ values = [false, true]
     }
     // In another format they take the place of those before.
     let formats = "output.pictures=[\"pdf\", \"png\"]";
-    let output = sweep(&folder, &["study.toml", "-q", "--set", formats]);
+    let output = sweep(
+        &folder,
+        &["study.toml", "-q", "--accept-unresolved", "--set", formats],
+    );
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     for picture in ["film", "traction"] {
         let file = |suffix| {
@@ -213,7 +216,7 @@ values = [false, true]
         assert!(!file("svg").exists());
     }
     // Back to SVG: a PDF file of this name may be the user's own by now.
-    let output = sweep(&folder, &["study.toml", "-q"]);
+    let output = sweep(&folder, &["study.toml", "-q", "--accept-unresolved"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     for name in ["film.svg", "film.pdf", "traction.svg", "traction.png"] {
         assert!(
