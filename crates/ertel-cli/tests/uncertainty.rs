@@ -355,7 +355,7 @@ fn what_the_uncertainty_leaves_out_is_told() {
     let warnings = result["warnings"].as_array().unwrap();
     let tells = |w: &&Value| {
         w.as_str()
-            .is_some_and(|w| w.contains("leaves out that of inlet.meniscus_distance"))
+            .is_some_and(|w| w.contains("neglects that of inlet.meniscus_distance"))
     };
     assert_eq!(warnings.iter().filter(tells).count(), 1, "{warnings:?}");
 }

@@ -250,7 +250,7 @@ fn errors_point_to_the_study() {
         (
             "[[axis]]\nkey = \"contact.load\"\nfrom = \"0 kN/m\"\nto = \"2 kN/m\"\npoints = 3\nspacing = \"log\"\n",
             4,
-            "equal ratios",
+            "a logarithmic range cannot include zero",
         ),
         (
             "[[axis]]\nkey = \"contact.load\"\nvalues = [\"1 kN/m\"]\nto = \"2 kN/m\"\n",

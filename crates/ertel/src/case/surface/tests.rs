@@ -83,7 +83,7 @@ fn maps_smaller_than_the_contact_are_warned_about() {
         .find(|text| text.contains("covers"));
     assert!(
         text.unwrap()
-            .starts_with("surface 1: the map of 78 um x 58 um"),
+            .starts_with("surface 1: the map of 78 µm x 58 µm"),
         "{text:?}"
     );
     // Points as far apart as ten of them make a map that is large enough, unless it lies elsewhere.
