@@ -128,7 +128,7 @@ fn description(row: &Row) -> String {
 fn default(row: &Row) -> Option<Value> {
     let text = row.default?;
     match row.kind {
-        Kind::Choice(_) | Kind::Share => Some(json!(text)),
+        Kind::Choice(_) | Kind::AnyCase(_) | Kind::Share => Some(json!(text)),
         _ => serde_json::from_str(text).ok(),
     }
 }
@@ -171,6 +171,7 @@ fn of_kind(row: &Row) -> Value {
             "items": { "type": "array", "items": number(row), "minItems": 2, "maxItems": 2 },
         }),
         Kind::Choice(words) => json!({ "enum": words }),
+        Kind::AnyCase(words) => names(words),
         Kind::Choices(words) => json!({ "type": "array", "items": { "enum": words } }),
         Kind::Table(rows) => table(rows),
         Kind::Tables(rows) => json!({ "type": "array", "items": table(rows) }),
@@ -181,7 +182,8 @@ fn of_kind(row: &Row) -> Value {
         Kind::Solid => names(&solid_names()),
         Kind::SolidOrTable(rows) => json!({ "anyOf": [names(&solid_names()), table(rows)] }),
         Kind::Machine(machines) => machine(machines),
-        Kind::Any => json!({}),
+        Kind::Scalar => json!({ "anyOf": [{ "type": "number" }, quantity()] }),
+        Kind::Texts => json!({ "type": "object", "additionalProperties": { "type": "string" } }),
         Kind::List => json!({ "type": "array" }),
     }
 }

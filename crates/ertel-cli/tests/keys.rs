@@ -82,7 +82,9 @@ fn wrong<'a>(path: &str, row: &'a Row) -> (&'static str, Check<'a>) {
         }
         (Kind::Quantities(_), _) => ("[1]", Box::new(lacks_unit)),
         (Kind::Points, _) => ("1", Box::new(says("must be an array of points".to_owned()))),
-        (Kind::Choice(choices), _) => ("\"zzzz\"", Box::new(names(choices.to_vec()))),
+        (Kind::Choice(choices) | Kind::AnyCase(choices), _) => {
+            ("\"zzzz\"", Box::new(names(choices.to_vec())))
+        }
         (Kind::Choices(choices), _) => ("[\"zzzz\"]", Box::new(names(choices.to_vec()))),
         (Kind::Table(_) | Kind::Law(_), _) => ("1", Box::new(says("must be a table".to_owned()))),
         (Kind::Tables(_), _) => ("1", Box::new(says("must be an array of tables".to_owned()))),
@@ -91,7 +93,8 @@ fn wrong<'a>(path: &str, row: &'a Row) -> (&'static str, Check<'a>) {
         }
         (Kind::Machine(_), _) => ("1", Box::new(says("must be a table".to_owned()))),
         (Kind::List, _) => ("1", Box::new(says("must be an array".to_owned()))),
-        (Kind::Any, _) => ("true", Box::new(says("must be".to_owned()))),
+        (Kind::Scalar, _) => ("true", Box::new(says("must be".to_owned()))),
+        (Kind::Texts, _) => ("1", Box::new(says("must be a table".to_owned()))),
     }
 }
 

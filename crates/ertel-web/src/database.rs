@@ -53,7 +53,7 @@ fn described() -> Map<String, Value> {
             "words": plain(&row.told()),
             "number": matches!(row.kind, Kind::Number | Kind::Share | Kind::Count),
         });
-        if let Kind::Choice(choices) = row.kind {
+        if let Kind::Choice(choices) | Kind::AnyCase(choices) = row.kind {
             key["choices"] = json!(choices);
         }
         key

@@ -69,9 +69,16 @@ fn validate(schema: &Value, value: &Value, at: &str, found: &mut Vec<String>) {
                 true
             }
             "additionalProperties" => {
-                assert_eq!(wanted, false);
-                let known = keywords["properties"].as_object().unwrap();
-                object.is_none_or(|o| o.keys().all(|key| known.contains_key(key)))
+                let known = keywords.get("properties").and_then(Value::as_object);
+                let is_known = |key: &str| known.is_some_and(|known| known.contains_key(key));
+                let mut others = object
+                    .into_iter()
+                    .flatten()
+                    .filter(|(key, _)| !is_known(key));
+                match wanted {
+                    Value::Bool(false) => others.next().is_none(),
+                    schema => others.all(|(_, value)| fits(schema, value)),
+                }
             }
             "propertyNames" => {
                 let fit = |key: &String| fits(wanted, &Value::String(key.clone()));

@@ -3,7 +3,7 @@
 use ertel_quantity::Dimension as D;
 
 use super::Kind::{
-    Any, Choice, Count, FluidOrTable, List, Machine, Number, Quantities, Quantity, QuantityOr,
+    Choice, Count, FluidOrTable, List, Machine, Number, Quantities, Quantity, QuantityOr, Scalar,
     Solid, SolidOrTable, Switch, Table, Tables, Text,
 };
 use super::lubricant::{CONDUCTIVITY, HEAT_CAPACITY, LUBRICANT};
@@ -162,9 +162,9 @@ rows! {
             kink at each row, after which steps begin short";
         start: TIME => "when a ramp or a sine begins; 0 if absent";
         end: TIME => "when a ramp ends";
-        to: Any => "value at the end of a ramp, or after a step";
+        to: Scalar => "value at the end of a ramp, or after a step";
         at: TIME => "when a step happens";
-        amplitude: Any => "amplitude of a sine";
+        amplitude: Scalar => "amplitude of a sine";
         period: TIME => "its period";
     }
     /// `[[surface]]`.
@@ -260,7 +260,7 @@ rows! {
     pub AXIS {
         key: Text => "path of the input: `contact.load`, `lubricant.name`, `mesh.target_error`. The base case need not contain it";
         values: List => r#"a list: quantities with units, numbers, names, switches, tables such as `{ law = "barus", ... }`; all of one type"#;
-        from, to: Any => "a range in place of the list; values between the ends are rounded to six digits";
+        from, to: Scalar => "a range in place of the list; values between the ends are rounded to six digits";
         points: Count => "number of points of the range, ends included";
         spacing: Choice(&["linear", "log"]), default "linear" => "equal steps or equal ratios";
         zip: Text => r"axes with the same name here vary together, value by value; single values may repeat, whole points may not; all other

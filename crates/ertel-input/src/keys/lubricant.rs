@@ -3,8 +3,8 @@
 use ertel_quantity::Dimension as D;
 
 use super::Kind::{
-    Any, Choice, Fluid, Law as OfLaw, LawOr, Number, Numbers, Quantities, Quantity, Table, Tables,
-    Text,
+    AnyCase, Choice, Fluid, Law as OfLaw, LawOr, Number, Numbers, Quantities, Quantity, Scalar,
+    Table, Tables, Text, Texts,
 };
 use super::case::CORRELATION;
 use super::{
@@ -126,7 +126,7 @@ rows! {
         density_15, density_20: DENSITY, usual [OIL_DENSITY] => r"density at 15 or 20 °C; if absent, 902, 859, 915, 1059, 902 or 880 kg/m³ for the base
             oils below, ± 5 %";
         relative_density_15: Number => "density at 15 °C relative to that of water at 15 °C, dimensionless";
-        base_oil: Choice(&["mineral", "PAO", "ester", "PAG", "naphthenic", "Group III"]) => r#"kind of the base oil:
+        base_oil: AnyCase(&["mineral", "PAO", "ester", "PAG", "naphthenic", "Group III"]) => r#"kind of the base oil:
             `"mineral"`, `"PAO"`, `"ester"`, `"PAG"`, `"naphthenic"` or `"Group III"`, in any case of letters, also `"Group I"` and `"Group II"`
             (mineral) and `"Group IV"` (PAO) of API 1509; needed if something is to be estimated. It may be given with
             laws, too: [heat and shear](#heat-and-shear-by-the-kind-of-oil) are estimated by it. There is no correlation with a source for
@@ -154,7 +154,7 @@ rows! {
     /// What the law `table` of every property has.
     pub(super) TABLE_KEYS {
         file: Text, aside "table of states";
-        columns: Any, aside "titles of its columns";
+        columns: Texts, aside "titles of its columns";
         decimal: DECIMAL, aside "its decimal mark";
         units: Table(UNITS), aside "units of the isotherms";
         isotherms: Tables(ISOTHERMS), aside "states at one temperature each";
@@ -196,7 +196,7 @@ rows! {
         a_1: KELVIN, aside "A₁ of the glass transition T_g0 + A₁ ln(1 + A₂ p)";
         a_2: PER_PRESSURE, aside "A₂ of the glass transition";
         // Of WLF and of Yasutomi the other way round.
-        b_1, b_2: Any, aside "constants of F, the change of free volume with pressure";
+        b_1, b_2: Scalar, aside "constants of F, the change of free volume with pressure";
         c_1: Number, aside "C₁";
         c_2: KELVIN, aside "C₂";
         a: Number, aside "A of Walther";

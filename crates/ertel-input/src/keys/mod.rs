@@ -72,6 +72,8 @@ pub enum Kind {
     Points,
     /// One of these words.
     Choice(&'static [&'static str]),
+    /// One of these words, in any case of letters, or one of their other names.
+    AnyCase(&'static [&'static str]),
     /// A list of these words.
     Choices(&'static [&'static str]),
     /// A table.
@@ -92,8 +94,10 @@ pub enum Kind {
     SolidOrTable(&'static [Row]),
     /// A table with the key `kind`, which says which of the other keys it has.
     Machine(&'static [(&'static str, &'static [Row])]),
-    /// Anything.
-    Any,
+    /// A number, or a quantity of the key that it belongs to.
+    Scalar,
+    /// A table of texts whose keys are free.
+    Texts,
     /// A list.
     List,
 }

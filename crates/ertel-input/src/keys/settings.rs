@@ -3,7 +3,7 @@
 use ertel_quantity::Dimension as D;
 
 use super::Kind::{
-    Any, Choice, Choices, Count, Number, Points, Quantities, Quantity, Share, Switch, Table, Text,
+    Choice, Choices, Count, Number, Points, Quantities, Quantity, Share, Switch, Table, Text,
 };
 use super::rows;
 use super::{LENGTH, TEMPERATURE};
@@ -169,7 +169,7 @@ rows! {
     }
     /// `[compare]`.
     pub COMPARE {
-        columns: Any => r"table of quantities or keys of the case and the titles of their columns; a unit follows a colon where the title has
+        columns: super::Kind::Texts => r"table of quantities or keys of the case and the titles of their columns; a unit follows a colon where the title has
             none; `#4` is the fourth column";
         ignore: super::Kind::List => "titles of columns that are left out";
         decimal: super::lubricant::DECIMAL => r#"`"point"` or `"comma"`: the decimal mark, where the numbers of the table leave it open"#;

@@ -10,7 +10,7 @@ impl Row {
     pub fn told(&self) -> String {
         let words: Vec<&str> = self.words.split_whitespace().collect();
         let mut text = words.join(" ");
-        if let Kind::Choice(choices) = self.kind {
+        if let Kind::Choice(choices) | Kind::AnyCase(choices) = self.kind {
             let is_listed = choices
                 .first()
                 .is_some_and(|c| text.contains(&format!("\"{c}\"")));
