@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds everything that a release consists of into target/release-files, and tries each: a static program, a Debian package, the
-# Python wheel, the documentation as a site, the page that solves, and their checksums. Needs Rust, a C compiler with the static C library, Python 3 and, for the
+# Python wheel, the documentation as a site, the web page with the solver, and their checksums. Needs Rust, a C compiler with the static C library, Python 3 and, for the
 # Debian package, dpkg-deb. Tools of Rust and Python that it needs are installed below target.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Whether a tag may become a release: it is v and the version of the workspace, and the first section of CHANGELOG.md is that version with its date.
+# Checks a release tag: v and the version of the workspace; the first section of CHANGELOG.md must have this version with its date.
 #
 #     packaging/check-tag.sh v0.1.0
 set -euo pipefail

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes THIRD_PARTY_NOTICES.txt: what the program, the Python package and the page that solves contain of others, with their licences.
+"""Writes THIRD_PARTY_NOTICES.txt: third-party works in the program, the Python package and the web page, with their licences.
 
-Crates and their licence texts are those of Cargo.lock; `cargo fetch` downloads what is missing of them first. Run it after a change of Cargo.lock:
+Crates and their licence texts are those of Cargo.lock; `cargo fetch` downloads missing ones first. Run it after a change of Cargo.lock:
 
     packaging/notices.py
 """
@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parent.parent
 FILE = ROOT / "THIRD_PARTY_NOTICES.txt"
 SHIPPED = ["ertel-cli", "ertel-py", "ertel-web"]
 HEADS = ("LICEN", "COPYING", "NOTICE", "UNLICENSE", "COPYRIGHT")
-# What is shipped beside the crates, or within one under a licence that the crate does not name: name, licence, its text.
+# Shipped in addition to the crates, or within a crate under a licence that the crate does not name: name, licence, its text.
 OTHERS = [
     ("Liberation fonts, as Ertel Sans (crates/ertel-plot/assets/fonts)", "OFL-1.1", "crates/ertel-plot/assets/fonts/OFL.txt"),
     ("uPlot (crates/ertel/src/output/html/assets/uplot)", "MIT", "crates/ertel/src/output/html/assets/uplot/LICENSE"),
@@ -53,7 +53,7 @@ def texts(folder: Path, licence: str) -> tuple[list[str], bool]:
 
 
 def main() -> None:
-    # Also the crates of other platforms, which a build here leaves out.
+    # Also the crates of other platforms, which a local build omits.
     subprocess.run([CARGO, "fetch", "--locked", "--quiet"], cwd=ROOT, check=True)
     crates = linked()
     packages = json.loads(cargo("metadata", "--format-version", "1"))["packages"]
@@ -82,7 +82,7 @@ def main() -> None:
     rule = "=" * 100
     head = (
         "Third-party notices of ertel\n\n"
-        "The program, the Python package and the page that solves contain the following works of others, each under its own licence.\n"
+        "The program, the Python package and the web page contain the following third-party works, each under its own licence.\n"
         "Made by packaging/notices.py from Cargo.lock.\n"
     )
     parts = [f"{rule}\nFor: {', '.join(dict.fromkeys(names))}\n{rule}\n\n{text}\n" for text, names in by_words.values()]

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs each file of target/release-files into an empty place and uses it there. Run it after packaging/build.sh; it needs that script's
 # folder, Python 3 with venv, for the page node and Chromium, and for the empty roots the right to change the root (root, or namespaces of users).
-# Where that is not allowed, programs run without an environment in place of an empty root, and the output says so.
+# Where that is not allowed, programs run without an environment instead of in an empty root, as the output states.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 files=$PWD/target/release-files
@@ -22,7 +22,7 @@ else
   roots="no environment (a new root is not allowed here)"
 fi
 
-# solved ROOT PROGRAM: solves a case that is all there is beside the program.
+# solved ROOT PROGRAM: solves a case in a root that contains only the program and this case.
 solved() {
   cp cases/roller.toml "$1/case.toml"
   within "$1" "$2" solve /case.toml --quiet --output /result
@@ -30,7 +30,7 @@ solved() {
   test -s "$1/result/report.html"
 }
 
-# The archive: of all its files only the program.
+# The archive: only its program is used.
 root=$place/static
 mkdir "$root" "$place/archive"
 tar -C "$place/archive" --strip-components=1 -xzf "$files"/ertel-*-linux-*.tar.gz
@@ -42,7 +42,7 @@ done
 bash -n "$place/archive/completions/ertel.bash"
 echo "archive: solves in $roots"
 
-# The Debian package, by dpkg-deb alone: nothing that it would depend on is there.
+# The Debian package, extracted by dpkg-deb into a root without its dependencies.
 if command -v dpkg-deb > /dev/null && ls "$files"/ertel_*.deb > /dev/null 2>&1; then
   root=$place/deb
   dpkg-deb --extract "$files"/ertel_*.deb "$root"
@@ -54,7 +54,7 @@ if command -v dpkg-deb > /dev/null && ls "$files"/ertel_*.deb > /dev/null 2>&1; 
   echo "Debian package: solves in $roots"
 fi
 
-# The wheel: nothing is built, nothing but numpy is looked for, and that in a folder.
+# The wheel: nothing is built; only numpy is installed, from a local folder.
 python3 -m venv "$place/venv"
 python=$place/venv/bin/python
 "$python" -m pip download --quiet --only-binary :all: --dest "$place/wheels" "numpy>=1.24"

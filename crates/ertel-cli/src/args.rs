@@ -32,7 +32,7 @@ pub struct Cli {
         help = "Colour of messages and reports: auto (on terminals; NO_COLOR, CLICOLOR and CLICOLOR_FORCE count), always, never"
     )]
     pub color: When,
-    /// What to do.
+    /// The subcommand.
     #[command(subcommand)]
     pub command: Command,
 }
@@ -81,7 +81,7 @@ pub struct SolveArgs {
     /// The case files (TOML), each solved into a separate folder; `-` reads one from standard input
     #[arg(value_name = "CASE.toml", required = true)]
     pub cases: Vec<PathBuf>,
-    /// Folder for the results, of several cases that of their folders (default: `output.folder` of the case, else `results/<name of the
+    /// Folder for the results, for several cases the parent of their folders (default: `output.folder` of the case, else `results/<name of the
     /// case file>`)
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
@@ -110,11 +110,11 @@ pub struct SolveArgs {
     /// where one differs by more than the sum of both
     #[arg(long, conflicts_with_all = ["check", "monte_carlo"])]
     pub cross_check: bool,
-    /// Of a case in time: keep what the run needs to go on in `<results>.checkpoint`, each time that this wall time has passed, such as "10 min",
-    /// and where Ctrl-C stops it
+    /// For a case in time: write a checkpoint to `<results>.checkpoint` at this interval of wall time, such as "10 min",
+    /// and on Ctrl-C
     #[arg(long, value_name = "TIME", conflicts_with = "check")]
     pub checkpoint: Option<String>,
-    /// Of a case in time: continue from `<results>.checkpoint`
+    /// For a case in time: continue from `<results>.checkpoint`
     #[arg(long, conflicts_with = "check")]
     pub resume: bool,
     /// Exit code 0 also where an error bar is wider than half of a figure
@@ -149,7 +149,7 @@ pub struct SweepArgs {
     /// Print events as JSON lines instead of progress and report
     #[arg(long)]
     pub json: bool,
-    /// List the points and what they start from, then stop
+    /// List the points and their starting points, then stop
     #[arg(long)]
     pub dry_run: bool,
     /// Also write the results of each point into a separate folder
@@ -158,7 +158,7 @@ pub struct SweepArgs {
     /// Retry failed points
     #[arg(long)]
     pub retry: bool,
-    /// Solve part I of N of the points, as one of the jobs of a cluster
+    /// Solve part I of N of the points, for jobs on a cluster
     #[arg(long, value_name = "I/N", value_parser = shard)]
     pub shard: Option<ertel::sweep::Shard>,
     /// Join parts: the folder of the whole, then those of the parts
@@ -187,13 +187,13 @@ pub struct TableArgs {
     /// Which column holds a quantity, by its title or its number, such as film="Film (nm)", film=Film:nm, film=#3:nm (may be repeated)
     #[arg(long, value_name = "NAME=TITLE[:UNIT]", value_parser = ColumnMap::parse)]
     pub column: Vec<ColumnMap>,
-    /// Decimal mark of the table, where its numbers leave it open
+    /// Decimal mark of the table, where its numbers are ambiguous
     #[arg(long, value_name = "MARK", value_parser = PossibleValuesParser::new(["point", "comma"]))]
     pub decimal: Option<String>,
 }
 
 impl TableArgs {
-    /// What is told about a table, with the titles of columns to leave out.
+    /// Options for reading a table, with the titles of columns to ignore.
     pub fn params(&self, ignored: &[String]) -> CsvParams {
         CsvParams {
             columns: self.column.clone(),
@@ -212,7 +212,7 @@ impl TableArgs {
 A run that was stopped or killed continues when it is started again. How tables and exports of rigs are read: \
 docs/guide/compare.md.")]
 pub struct CompareArgs {
-    /// The case file (TOML); the measurements say what varies
+    /// The case file (TOML); the columns of the table vary its values
     #[arg(value_name = "CASE.toml")]
     pub case: PathBuf,
     /// Measured films or tractions: a table with units in its titles, or an export of a PCS rig (EHD2, MTM, ETM)
@@ -224,13 +224,13 @@ pub struct CompareArgs {
     /// Read and check case and measurements, then stop
     #[arg(long)]
     pub check: bool,
-    /// Leave out a column of the table, by its whole title (may be repeated)
+    /// Ignore a column of the table, by its whole title (may be repeated)
     #[arg(long, value_name = "TITLE")]
     pub ignore: Vec<String>,
     /// How the columns are read.
     #[command(flatten)]
     pub table: TableArgs,
-    /// Take this step of a rig's export alone, by its number (may be repeated)
+    /// Use only this step of a rig's export, by its number (may be repeated)
     #[arg(long, value_name = "N")]
     pub step: Vec<usize>,
     /// Thermometer of a rig that measures the temperature of the lubricant
@@ -294,7 +294,7 @@ pub struct ViewArgs {
     /// Write the page into this file, to keep it or to send it
     #[arg(short, long, value_name = "FILE.html")]
     pub output: Option<PathBuf>,
-    /// Start no browser; print where the page is
+    /// Start no browser; print the path of the page
     #[arg(long)]
     pub no_browser: bool,
 }
@@ -317,7 +317,7 @@ pub struct ValidateArgs {
     /// Write the page `validation.md` and its pictures into this folder; with NAMEs, only their sections of the page
     #[arg(long, value_name = "DIR")]
     pub write: Option<PathBuf>,
-    /// Bring the Newton iterations that the studies state up to those taken, and show what changes
+    /// Update the Newton iterations stated in the studies to those taken, and show the changes
     #[arg(long)]
     pub update: bool,
 }
@@ -325,7 +325,7 @@ pub struct ValidateArgs {
 /// `ertel fit`.
 #[derive(Debug, Args)]
 pub struct FitArgs {
-    /// What to fit.
+    /// The subcommand.
     #[command(subcommand)]
     pub command: FitCommand,
 }
@@ -357,9 +357,9 @@ pub struct FitFilmArgs {
     /// Reduced radius of all films, such as "12.7 mm" (default: the column radius_m)
     #[arg(long, value_name = "R")]
     pub radius: Option<String>,
-    /// Compare the films with the form with given constants, too, as in "central=1.96,-0.1111,0" (may be repeated)
-    #[arg(long, value_name = "FILM=C,...", value_parser = beside)]
-    pub beside: Vec<(ertel::fit::FilmKind, Vec<f64>)>,
+    /// Also compare the films with the form with given constants, as in "central=1.96,-0.1111,0" (may be repeated)
+    #[arg(long = "given", alias = "beside", value_name = "FILM=C,...", value_parser = given_formula)]
+    pub given_formulas: Vec<(ertel::fit::FilmKind, Vec<f64>)>,
     /// Confidence of the intervals
     #[arg(long, value_name = "P", default_value_t = 0.95)]
     pub confidence: f64,
@@ -375,7 +375,7 @@ pub struct FitFilmArgs {
 }
 
 /// `central=1.96,-0.1111,0`.
-fn beside(text: &str) -> Result<(ertel::fit::FilmKind, Vec<f64>), String> {
+fn given_formula(text: &str) -> Result<(ertel::fit::FilmKind, Vec<f64>), String> {
     use ertel::fit::FilmKind;
     let help = || {
         "write the film, central or minimum, and the constants of the form, such as c, a and b: central=1.96,-0.1111,0"
@@ -404,11 +404,11 @@ pub struct FitLawArgs {
     /// How the columns are read.
     #[command(flatten)]
     pub table: TableArgs,
-    /// The law; `all` ranks the laws by how well they predict isotherms left out, and takes the best
+    /// The law; `all` ranks the laws by cross-validation over the isotherms, and takes the best
     #[arg(long, value_name = "LAW")]
     pub law: String,
     /// Exit code 3 where the fitted law is implausible, such as a viscosity that falls with pressure or an rms above 10 %;
-    /// the entry is written all the same
+    /// the entry is still written
     #[arg(long)]
     pub strict: bool,
     /// Where the data come from, for the entry (default: the name of the file)
@@ -456,7 +456,7 @@ pub struct FitLawArgs {
 /// `ertel fluids`.
 #[derive(Debug, Args)]
 pub struct FluidsArgs {
-    /// What to do; lists without it.
+    /// The subcommand; default `list`.
     #[command(subcommand)]
     pub command: Option<FluidsCommand>,
 }
@@ -485,7 +485,7 @@ pub enum FluidsCommand {
 /// `ertel explain`.
 #[derive(Debug, Args)]
 pub struct ExplainArgs {
-    /// The code in brackets behind a warning, such as `friction`; without it all codes are listed
+    /// The code in brackets after a warning, such as `friction`; without it all codes are listed
     #[arg(value_name = "CODE")]
     pub code: Option<String>,
 }
@@ -493,7 +493,7 @@ pub struct ExplainArgs {
 /// `ertel solids`.
 #[derive(Debug, Args)]
 pub struct SolidsArgs {
-    /// What to do; lists without it.
+    /// The subcommand; default `list`.
     #[command(subcommand)]
     pub command: Option<SolidsCommand>,
 }

@@ -17,7 +17,7 @@ use crate::table::columns;
 ///
 /// # Errors
 ///
-/// Bad cases, each of them told; two cases with one folder; `--monte-carlo` of several.
+/// Bad cases, each of them reported; two cases with one folder; `--monte-carlo` of several.
 pub fn read(arguments: &SolveArgs, events: &Events) -> Result<Vec<Job>, Failure> {
     let n_cases = arguments.cases.len();
     if n_cases > 1 && arguments.monte_carlo.is_some() {
@@ -81,7 +81,7 @@ pub fn read(arguments: &SolveArgs, events: &Events) -> Result<Vec<Job>, Failure>
     Ok(jobs)
 }
 
-/// Where the results of a case go: the command line, the case, or `results/<name of the case file>`.
+/// Folder of the results of a case: the command line, the case, or `results/<name of the case file>`.
 fn folder(arguments: &SolveArgs, given: &Given) -> PathBuf {
     match (&arguments.output, arguments.cases.len()) {
         (Some(folder), 1) => folder.clone(),
@@ -91,11 +91,11 @@ fn folder(arguments: &SolveArgs, given: &Given) -> PathBuf {
     }
 }
 
-/// Does something with each case, whatever becomes of the others.
+/// Runs `work` for each case, also after failures of others.
 ///
 /// # Errors
 ///
-/// Of one case its own failure; of several the worst exit code, each failure told.
+/// For one case its own failure; for several the worst exit code, each failure reported.
 pub fn each(
     jobs: &[Job],
     events: &Events,
@@ -127,7 +127,7 @@ fn all(n_cases: usize, codes: Vec<u8>) -> Result<(), Failure> {
     }
 }
 
-/// Solves one case after the other and tells what became of each.
+/// Solves one case after the other and reports the outcome of each.
 ///
 /// # Errors
 ///
@@ -202,7 +202,7 @@ pub fn solve_all(
 /// Exit code of an interruption.
 const INTERRUPTED: u8 = 130;
 
-/// The worst of exit codes: an interruption, bad input, what could not be written, what did not converge.
+/// The worst exit code: interruption, bad input, unwritable results, no convergence.
 fn worst(codes: impl IntoIterator<Item = u8>) -> u8 {
     const ORDER: [u8; 4] = [3, 1, 2, INTERRUPTED];
     let rank = |code: &u8| ORDER.iter().position(|c| c == code).unwrap_or(0);

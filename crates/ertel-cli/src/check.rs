@@ -1,4 +1,4 @@
-//! What `ertel solve --check` and `--verbose` tell.
+//! Output of `ertel solve --check` and `--verbose`.
 
 use std::path::Path;
 
@@ -19,16 +19,16 @@ use crate::failure::Failure;
 use crate::print;
 use crate::solve::{Job, input_warnings, n_points, warn};
 
-/// Says of a case, or of the points of its curve, what a solve would refuse before it begins; then what was checked.
+/// Checks a case, or the points of its curve, for errors that a solve would refuse; then shows a summary.
 ///
 /// # Errors
 ///
-/// What a solve would refuse.
+/// Cases that a solve would refuse.
 pub fn run(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<(), Failure> {
     let (name, case) = (&job.given.name, &job.given.case);
     check(case, name)?;
     let found = Checked::of(case);
-    // What estimates doubt, beside the input; of the points of a curve they say nothing.
+    // Warnings of the estimates, in addition to those of the input; none for the points of a curve.
     let doubts = found.estimate.warnings.iter().filter(|warning| {
         let is_own = warning.kind != WarningKind::EstimateScope && !case.warnings.contains(warning);
         is_own && case.curve.is_none()
@@ -110,7 +110,7 @@ fn check_contacts(case: &Case) -> Result<(), SolveError> {
     run::check(case)
 }
 
-/// What can be said of a case before it is solved.
+/// Estimates of a case before it is solved.
 struct Checked {
     estimate: CaseEstimate,
     n_points: usize,
@@ -123,8 +123,11 @@ impl Checked {
             None => (n_points(case), n_points(case)),
             Some(curve) => {
                 let contacts = curve.points.iter().map(|point| n_points(&point.case));
-                let beside = usize::from(curve.newtonian) + usize::from(curve.isothermal);
-                (curve.points.len(), contacts.sum::<usize>() * (1 + beside))
+                let comparisons = usize::from(curve.newtonian) + usize::from(curve.isothermal);
+                (
+                    curve.points.len(),
+                    contacts.sum::<usize>() * (1 + comparisons),
+                )
             }
         };
         Self {
@@ -155,7 +158,7 @@ impl Checked {
     }
 }
 
-/// A case in time over a steady contact: a line takes more steps beside its short solves.
+/// Time of a case in time over that of a steady contact; for a line the ratio is larger, since its steady solve is short.
 const IN_TIME: f64 = 30.0;
 const LINE_IN_TIME: f64 = 50.0;
 /// Steps of these.
@@ -182,7 +185,7 @@ fn typical_cpu_seconds(case: &Case) -> f64 {
     } else {
         1.0
     };
-    // Both halves are solved where they differ, and a starved contact once more with all the oil that it takes.
+    // Both halves are solved where they differ, and a starved contact again with a flooded inlet.
     let halves = if case.motion.is_straight() { 1.0 } else { 2.0 };
     let supplies = if case.supply.is_limited() { 3.5 } else { 1.0 };
     let in_time = match (&case.transient, is_line) {
@@ -195,12 +198,12 @@ fn typical_cpu_seconds(case: &Case) -> f64 {
     one * heat * halves * in_time
 }
 
-/// What a verbose solve tells before it begins, on stderr.
+/// Shows the summary of a verbose solve before it begins, on stderr.
 ///
 /// # Errors
 ///
 /// None yet.
-pub fn tell(job: &Job) -> Result<(), Failure> {
+pub fn announce(job: &Job) -> Result<(), Failure> {
     let case = &job.given.case;
     let found = Checked::of(case);
     for file in job.given.files() {

@@ -1,4 +1,4 @@
-//! The file that a run in time keeps to go on from.
+//! The checkpoint of a run in time, from which it can continue.
 
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -12,7 +12,7 @@ use ertel_quantity::Dimension;
 use crate::args::SolveArgs;
 use crate::failure::Failure;
 
-/// A file beside the results, where there is to be one.
+/// A file next to the results, if requested.
 #[derive(Default)]
 pub struct Checkpoints {
     kept: Option<Kept>,
@@ -29,11 +29,11 @@ struct Kept {
 /// Most bytes of a checkpoint that are read: those of about a million steps, each of which is kept with its figures and its centreline.
 const LARGEST: u64 = 16_000_000_000;
 
-/// How often it is written where a run that goes on does not say.
+/// Interval of a resumed run without `--checkpoint`.
 const USUAL: Duration = Duration::from_secs(600);
 
 impl Checkpoints {
-    /// The file for the results in a folder, and what is to be gone on from.
+    /// The file for the results in a folder, and the checkpoint to resume from.
     pub fn open(
         case: &Case,
         folder: &Path,
@@ -62,7 +62,7 @@ impl Checkpoints {
         (self.kept.as_ref()).is_some_and(|kept| kept.last.elapsed() >= kept.interval)
     }
 
-    /// Writes it; returns why it could not be, where it could before.
+    /// Writes it; returns the reason of a first failure.
     pub fn write(&mut self, checkpoint: &Checkpoint) -> Option<String> {
         let kept = self.kept.as_mut()?;
         let failure = replace(&kept.path, &checkpoint.to_bytes())
@@ -74,7 +74,7 @@ impl Checkpoints {
         failure.filter(|_| !is_known)
     }
 
-    /// Ends with the run: without the file where it came to its end.
+    /// Closes it at the end of the run; the file of a complete run is removed.
     pub fn close(self, is_complete: bool) -> Result<(), Failure> {
         let Some(kept) = self.kept else { return Ok(()) };
         if is_complete {
@@ -87,7 +87,7 @@ impl Checkpoints {
     }
 }
 
-/// The checkpoint that a run goes on from; a run that begins refuses whatever is there.
+/// The checkpoint to resume from; a new run refuses an existing file.
 fn former(path: &Path, case: &Case, resumes: bool) -> Result<Option<Checkpoint>, Failure> {
     let shown = path.display();
     let refuse = |text: String, help: &str| Failure::Argument(format!("{text}\n  = help: {help}"));
@@ -96,18 +96,18 @@ fn former(path: &Path, case: &Case, resumes: bool) -> Result<Option<Checkpoint>,
             Ok(from) => Ok(Some(from)),
             Err(error) => Err(refuse(
                 format!("{shown}: {error}"),
-                "nothing was changed; to begin at the start of the time, delete the file and leave out --resume",
+                "nothing was changed; to begin at the start of the time, delete the file and omit --resume",
             )),
         },
         (Err(error), true) => Err(refuse(
             format!("{shown} {error}"),
-            "--resume goes on from where a run with --checkpoint stopped",
+            "--resume continues a run with --checkpoint that was stopped",
         )),
         (Ok(bytes), false) => Err(refuse(
             format!("{shown} is there already"),
             match bytes.starts_with(NAME) {
                 true => {
-                    "a run that stopped has left it: go on from there with --resume, or delete it"
+                    "it is from a run that was stopped: continue it with --resume, or delete it"
                 }
                 false => "it is no checkpoint: give the results another folder by --output",
             },

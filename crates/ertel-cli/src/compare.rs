@@ -52,7 +52,7 @@ pub fn run(arguments: &CompareArgs) -> Result<(), Failure> {
     let summary = summary?;
     if summary.interrupted {
         return Err(Failure::InterruptedCurve(format!(
-            "interrupted after {} of {} points; the same command goes on with the others",
+            "interrupted after {} of {} points; the same command continues with the others",
             summary.n_kept + summary.n_new,
             summary.n_points
         )));
@@ -71,7 +71,7 @@ pub fn run(arguments: &CompareArgs) -> Result<(), Failure> {
             print::stdout(&(remarks(&summary) + &comparison_report(&comparison, Some(&folder))))
         }
     };
-    // How the points ended matters more than a report that could not be shown.
+    // Failures of points have priority over a report that could not be shown.
     let unresolved = match arguments.accept_unresolved {
         true => 0,
         false => comparison.n_unresolved(),
@@ -79,7 +79,7 @@ pub fn run(arguments: &CompareArgs) -> Result<(), Failure> {
     ended(&summary, &folder, unresolved).and(shown)
 }
 
-/// Where the comparison goes: the command line, or `results/<case>-<table>`.
+/// Folder of the comparison: the command line, or `results/<case>-<table>`.
 fn folder(arguments: &CompareArgs) -> PathBuf {
     if let Some(folder) = &arguments.output {
         return folder.clone();
@@ -99,7 +99,7 @@ fn keep_inputs(measured: &Measured, folder: &Path) -> Result<(), Failure> {
     inputs::keep_within(&measured.study.files, &folder.join(COMPARISON_STUDY))
 }
 
-/// Says what would be solved.
+/// Shows the points to be solved.
 fn check(measured: &Measured) -> Result<(), Failure> {
     for point in &measured.study.points {
         ertel::run::check(&point.case).map_err(|error| {
@@ -126,12 +126,12 @@ fn check(measured: &Measured) -> Result<(), Failure> {
     ))
 }
 
-/// Exit code 3 where a point is left out or not resolved.
+/// Exit code 3 if a point is omitted or not resolved.
 fn ended(summary: &SweepSummary, folder: &Path, n_unresolved: usize) -> Result<(), Failure> {
     let table = folder.join("comparison.csv");
     if !summary.failures.is_empty() {
         return Err(Failure::NotConverged(format!(
-            "{} of {} points failed and are left out; the reasons are in {}",
+            "{} of {} points failed and are omitted; the reasons are in {}",
             summary.failures.len(),
             summary.n_points,
             table.display()

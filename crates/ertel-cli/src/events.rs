@@ -1,4 +1,4 @@
-//! What happens in a run as JSON, one object on a line of stdout, for programs.
+//! Events of a run as JSON, one object per line of stdout, for programs.
 
 use std::path::Path;
 use std::sync::Mutex;
@@ -10,7 +10,7 @@ use serde_json::{Map, Value, json};
 use crate::failure::Failure;
 use crate::print;
 
-/// A path as events tell it. JSON is text: what is no text in a name is replaced, as in all messages.
+/// A path in events. JSON is text: bytes of a name that are no text are replaced, as in all messages.
 pub fn path_text(path: &Path) -> String {
     path.to_string_lossy().into_owned()
 }
@@ -51,11 +51,11 @@ impl Events {
 
     /// Writes an event; `fields` is an object.
     pub fn emit(&self, event: &str, fields: Value) {
-        // What cannot be written any more does not end the work; the last event tells.
+        // A failed write does not end the work; it is reported by the last event.
         let _ = self.write(event, fields);
     }
 
-    /// Writes what to know about the input or the result.
+    /// Writes the warnings about the input or the result.
     pub fn warn<'a>(&self, warnings: impl IntoIterator<Item = &'a Warning>) {
         for warning in warnings.into_iter().filter(|w| !w.is_silenced) {
             let event = warning.kind.severity().word();
@@ -79,7 +79,7 @@ impl Events {
         }
     }
 
-    /// Tells what went wrong.
+    /// Writes a failure.
     pub fn fail(&self, failure: &Failure) {
         let mut fields = json!({ "exit_code": failure.code(), "message": failure.to_string() });
         if let Failure::Input(error) = failure {
@@ -104,7 +104,7 @@ impl Events {
         }
         match &result {
             Ok(()) => {}
-            // Each case told its own failure.
+            // Each case reported its own failure.
             Err(Failure::Cases { .. }) => {}
             Err(failure) => self.fail(failure),
         }

@@ -1,4 +1,4 @@
-//! What can go wrong, and the exit code that says so.
+//! Failures and their exit codes.
 
 use std::process::ExitCode;
 

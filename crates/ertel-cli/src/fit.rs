@@ -126,7 +126,7 @@ fn finish(
     shown
 }
 
-/// Where the picture goes: as asked, or beside the entry.
+/// Path of the picture: as given, or next to the entry.
 fn plot_path(arguments: &FitLawArgs) -> Result<Option<PathBuf>, Failure> {
     if let Some(path) = &arguments.plot {
         picture::check(path)?;
@@ -158,7 +158,7 @@ fn keep_inputs(arguments: &FitLawArgs, plot: Option<&Path>) -> Result<(), Failur
         && inputs::is_one_place(entry, plot)
     {
         return Err(Failure::Argument(format!(
-            "--output {} names both the entry and the picture beside it; give the entry a name that ends in .toml",
+            "--output {} names both the entry and the picture next to it; give the entry a name that ends in .toml",
             entry.display()
         )));
     }
@@ -190,7 +190,7 @@ fn read(
     Ok(data)
 }
 
-/// What the user asks for; the constants to hold are those of `law`, or none.
+/// Parameters of the fit; the constants to hold are those of `law`, or none.
 fn params(arguments: &FitLawArgs, law: Option<LawName>) -> Result<Params, Failure> {
     let mut held = Vec::new();
     for (text, law) in arguments.hold.iter().zip(law.into_iter().cycle()) {
@@ -339,7 +339,7 @@ fn report(fit: &Fit, data: &Data, verbose: bool) -> String {
     text
 }
 
-/// Every state with the law beside.
+/// Every state next to the value of the law.
 fn states(fit: &Fit, data: &Data) -> String {
     let unit = match (&fit.law, data.property) {
         (FittedLaw::Viscosity(_), _) | (_, Property::Viscosity) => "mPa.s",

@@ -23,7 +23,7 @@ const PRESSURES: [f64; 10] = [
 ];
 /// Shear stresses of the table, Pa.
 const STRESSES: [f64; 7] = [0.0, 1e4, 1e5, 0.3e6, 1e6, 3e6, 1e7];
-/// Ranges that end below are drawn on to 0.1 GPa, with room for a word about that, Pa.
+/// Ranges that end below are extended to 0.1 GPa, with room for a label, Pa.
 const SHORT_RANGE: f64 = 0.08e9;
 /// Points of the curve in the picture.
 const N_POINTS: usize = 201;
@@ -113,7 +113,7 @@ fn state_temperature(fluid: &Fluid, asked: Option<&str>) -> Result<f64, Failure>
     }
     if depends_on_temperature(fluid) {
         return Err(Failure::Argument(format!(
-            "the data of `{}` name no temperature; give one, such as --temperature \"40 degC\"",
+            "the data of `{}` have no temperature; give one, such as --temperature \"40 degC\"",
             fluid.name
         )));
     }
@@ -177,7 +177,7 @@ fn show(fluid: &Fluid, temperature: f64) -> String {
     text
 }
 
-/// Share of the viscosity left under shear stress, and the ends of the Newtonian plateaus, at ambient pressure.
+/// Viscosity ratio under shear stress, and the ends of the Newtonian plateaus, at ambient pressure.
 fn thinning(law: &ShearThinning, fluid: &Fluid, temperature: f64) -> String {
     let mu_1 = fluid.viscosity(0.0, temperature);
     let [first, second] = law.newtonian_limits(0.0);
@@ -300,7 +300,7 @@ fn drawn_to(fluid: &Fluid, end: Option<f64>) -> f64 {
     match end {
         Some(end) if end < SHORT_RANGE => 0.1e9,
         Some(end) if is_declared => end.min(3e9),
-        // Nothing else tells how far to draw: 1 GPa, where most contacts are.
+        // No range of the data: up to 1 GPa, where most contacts are.
         other => other.map_or(1e9, |end| end.min(1e9)),
     }
 }

@@ -1,4 +1,4 @@
-//! Cases as the command line gives them: a file or standard input, with values in place of its own.
+//! Cases from the command line: a file or standard input, with values replaced by `--set`.
 
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use ertel_input::{Document, InputError};
 
 use crate::failure::Failure;
 
-/// The argument that means standard input, and what messages and result folders call it.
+/// The argument for standard input, and its name in messages and result folders.
 const STDIN: (&str, &str) = ("-", "stdin");
 
 /// A case, and where it comes from.
@@ -18,12 +18,12 @@ pub struct Given {
     pub name: String,
     /// The file; `None` for standard input.
     pub path: Option<PathBuf>,
-    /// What it says.
+    /// Its content.
     pub case: Case,
 }
 
 impl Given {
-    /// Reads a case; `settings` are values in place of its own, `key=value`.
+    /// Reads a case; `settings` replace its values, `key=value`.
     ///
     /// # Errors
     ///

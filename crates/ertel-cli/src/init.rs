@@ -61,7 +61,7 @@ pub fn run(arguments: &InitArgs) -> Result<(), Failure> {
 }
 
 fn list() -> Result<(), Failure> {
-    let mut rows = vec![["template", "what it is"].map(str::to_owned).to_vec()];
+    let mut rows = vec![["template", "description"].map(str::to_owned).to_vec()];
     rows.extend(
         TEMPLATES
             .iter()
@@ -101,7 +101,7 @@ fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
         .write_all(text.as_bytes())
         .and_then(|()| file.sync_all());
     if let Err(error) = written {
-        // It is ours: nothing half-written stays.
+        // It is ours: no incomplete file remains.
         let _ = std::fs::remove_file(path);
         return Err(failed(error));
     }

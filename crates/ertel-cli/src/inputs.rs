@@ -1,4 +1,4 @@
-//! What a command reads, it does not write.
+//! Commands do not overwrite the files that they read.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -46,7 +46,7 @@ pub fn keep_within(inputs: &[PathBuf], folder: &Path) -> Result<(), Failure> {
     }
 }
 
-/// Refuses files that exist already, which somebody may have written or changed by hand, unless `force` says otherwise.
+/// Refuses files that exist already, which somebody may have written or changed by hand, unless `force` is set.
 ///
 /// # Errors
 ///
@@ -79,7 +79,7 @@ fn with_places(a: &Path, b: &Path, found: impl Fn(&Place, &Place) -> bool) -> Op
     Some(found(&Place::of(a)?, &Place::of(b)?))
 }
 
-/// Where a path leads: as far as it exists, and what is to be made there.
+/// Target of a path: its existing part, and the part to be made.
 struct Place {
     existing: PathBuf,
     ahead: PathBuf,
@@ -110,12 +110,12 @@ fn begins_with(path: &Path, start: &Path, ignores_case: impl Fn() -> bool) -> bo
     path.starts_with(start) || (lower(path).starts_with(lower(start)) && ignores_case())
 }
 
-/// Whether two existing places are one, be it that a file system is mounted twice.
+/// Whether two existing folders are the same, also through a second mount.
 fn is_same_place(a: &Path, b: &Path) -> bool {
     a == b || (a.is_dir() && b.is_dir() && same_file::is_same_file(a, b).unwrap_or(false))
 }
 
-/// Whether names that differ in case alone are one in a folder; told by a name there, else by that of the folder.
+/// Whether a folder ignores the case of names; tested with a name in it, else with that of the folder.
 fn ignores_case(folder: &Path) -> bool {
     let swapped = |path: &Path| {
         let name = path.file_name()?.to_str()?;
@@ -138,7 +138,7 @@ fn ignores_case(folder: &Path) -> bool {
 
 /// Whether two names are those of one file: links of both kinds count.
 fn is_same(a: &Path, b: &Path) -> bool {
-    // Opening a pipe to look at it could wait for ever.
+    // Opening a pipe could wait for ever.
     let is_file = |path: &Path| fs::metadata(path).is_ok_and(|m| m.is_file());
     is_file(a) && is_file(b) && same_file::is_same_file(a, b).unwrap_or(false)
 }

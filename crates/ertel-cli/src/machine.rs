@@ -1,4 +1,4 @@
-//! `ertel solve` of a whole machine: its results, and what was not solved.
+//! `ertel solve` of a whole machine: its results and failures.
 
 use std::path::Path;
 use std::sync::atomic::Ordering;
@@ -14,11 +14,11 @@ use crate::failure::Failure;
 use crate::print;
 use crate::solve::{RESOLVE, WRITING, not_shown, place_of};
 
-/// What to do about totals that are not resolved.
+/// Help for totals that are not resolved.
 const TOTALS: &str = "where friction is beyond what lubricants transmit, give [lubricant] `shear_thinning`; else a finer [mesh], or more `points` along a path \
     and over a turn; --accept-unresolved accepts such figures";
 
-/// How the governing contact of a machine is asked for alone: `machine.element=0 and machine.ring=inner`.
+/// Settings that select the governing contact of a machine alone: `machine.element=0 and machine.ring=inner`.
 pub fn choice(contacts: &MachineContacts) -> String {
     let machine = &contacts.machine;
     let name = &machine.contacts[machine.governing].name;
@@ -36,7 +36,7 @@ pub fn choice(contacts: &MachineContacts) -> String {
     set.collect::<Vec<_>>().join(" and ")
 }
 
-/// Writes what was solved of a machine; returns in words what that is.
+/// Writes the solved contacts of a machine; returns a summary in words.
 ///
 /// # Errors
 ///
@@ -63,7 +63,7 @@ pub fn write(
     WRITING.store(false, Ordering::SeqCst);
     let shown = if events.is_on() {
         let mut result = output::machine_json(&echo, solution, figures).map_err(not_shown)?;
-        // Each contact was told when it was solved.
+        // Each contact was reported when it was solved.
         if let Some(keys) = result.as_object_mut() {
             keys.remove("contacts");
             keys.remove("case");

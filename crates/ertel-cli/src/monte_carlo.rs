@@ -1,4 +1,4 @@
-//! `ertel solve --monte-carlo`: samples of the uncertain inputs beside the solve.
+//! `ertel solve --monte-carlo`: samples of the uncertain inputs in addition to the solve.
 
 use std::path::{Path, PathBuf};
 
@@ -24,7 +24,7 @@ pub struct Samples {
     folder: PathBuf,
 }
 
-/// The samples that are asked for, made before anything is solved.
+/// The requested samples, made before anything is solved.
 ///
 /// # Errors
 /// A case with a curve, one without uncertain inputs, samples that no contact can have.
@@ -50,23 +50,23 @@ pub fn samples(
         study_of(case, &params).map_err(|error| Failure::Argument(format!("{file}: {error}")))?;
     let mut name = folder.file_name().unwrap_or("results".as_ref()).to_owned();
     name.push("-monte-carlo");
-    let beside = folder.with_file_name(name);
-    if inputs::overlap(&beside, folder) {
+    let samples = folder.with_file_name(name);
+    if inputs::overlap(&samples, folder) {
         return Err(Failure::Argument(format!(
-            "the results would go to {} and the samples to {}, and both are one place; choose another folder with --output",
+            "the results would go to {} and the samples to {}, and both are the same folder; choose another folder with --output",
             folder.display(),
-            beside.display()
+            samples.display()
         )));
     }
     // Before the solve, not after it: whether it is the folder of a study, or none yet.
-    finished_points(&study, &beside)?;
+    finished_points(&study, &samples)?;
     Ok(Some(Samples {
         study,
-        folder: beside,
+        folder: samples,
     }))
 }
 
-/// What is solved once with the values of the case, beside the samples.
+/// Solution with the values of the case, in addition to the samples.
 pub enum Solved<'a> {
     /// A contact.
     Contact(&'a Solution),
@@ -76,7 +76,7 @@ pub enum Solved<'a> {
     InTime(&'a TransientSolution),
 }
 
-/// Solves the samples, or what is left of them, and writes what they come to.
+/// Solves the remaining samples and writes their statistics.
 ///
 /// # Errors
 /// A folder that cannot be written, an interruption, samples that were not solved.
@@ -92,7 +92,7 @@ pub fn run(samples: &Samples, solved: &Solved<'_>, arguments: &SolveArgs) -> Res
     let summary = summary?;
     if summary.interrupted {
         return Err(Failure::InterruptedCurve(format!(
-            "interrupted; the samples solved so far are in {}, from which the same command goes on",
+            "interrupted; the samples solved so far are in {}; the same command continues there",
             folder.display()
         )));
     }
@@ -117,7 +117,7 @@ pub fn run(samples: &Samples, solved: &Solved<'_>, arguments: &SolveArgs) -> Res
     match summary.failures.len() {
         0 => Ok(()),
         n => Err(Failure::NotConverged(format!(
-            "{n} of {} samples failed and count for nothing; the reasons stand in {}",
+            "{n} of {} samples failed and are ignored; the reasons are in {}",
             study.points.len(),
             folder.join(ertel::study::TABLE).display()
         ))),

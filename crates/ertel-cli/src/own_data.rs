@@ -10,8 +10,8 @@ use crate::print;
 /// Variable of the environment that names the folder where `--data` does not.
 const VARIABLE: &str = "ERTEL_DATA";
 
-/// Lets names stand for the files of the folder that the option or the environment names, and tells which names of the database
-/// they take the place of.
+/// Makes the files of the folder that the option or the environment names available by name, and notes which names of the database
+/// they replace.
 ///
 /// # Errors
 ///

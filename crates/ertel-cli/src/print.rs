@@ -25,7 +25,7 @@ pub fn stdout(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// As [`stdout`], of text for people: on a terminal, lines are broken at its width.
+/// As [`stdout`], for reports: on a terminal, lines are broken at its width.
 ///
 /// # Errors
 ///
@@ -37,8 +37,8 @@ pub fn report(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Writes a line to stderr; control characters that it quotes are shown, not obeyed. Where that fails there is no place
-/// left to say so, and the work matters more.
+/// Writes a line to stderr; control characters that it quotes are shown, not obeyed. Failures
+/// are ignored: they cannot be reported, and the work matters more.
 pub fn stderr(line: &str) {
     // In one piece, so that lines of several threads do not mix.
     let _ = io::stderr()

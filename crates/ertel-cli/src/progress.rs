@@ -20,7 +20,7 @@ use crate::checkpoint::Checkpoints;
 use crate::events::Events;
 use crate::print;
 
-/// Shows the iterations and passes on that the user wants to stop.
+/// Shows the iterations and passes a stop request to the solver.
 pub struct Progress<'a> {
     display: Display<'a>,
     cancelled: &'a AtomicBool,
@@ -71,7 +71,7 @@ impl<'a> Progress<'a> {
         self.checkpoints = checkpoints;
     }
 
-    /// Gives it back.
+    /// Returns the checkpoints.
     pub fn kept(&mut self) -> Checkpoints {
         std::mem::take(&mut self.checkpoints)
     }
@@ -92,12 +92,12 @@ impl<'a> Progress<'a> {
         }
     }
 
-    /// Tells at once what to know of the run.
+    /// Shows a warning of the run at once.
     fn warn(&self, warning: &Warning) {
-        let told = || crate::solve::warn([warning]);
+        let show = || crate::solve::warn([warning]);
         match &self.display {
-            Display::Quiet | Display::Lines => told(),
-            Display::Terminal(bar) => bar.suspend(told),
+            Display::Quiet | Display::Lines => show(),
+            Display::Terminal(bar) => bar.suspend(show),
             Display::Events(events) => events.warn([warning]),
         }
     }
@@ -219,7 +219,7 @@ impl InstantObserver for Progress<'_> {
 
     fn checkpoint(&mut self, checkpoint: Checkpoint) {
         if let Some(failure) = self.checkpoints.write(&checkpoint) {
-            let text = format!("the checkpoint cannot be written: {failure}; the run goes on");
+            let text = format!("the checkpoint cannot be written: {failure}; the run continues");
             self.warn(&Warning::new(WarningKind::Checkpoint, text));
         }
     }

@@ -38,7 +38,7 @@ pub fn data(provenance: &[Datum]) -> String {
     text
 }
 
-/// What to know before using it.
+/// Notes to read before use.
 pub fn notes(notes: &[String]) -> String {
     if notes.is_empty() {
         return String::new();
@@ -47,7 +47,7 @@ pub fn notes(notes: &[String]) -> String {
     format!("\nNotes\n{items}")
 }
 
-/// `habchi2008, Table 5.2` with the entry of the bibliography in place of its key.
+/// `habchi2008, Table 5.2` with the entry of the bibliography instead of its key.
 fn described(source: &str) -> String {
     let (key, place) = source.split_once(", ").unwrap_or((source, ""));
     match reference(key) {

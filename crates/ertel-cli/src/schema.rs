@@ -8,16 +8,16 @@ use serde_json::{Map, Value, json};
 use crate::failure::Failure;
 use crate::print;
 
-/// The draft that editors for TOML know best: taplo reads it, and so do those that read later ones.
+/// The draft with the best support in editors for TOML, taplo among them.
 const DRAFT: &str = "http://json-schema.org/draft-07/schema#";
 
 /// `ertel schema`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 ertel schema case > case.schema.json
-In a case file the first line `#:schema ./case.schema.json` tells it to editors: docs/guide/editors.md")]
+In a case file the first line `#:schema ./case.schema.json` selects it in editors: docs/guide/editors.md")]
 pub struct SchemaArgs {
-    /// Of what
+    /// Kind of file
     #[arg(value_name = "FILE", value_enum)]
     pub of: SchemaOf,
 }
@@ -110,9 +110,9 @@ fn add(properties: &mut Map<String, Value>, rows: &[Row]) {
     }
 }
 
-/// What a key means, what is usual, and the units that a quantity may be written in.
+/// Meaning of a key, its usual range, and the units of a quantity.
 fn description(row: &Row) -> String {
-    let mut sentences = vec![plain(&row.told())];
+    let mut sentences = vec![plain(&row.description())];
     for usual in row.usual.iter().filter(|usual| usual.is_questioned) {
         let [low, high] = usual.range;
         sentences.push(format!("Usually {low} to {high} {}", usual.unit));
@@ -124,7 +124,7 @@ fn description(row: &Row) -> String {
     sentences.join(". ")
 }
 
-/// What holds without the key, as JSON.
+/// Default of the key, as JSON.
 fn default(row: &Row) -> Option<Value> {
     let text = row.default?;
     match row.kind {
@@ -188,12 +188,12 @@ fn of_kind(row: &Row) -> Value {
     }
 }
 
-/// Names of the database, offered by editors; files and names of own data are as good.
+/// Names of the database, offered by editors; files and names of own data are also valid.
 fn names(names: &[&str]) -> Value {
     json!({ "anyOf": [{ "enum": names }, { "type": "string" }] })
 }
 
-/// A table with the key `law`, each law with keys of its own.
+/// A table with the key `law`, each law with its own keys.
 fn law(laws: &Laws) -> Value {
     let keys: Vec<_> = (laws.laws.iter())
         .map(|law| (vec![law.name.to_owned()], laws.keys_of(law)))
@@ -203,7 +203,7 @@ fn law(laws: &Laws) -> Value {
     schema
 }
 
-/// A table with the key `kind`, each kind with keys of its own. A designation says the kind, too: that of a bearing.
+/// A table with the key `kind`, each kind with its own keys. A designation also gives the kind: that of a bearing.
 fn machine(machines: &[(&str, &[Row])]) -> Value {
     let properties = Map::from_iter([("kind".to_owned(), json!({}))]);
     let of = |rows: &[Row]| -> Vec<&'static str> {
@@ -226,7 +226,7 @@ fn machine(machines: &[(&str, &[Row])]) -> Value {
     schema
 }
 
-/// Lets a key of a table choose which others there are, each choice with its spellings.
+/// Lets a key of a table select the other keys, each choice with its spellings.
 fn variants(mut schema: Value, key: &str, variants: &[(Vec<String>, Vec<&str>)]) -> Value {
     let names: Vec<&String> = variants.iter().flat_map(|(names, _)| names).collect();
     let one = |(names, keys): &(Vec<String>, Vec<&str>)| {

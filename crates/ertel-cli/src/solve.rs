@@ -30,10 +30,10 @@ use crate::{cases, check};
 
 /// Set by Ctrl-C; the solver looks at it before each iteration.
 pub static CANCELLED: AtomicBool = AtomicBool::new(false);
-/// While results are written a second Ctrl-C waits for the moment this takes.
+/// Set while results are written: a second Ctrl-C waits until they are.
 pub static WRITING: AtomicBool = AtomicBool::new(false);
 
-/// A case to be solved, and where its results go.
+/// A case to be solved, and the folder of its results.
 pub struct Job {
     /// The case.
     pub given: Given,
@@ -55,8 +55,10 @@ fn run_all(arguments: &SolveArgs, events: &Events) -> Result<(), Failure> {
     let jobs = cases::read(arguments, events)?;
     for Job { given, .. } in &jobs {
         if arguments.check || arguments.quiet {
-            let told = input_warnings(&given.case);
-            warn((told.iter()).filter(|w| w.is_shown() || arguments.check && w.is_shown_note()));
+            let warnings = input_warnings(&given.case);
+            warn(
+                (warnings.iter()).filter(|w| w.is_shown() || arguments.check && w.is_shown_note()),
+            );
         }
     }
     if arguments.check {
@@ -65,10 +67,10 @@ fn run_all(arguments: &SolveArgs, events: &Events) -> Result<(), Failure> {
     let read: Vec<PathBuf> = jobs.iter().flat_map(|job| job.given.files()).collect();
     for Job { folder, .. } in &jobs {
         inputs::keep_within(&read, folder)?;
-        // Where the results of a run go that ends early.
+        // Folder of the results of a run that ends early.
         let partial = output::place_of_partial(folder);
         inputs::keep_within(&read, &partial)?;
-        // A long solve whose results have no place to go would be in vain.
+        // Before a long solve: check that its results can be written.
         output::clear_leftovers(folder);
         output::check_target(folder)?;
         output::check_target(&partial)?;
@@ -114,7 +116,7 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
         }),
     );
     if arguments.verbose {
-        check::tell(job)?;
+        check::announce(job)?;
     }
     let mut progress = match (events.is_on(), arguments.verbose) {
         (true, _) => Progress::as_events(events, &CANCELLED),
@@ -129,7 +131,7 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
         let file = progress.kept();
         drop(progress);
         let written = transient::write(case, &found, folder, arguments, events);
-        // What was not written may be wanted once more; that a film is not resolved changes by no further step.
+        // Keep the file if the results could not be written; a film that is not resolved would not change by further steps.
         let is_written = matches!(written, Ok(_) | Err(Failure::Unresolved(_)));
         file.close(found.failure.is_none() && is_written)?;
         if let (Some(samples), true) = (&samples, is_written) {
@@ -215,7 +217,7 @@ pub fn n_points(case: &Case) -> usize {
     }
 }
 
-/// Refuses a cross-check of what one method alone solves.
+/// Refuses a cross-check of a case that only one method solves.
 fn may_cross_check(case: &Case) -> Result<(), Failure> {
     if let Some(contacts) = &case.contacts {
         return Err(Failure::Argument(format!(
@@ -224,12 +226,11 @@ fn may_cross_check(case: &Case) -> Result<(), Failure> {
         )));
     }
     if case.transient.is_some() {
-        let text =
-            "--cross-check takes a steady contact, and finite volumes alone solve [transient]";
+        let text = "--cross-check takes a steady contact: only finite volumes solve [transient]";
         return Err(Failure::Argument(text.to_owned()));
     }
     if case.curve.is_some() {
-        let text = "--cross-check takes one contact, and the case has a [curve]: --set or a file of its own makes one of it";
+        let text = "--cross-check takes one contact, and the case has a [curve]: remove it to solve a single point";
         return Err(Failure::Argument(text.to_owned()));
     }
     match ertel::cross_check::why_not(case) {
@@ -240,7 +241,7 @@ fn may_cross_check(case: &Case) -> Result<(), Failure> {
     }
 }
 
-/// Solves a case by the other method as well, and tells where figures differ.
+/// Solves a case by the other method as well, and reports differences of the figures.
 fn cross_check(
     case: &Case,
     solution: &Solution,
@@ -278,7 +279,7 @@ fn films(solution: &Solution) -> String {
     format!("central film {central}, minimum {minimum}")
 }
 
-/// What events tell of a result: the iterations were told one by one, and the case is known.
+/// Result in events: without the iterations, which had their own events, and without the case.
 fn short(mut result: Value) -> Value {
     if let Value::Object(keys) = &mut result {
         keys.remove("history");
@@ -287,7 +288,7 @@ fn short(mut result: Value) -> Value {
     result
 }
 
-/// Where a result goes: a partial one next to a complete one that is there already, which is reported.
+/// Folder of a result: a partial one goes next to an existing complete one, with a note.
 pub fn place_of(folder: &Path, is_partial: bool) -> PathBuf {
     if !is_partial {
         return folder.to_owned();
@@ -295,7 +296,7 @@ pub fn place_of(folder: &Path, is_partial: bool) -> PathBuf {
     let place = output::place_of_partial(folder);
     if place != folder {
         print::stderr(&format!(
-            "note: {} keeps its complete result; what this run came to goes to {}",
+            "note: {} keeps its complete result; the partial result of this run goes to {}",
             folder.display(),
             place.display()
         ));
@@ -307,10 +308,10 @@ pub fn not_shown(error: serde_json::Error) -> Failure {
     Failure::Other(format!("cannot show the result: {error}"))
 }
 
-/// Figures that no one should go on with without noticing.
+/// Failure for figures that are not resolved.
 fn not_resolved(unresolved: &[Unresolved], folder: &Path) -> Failure {
     let figures: Vec<String> = unresolved.iter().map(output::unresolved).collect();
-    // No mesh mends a law that does not hold.
+    // No mesh corrects a law outside its range.
     let help = match unresolved.iter().all(|u| u.why == Why::BeyondPhysics) {
         true => POSSIBLE,
         false => RESOLVE,
@@ -322,7 +323,7 @@ fn not_resolved(unresolved: &[Unresolved], folder: &Path) -> Failure {
     ))
 }
 
-/// The same of points; their table says which.
+/// The same for points; their table lists them.
 pub fn points_not_resolved(n: usize, all: usize, table: &Path) -> Failure {
     Failure::Unresolved(format!(
         "{n} of {all} points are not resolved: the error bar of a figure exceeds half its value, or is missing; see the column \
@@ -331,15 +332,15 @@ pub fn points_not_resolved(n: usize, all: usize, table: &Path) -> Failure {
     ))
 }
 
-/// What to do about figures that are not resolved.
-pub const RESOLVE: &str = "the warnings say why: raise [mesh] max_unknowns where the mesh is too coarse, give the lubricant what limits its \
-    friction where that is too large; --accept-unresolved accepts such figures";
+/// Help for figures that are not resolved.
+pub const RESOLVE: &str = "the warnings give the reason: raise [mesh] max_unknowns if the mesh is too coarse; add a limiting shear stress if the \
+    friction is too large; --accept-unresolved accepts such figures";
 
-/// What to do about figures that are beyond limits of physics.
+/// Help for figures beyond physical limits.
 const POSSIBLE: &str = "look at the constants of the laws, and add what the case neglects (see the warnings): [lubricant] shear_thinning \
     with its `limit`, or [thermal]; --accept-unresolved accepts the other figures";
 
-/// Writes what was solved of a curve; says what was not.
+/// Writes the solved points of a curve; reports the others.
 fn write_curve(
     case: &Case,
     curve: &Curve,
@@ -358,7 +359,7 @@ fn write_curve(
     let echo = case.echo();
     output::write_curve(&echo, solution, folder, &case.output, curve.folders)?;
     WRITING.store(false, Ordering::SeqCst);
-    tell_curve(&echo, solution, folder, events)?;
+    emit_curve(&echo, solution, folder, events)?;
     let shown = match quiet || events.is_on() {
         true => Ok(()),
         false => print::stdout(&output::curve_report(&echo, solution, Some(folder))),
@@ -376,7 +377,7 @@ fn write_curve(
     }
     if failed > 0 {
         return Err(Failure::NotConverged(format!(
-            "{failed} of {all} points failed; the reasons stand in {}",
+            "{failed} of {all} points failed; the reasons are in {}",
             folder.join("curve.csv").display()
         )));
     }
@@ -393,8 +394,8 @@ fn write_curve(
     Ok(format!("{all} points"))
 }
 
-/// The last events of a curve: what to know about its points, and what holds for all.
-fn tell_curve(
+/// The last events of a curve: warnings of its points, and the result.
+fn emit_curve(
     echo: &ertel::case::CaseEcho,
     solution: &CurveSolution,
     folder: &Path,
@@ -404,7 +405,7 @@ fn tell_curve(
         return Ok(());
     }
     let mut curve = output::curve_json(echo, solution).map_err(not_shown)?;
-    // Each was told when it was solved.
+    // Each point was reported when it was solved.
     if let Some(keys) = curve.as_object_mut() {
         keys.remove("points");
     }
@@ -421,15 +422,15 @@ fn tell_curve(
     Ok(())
 }
 
-/// What to know about the input: of a case, or of the points of its curve.
+/// Warnings about the input of a case, or of the points of its curve.
 pub fn input_warnings(case: &Case) -> Vec<Warning> {
     let Some(curve) = &case.curve else {
         return case.warnings.clone();
     };
     let points = curve.points.iter().enumerate();
     let warnings = points.flat_map(|(i, p)| {
-        let told = p.case.warnings.iter().filter(|w| w.is_shown());
-        told.map(move |w| (i, w))
+        let shown = p.case.warnings.iter().filter(|w| w.is_shown());
+        shown.map(move |w| (i, w))
     });
     (by_kind(warnings).iter())
         .map(|merged| merged.with_text(merged.line(curve.points.len())))
@@ -443,7 +444,7 @@ pub fn warn<'a>(warnings: impl IntoIterator<Item = &'a Warning>) {
     }
 }
 
-/// Tries to make a folder beside the target, or where the first folder on the way to it will be made.
+/// Tries to make a folder next to the target, or next to its first missing parent.
 fn check_writable(target: &Path) -> Result<(), Failure> {
     let failed = |path: &Path, error: std::io::Error| {
         Failure::Other(format!(
@@ -461,7 +462,7 @@ fn check_writable(target: &Path) -> Result<(), Failure> {
         .map_err(|error| failed(target, error))
 }
 
-/// The first Ctrl-C asks the solver to stop; the second ends the program where nothing can be left half-written.
+/// The first Ctrl-C asks the solver to stop; the second ends the program where no file can be incomplete.
 pub fn listen_for_interrupts() {
     let handler = || {
         if CANCELLED.swap(true, Ordering::SeqCst) {

@@ -87,7 +87,7 @@ fn run_with(arguments: &SweepArgs, events: &Events) -> Result<(), Failure> {
     report(&summary?, &folder, arguments, events)
 }
 
-/// Where the study goes: the command line, or `results/<name of the study file>`.
+/// Folder of the study: the command line, or `results/<name of the study file>`.
 fn folder(arguments: &SweepArgs, path: &Path) -> PathBuf {
     if let Some(folder) = &arguments.output {
         return folder.clone();
@@ -153,8 +153,8 @@ fn dry_run(study: &Study, folder: &Path, events: &Events) -> Result<(), Failure>
     ))
 }
 
-/// The events of a study or of joined parts: what to know about the points, and what holds for all.
-fn tell(summary: &SweepSummary, folder: &Path, events: &Events) {
+/// The events of a study or of joined parts: warnings of the points, and the result.
+fn emit_result(summary: &SweepSummary, folder: &Path, events: &Events) {
     events.warn_of_points(&summary.warnings);
     let failures: Vec<Value> = (summary.failures.iter())
         .map(|(i, values, reason)| json!({ "point": i + 1, "values": values, "reason": reason }))
@@ -181,7 +181,7 @@ fn report(
     events: &Events,
 ) -> Result<(), Failure> {
     let mut shown = Ok(());
-    tell(summary, folder, events);
+    emit_result(summary, folder, events);
     if summary.n_damaged > 0 {
         print::stderr(&format!(
             "warning: {} lines of the journal are damaged or were changed; their points were solved again",
@@ -216,12 +216,12 @@ fn report(
     }
     if summary.interrupted {
         return Err(Failure::InterruptedCurve(format!(
-            "interrupted after {} of {} points; the same command goes on with the others",
+            "interrupted after {} of {} points; the same command continues with the others",
             summary.n_kept + summary.n_new,
             summary.n_points
         )));
     }
-    // How the study ended matters more than a report that could not be shown.
+    // Failures of points have priority over a report that could not be shown.
     failed(summary, folder, arguments.accept_unresolved).and(shown)
 }
 
@@ -235,7 +235,7 @@ fn failed(summary: &SweepSummary, folder: &Path, accept_unresolved: bool) -> Res
         };
     }
     Err(Failure::NotConverged(format!(
-        "{} of {} points failed; the reasons stand in {}",
+        "{} of {} points failed; the reasons are in {}",
         summary.failures.len(),
         summary.n_points,
         table.display()
@@ -248,7 +248,7 @@ fn merged(
     arguments: &SweepArgs,
     events: &Events,
 ) -> Result<(), Failure> {
-    tell(summary, target, events);
+    emit_result(summary, target, events);
     let finished = summary.n_kept + summary.n_new;
     let mut shown = Ok(());
     if !arguments.quiet && !events.is_on() {

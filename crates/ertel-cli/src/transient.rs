@@ -17,7 +17,7 @@ use crate::failure::Failure;
 use crate::print;
 use crate::solve::{RESOLVE, WRITING, not_shown, place_of};
 
-/// Writes what was solved, also where time ended early; returns the films in words.
+/// Writes the solved instants, also of an interrupted run; returns the films in words.
 pub fn write(
     case: &Case,
     found: &TransientSolution,

@@ -107,7 +107,7 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
     shown = shown.and(print::stdout(&format!("{}\n", validate::summary(&results))));
     if let Some(docs) = &arguments.write {
         let path = docs.join(PAGE);
-        // Of chosen studies, the sections of the others stay.
+        // With chosen studies, the sections of the others stay.
         let old = match arguments.names.is_empty() {
             true => String::new(),
             false => read_page(&path)?,
@@ -116,7 +116,7 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
     }
     if results.iter().all(|(_, result, _)| result.rows.is_empty()) {
         let help = match arguments.quick {
-            true => ": none of the runs takes seconds; leave --quick out",
+            true => ": none of the runs is quick; omit --quick",
             false => "",
         };
         return Err(Failure::Argument(format!("nothing was compared{help}")));
@@ -132,7 +132,7 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
     }
 }
 
-/// Brings the stated efforts of a study up to those taken.
+/// Updates the stated iterations of a study to those taken.
 fn update(study: &Study, result: &StudyResult, folder: &Path) -> Result<String, Failure> {
     let path = folder.join("reference.toml");
     let failed = |error: String| Failure::Other(format!("{}: {error}", path.display()));
@@ -180,7 +180,7 @@ fn read_page(path: &Path) -> Result<String, Failure> {
 
 /// The page.
 const PAGE: &str = "validation.md";
-/// Folder of the pictures beside the page.
+/// Folder of the pictures next to the page.
 const PICTURES: &str = "validation";
 
 fn write(path: &Path, text: &str) -> Result<(), Failure> {

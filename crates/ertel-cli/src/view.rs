@@ -104,7 +104,7 @@ fn join(results: &[PathBuf], pages: &[PathBuf], texts: &[String]) -> Result<Stri
     html::joint_page(parts).map_err(|error| Failure::Argument(error.to_string()))
 }
 
-/// A file of the user is not overwritten, a page of ertel that is not among those shown is.
+/// Refuses to overwrite files of the user and the pages to be shown; other pages of ertel are replaced.
 fn check_output(path: &Path, pages: &[PathBuf]) -> Result<(), Failure> {
     let refuse = |reason: &str| {
         Err(Failure::Argument(format!(

@@ -1,4 +1,4 @@
-//! Every case of `tests/bad`, in `cases.txt` or in a file of its own, must be refused with exit code 2, the file's name, and the words after `!`.
+//! Every case of `tests/bad`, in `cases.txt` or in a separate file, must be refused with exit code 2, the file's name, and the words after `!`.
 
 use std::path::Path;
 

@@ -220,7 +220,7 @@ fn tables_of_heat_are_shown_over_pressure() {
     assert!(stdout(&glycerol).contains("0.29 W/(m.K)"));
 }
 
-/// The cases that come with ertel are good ones; a study beside them has no `[contact]` of its own.
+/// The shipped cases are valid; a study in the same folder has no `[contact]`.
 #[test]
 fn every_shipped_case_passes_the_check() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");

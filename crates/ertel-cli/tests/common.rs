@@ -1,4 +1,4 @@
-//! What the tests of the command share.
+//! Shared parts of the tests of the command.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -33,7 +33,7 @@ pub fn ertel_here(arguments: &[&str]) -> Output {
     ertel(env!("CARGO_MANIFEST_DIR"), arguments)
 }
 
-/// What a command printed, as text.
+/// Output of a command, as text.
 pub fn text(bytes: &[u8]) -> &str {
     std::str::from_utf8(bytes).unwrap()
 }

@@ -101,7 +101,7 @@ fn films_are_compared_with_those_of_a_sweep() {
     let svg = read(&folder, "results/case-films/comparison.svg");
     assert!(svg.contains("measured") && svg.contains("computed"));
 
-    // Once more nothing is solved; what the study holds is a study.
+    // A second run solves nothing; the folder of the study is a study.
     let output = compare(folder.path(), &["case.toml", "films.csv"]);
     assert_eq!(output.status.code(), Some(0));
     assert!(
@@ -118,15 +118,15 @@ fn films_are_compared_with_those_of_a_sweep() {
 }
 
 #[test]
-fn points_that_fail_are_told_and_left_out() {
+fn failed_points_are_reported_and_omitted() {
     let folder =
         workspace("speed [m/s],film_central [nm],solver.max_iterations\n0.5,300,40\n1,600,1\n");
     let output = compare(folder.path(), &["case.toml", "films.csv", "-o", "out"]);
     let report = text(&output.stdout);
     assert_eq!(output.status.code(), Some(3), "{report}");
-    assert!(text(&output.stderr).contains("1 of 2 points failed and are left out"));
+    assert!(text(&output.stderr).contains("1 of 2 points failed and are omitted"));
     assert!(
-        report.contains("line 3 is left out, its point failed"),
+        report.contains("line 3 is omitted; its point failed"),
         "{report}"
     );
     assert!(report.contains("1 of 2 rows compared"), "{report}");

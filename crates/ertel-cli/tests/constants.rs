@@ -1,4 +1,4 @@
-//! Constants of the program that the theory pages tell: the page says the number that stands in the source.
+//! Constants in the theory pages: the numbers of the pages equal those of the source.
 
 mod rows;
 
@@ -22,7 +22,7 @@ fn constant(file: &str, name: &str) -> Vec<f64> {
     let text = fs::read_to_string(folder.join(file)).unwrap_or_else(|e| panic!("{file}: {e}"));
     if name.contains("{}") {
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-        let found = told(&without_separators(&text), name);
+        let found = numbers_of(&without_separators(&text), name);
         return found
             .into_iter()
             .next()
@@ -55,9 +55,9 @@ fn constant(file: &str, name: &str) -> Vec<f64> {
 fn without_separators(text: &str) -> String {
     let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
     let mut result = String::new();
-    let mut left = text.chars().peekable();
-    while let Some(c) = left.next() {
-        let between = is_digit(result.chars().next_back()) && is_digit(left.peek().copied());
+    let mut rest = text.chars().peekable();
+    while let Some(c) = rest.next() {
+        let between = is_digit(result.chars().next_back()) && is_digit(rest.peek().copied());
         if c != '_' || !between {
             result.push(c);
         }
@@ -81,7 +81,7 @@ fn number(text: &str) -> Option<(f64, &str)> {
 }
 
 /// The numbers of a sentence where the text has it.
-fn told(text: &str, sentence: &str) -> Vec<Vec<f64>> {
+fn numbers_of(text: &str, sentence: &str) -> Vec<Vec<f64>> {
     let mut parts = sentence.split("{}");
     let first = parts.next().unwrap();
     let rest: Vec<&str> = parts.collect();
@@ -99,14 +99,14 @@ fn told(text: &str, sentence: &str) -> Vec<Vec<f64>> {
     starts.filter_map(read).collect()
 }
 
-/// Each sentence is on its page, and tells what the source has.
+/// Each sentence is on its page, with the numbers of the source.
 #[test]
-fn theory_pages_tell_the_constants_of_the_source() {
+fn theory_pages_state_the_constants_of_the_source() {
     let mut wrong = Vec::new();
     for (page, sentence, constants) in ROWS {
         let text = fs::read_to_string(root().join("docs").join(page)).unwrap();
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-        let found = told(&text, sentence);
+        let found = numbers_of(&text, sentence);
         let expected: Vec<f64> = (constants.iter())
             .map(|(file, name, at, factor)| constant(file, name)[*at] * factor)
             .collect();
@@ -130,16 +130,16 @@ fn theory_pages_tell_the_constants_of_the_source() {
 #[test]
 fn numbers_are_read_from_sentences() {
     assert_eq!(
-        told(
+        numbers_of(
             "halved up to six times (twelve at most).",
             "up to {} times ({} at"
         ),
         [[6.0, 12.0]]
     );
     assert_eq!(
-        told("with 0.3, 1. Then 1e-3: end", "with {}, {}."),
+        numbers_of("with 0.3, 1. Then 1e-3: end", "with {}, {}."),
         [[0.3, 1.0]]
     );
-    assert_eq!(told("end at 1e-3: the", "end at {}: the"), [[1e-3]]);
-    assert!(told("end at some", "end at {}").is_empty());
+    assert_eq!(numbers_of("end at 1e-3: the", "end at {}: the"), [[1e-3]]);
+    assert!(numbers_of("end at some", "end at {}").is_empty());
 }

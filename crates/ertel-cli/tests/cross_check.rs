@@ -65,7 +65,7 @@ fn both_methods_side_by_side() {
     }
 }
 
-/// What one method alone solves is refused before any work, and so is a key without effect.
+/// Cases that only one method solves are refused before any work, and so is a key without effect.
 #[test]
 fn refusals() {
     let folder = TempDir::new().unwrap();

@@ -64,7 +64,7 @@ fn a_curve_is_solved_and_written() {
     assert!(point.join("notes.txt").exists());
 }
 
-/// Traction against sliding, beside the Newtonian curve.
+/// Traction against sliding, with the Newtonian curve.
 #[test]
 fn a_sliding_curve_shows_its_traction() {
     let thins = |case: &str| {
@@ -96,7 +96,7 @@ fn a_sliding_curve_shows_its_traction() {
     assert_eq!(traction[0], 0.0);
     assert!(traction[2] > traction[1] && traction[1] > 0.0);
     assert!(newtonian[2] > 1.5 * traction[2]);
-    // Newtonian stress goes with the sliding speed, and its film stays.
+    // Newtonian stress is proportional to the sliding speed, and its film is constant.
     assert!((newtonian[2] / newtonian[1] - 2.0).abs() < 1e-4);
     let (film, thick) = (column("film_central_m"), column("newtonian_film_central_m"));
     assert!((thick[2] / thick[0] - 1.0).abs() < 1e-5);
@@ -105,7 +105,7 @@ fn a_sliding_curve_shows_its_traction() {
         assert!(reduction > 0.0);
     }
     assert!(column("friction_power_W_per_m").iter().all(|p| *p > 0.0));
-    // The reduction errs by what both films do; the other figures of a cold point have bars of their own.
+    // The reduction errs by what both films do; the other figures of a cold point have their own bars.
     let bar = |name: &str| -> f64 { rows[0][name].parse().unwrap() };
     let relative =
         bar("film_central_error_m") / film[0] + bar("newtonian_film_central_error_m") / thick[0];
@@ -162,7 +162,7 @@ fn an_interrupted_curve_keeps_its_points() {
     assert!(rows.iter().all(|r| r["converged"] == "true"));
 }
 
-/// A traction curve with heat beside the one without: points start warm, with their temperatures.
+/// A traction curve with heat and the isothermal one: points start warm, with their temperatures.
 #[test]
 fn a_thermal_curve_shows_the_isothermal_one() {
     let slides = "\n[curve]\nquantity = \"motion.slide_to_roll_ratio\"\nvalues = [0, 0.2, 0.4]\nisothermal = true\n";
@@ -206,7 +206,7 @@ fn a_thermal_curve_shows_the_isothermal_one() {
     assert!(picture.unwrap().contains("isothermal"));
 }
 
-/// The guide's curve and the study that it corresponds to, as they stand there, of a light contact: the same values, the same
+/// The guide's curve and the study that it corresponds to, copied from there, for a light contact: the same values, the same
 /// columns, and films within the error bars of both.
 #[test]
 fn the_guide_makes_a_study_of_a_curve() {

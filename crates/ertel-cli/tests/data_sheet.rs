@@ -18,7 +18,7 @@ fn report(arguments: &[&str]) -> String {
 }
 
 #[test]
-fn the_shipped_case_is_solved_and_tells_its_estimates() {
+fn the_shipped_case_is_solved_and_shows_its_estimates() {
     let folder = tempfile::tempdir().unwrap();
     let results = folder.path().join("results");
     let report = report(&[
@@ -89,7 +89,7 @@ fn estimates_of_the_database_are_shown_as_such() {
         assert!(shown.contains(&note), "{note} {shown}");
         assert!(shown.contains("Gold, P. W."), "{shown}");
     }
-    // What a source gives is no estimate.
+    // A value from a source is no estimate.
     let shown = report(&["fluids", "show", "fva-3"]);
     let given = datum(&shown, "pressure_viscosity_coefficient");
     assert_eq!(given, ["20", "1/GPa", "code"]);
@@ -98,7 +98,7 @@ fn estimates_of_the_database_are_shown_as_such() {
     assert_eq!(given, ["45.81", "cSt", "code"]);
 }
 
-/// What a case would estimate of an oil's heat and shear is told beforehand, apart from its data, with the range of its kind.
+/// Estimates of heat and shear by the kind of an oil are shown apart from its data, with their ranges.
 #[test]
 fn estimates_by_kind_are_shown_apart() {
     let shown = report(&["fluids", "show", "iso-vg-46-pao"]);
@@ -165,7 +165,7 @@ fn a_second_coefficient_moves_the_film_of_its_temperature() {
     assert_eq!(film(40, one), film(40, &two));
     let (by_two, by_hot, by_one) = (film(100, &two), film(100, hot), film(100, one));
     assert!((by_two / by_hot - 1.0).abs() < 1e-9, "{by_two} {by_hot}");
-    // With one index the coefficient at 100 degC is 15.4 1/GPa; the film goes with α to the power of 0.4 to 0.5.
+    // With one index the coefficient at 100 degC is 15.4 1/GPa; the film is proportional to α to the power of 0.4 to 0.5.
     let ratio = by_two / by_one;
     assert!((0.91..0.95).contains(&ratio), "{ratio}");
 }

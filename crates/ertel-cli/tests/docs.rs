@@ -22,7 +22,7 @@ const RUN: [&str; 12] = [
     "developer/debugging.md",
 ];
 
-/// Results of a command that are no failure: a figure that the mesh does not resolve is written all the same, and told; and the
+/// Results of a command that are no failure: a figure that the mesh does not resolve is written with a warning; and the
 /// page on debugging shows a solve that does not converge.
 const DONE: [i32; 2] = [0, 3];
 
@@ -206,7 +206,7 @@ fn what_the_docs_print_is_what_the_program_prints() {
     for (page, command) in PRINTED {
         let text = fs::read_to_string(root.join("docs").join(page)).unwrap();
         let after = text.split_once(&format!("    {command}\n")).unwrap().1;
-        // What stands before the next command is printed by this one.
+        // The text before the next command is printed by this one.
         let own = after.split("\n    ertel ").next().unwrap();
         let blocks = own.split("```text\n").skip(1);
         let shown: Vec<&str> = (blocks.map(|rest| rest.split_once("```").unwrap().0))

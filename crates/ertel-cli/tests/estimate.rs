@@ -72,7 +72,7 @@ fn json_has_the_figures_with_units() {
     assert_eq!(json["reynolds"]["inertia_matters"], false);
 }
 
-/// What is said of roughness and shear thinning, and that bad input has code 2.
+/// Words about roughness and shear thinning; bad input has code 2.
 #[test]
 fn warnings_and_errors() {
     let folder = tempfile::tempdir().unwrap();
@@ -110,7 +110,7 @@ fn warnings_and_errors() {
 
 /// A computed film is set against the roughness, too: some 200 nm here.
 #[test]
-fn solve_tells_the_lambda_ratio() {
+fn solve_shows_the_lambda_ratio() {
     let folder = tempfile::tempdir().unwrap();
     let quick = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/good/quick.toml");
     let text = std::fs::read_to_string(quick).unwrap();

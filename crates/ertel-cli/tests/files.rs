@@ -69,7 +69,7 @@ fn a_fit_does_not_overwrite_what_it_reads() {
         "below/../mine.csv",
         absolute.to_str().unwrap(),
         "hard.toml",
-        // The picture beside this entry.
+        // The picture next to this entry.
         "hard.csv",
     ];
     #[cfg(unix)]
@@ -87,7 +87,7 @@ fn a_fit_does_not_overwrite_what_it_reads() {
         refused(&folder, &arguments, 2, "would overwrite");
     }
     refused(&folder, &fit(&["--plot", "hard.svg"]), 2, "would overwrite");
-    // Two of its own files in one place.
+    // Two outputs of one command in one place.
     refused(
         &folder,
         &fit(&["-o", "entry.svg"]),
@@ -328,7 +328,7 @@ fn a_former_result_with_things_of_others_is_kept() {
                 &folder,
                 &arguments,
                 1,
-                "out: beside a former result it holds points",
+                "out: it holds a former result, but also points",
             );
             std::fs::remove_dir_all(&out).unwrap();
             solved();

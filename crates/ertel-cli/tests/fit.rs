@@ -108,7 +108,7 @@ fn bad_data_and_usage_exit_with_2() {
 
 /// Films made by a formula deviate from it by nothing, and from half of it by half.
 #[test]
-fn films_stand_beside_given_formulas() {
+fn films_are_compared_with_given_formulas() {
     let folder = tempfile::tempdir().unwrap();
     let table = folder.path().join("films.csv");
     let mut rows =
@@ -118,11 +118,11 @@ fn films_stand_beside_given_formulas() {
         rows += &format!("\"a, b\",0.0127,1e-12,{m},{l},{film:e}\n");
     }
     std::fs::write(&table, rows).unwrap();
-    let beside = |formula: &str| {
+    let fit = |formula: &str| {
         let table = table.to_str().unwrap();
-        ertel_here(&["fit", "film", table, "--beside", formula])
+        ertel_here(&["fit", "film", table, "--given", formula])
     };
-    let output = beside("central=2.2318,-0.1362,0.0198");
+    let output = fit("central=2.2318,-0.1362,0.0198");
     let report = text(&output.stdout);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     assert!(
@@ -130,7 +130,7 @@ fn films_stand_beside_given_formulas() {
             || report.contains("deviates by +0.00 to +0.00 %"),
         "{report}"
     );
-    let output = beside("central=1.1159,-0.1362,0.0198");
+    let output = fit("central=1.1159,-0.1362,0.0198");
     assert!(text(&output.stdout).contains("deviates by -50.00 to -50.00 %"));
     for bad in [
         "1.96,0,0",
@@ -141,9 +141,9 @@ fn films_stand_beside_given_formulas() {
         // of films that the table does not have
         "minimum=1,0,0",
     ] {
-        let output = beside(bad);
+        let output = fit(bad);
         assert_eq!(output.status.code(), Some(2), "{bad}");
-        assert!(text(&output.stderr).contains("--beside"), "{bad}");
+        assert!(text(&output.stderr).contains("--given"), "{bad}");
     }
 }
 
@@ -157,9 +157,9 @@ fn films_of_chapter_6_lie_by_its_formulas() {
         "fit",
         "film",
         table.to_str().unwrap(),
-        "--beside",
+        "--given",
         "central=2.2318,-0.1362,0.0198",
-        "--beside",
+        "--given",
         "minimum=2.6759,-0.2525,0.0297",
     ]);
     let report = text(&output.stdout);
@@ -317,9 +317,9 @@ fn all_laws_are_ranked() {
     );
 }
 
-/// A viscosity that falls with pressure is told, and refused by `--strict`, with the entry written.
+/// A viscosity that falls with pressure is reported, and refused by `--strict`, with the entry written.
 #[test]
-fn constants_that_make_no_sense_are_told() {
+fn implausible_constants_are_reported() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let (data, entry) = (path("odd.csv"), path("odd.toml"));

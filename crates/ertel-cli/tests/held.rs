@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::common;
 
-/// A row of numbers on a page: what stands before them, and for each cell that follows, how many cells on, where its number is in the file, and the
+/// A row of numbers on a page: the text before them, and for each cell that follows, how many cells on, where its number is in the file, and the
 /// file's unit over that of the page.
 struct Held {
     page: &'static str,

@@ -114,7 +114,7 @@ fn the_image_shows_the_film_that_was_computed() {
     }
     assert!(n > 30 && n_off * 20 <= n, "{n_off} of {n} are off");
     assert!(turns >= 1, "no fringe to see");
-    // Once more: a former result is replaced.
+    // Again: a former result is replaced.
     let rgb = CASE.replace(
         "wavelength = \"600 nm\"",
         "light = \"cie-rgb\"\nfollows_density = true",

@@ -1,4 +1,4 @@
-//! The table of keys beside the readers: each key is given a wrong value, and the reader's refusal shows kind, dimension, bounds, choices.
+//! The table of keys against the readers: each key is given a wrong value, and the reader's refusal shows kind, dimension, bounds, choices.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -98,7 +98,7 @@ fn wrong<'a>(path: &str, row: &'a Row) -> (&'static str, Check<'a>) {
     }
 }
 
-/// Keys that no shipped case has: a file, and what stands in it besides or in place of its own.
+/// Keys that no shipped case has: a file, and the added or replaced lines.
 const OTHERS: &str = r#"
 cases/ball-on-disc-starved.toml
     transient={ duration = "1 ms", oil_layer = { course = "ramp", end = "1 ms", to = "100 nm" } }

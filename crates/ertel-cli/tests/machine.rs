@@ -121,7 +121,7 @@ fn every_machine_is_estimated_and_checked() {
     }
 }
 
-/// What takes one contact alone refuses a whole machine and says how to choose one.
+/// Options for a single contact refuse a whole machine and say how to choose one.
 #[test]
 fn whole_machines_are_no_single_contact() {
     let arguments = ["solve", "--cross-check"];
@@ -173,7 +173,7 @@ fn read(folder: &TempDir, name: &str) -> String {
     std::fs::read_to_string(folder.path().join(name)).unwrap()
 }
 
-/// Points of a study are whole machines: with their figures, a journal that goes on, and folders of machines.
+/// Points of a study are whole machines: with their figures, a journal that continues, and folders of machines.
 #[test]
 fn a_study_of_whole_machines() {
     let folder = workspace(GEARS);
@@ -198,10 +198,10 @@ fn a_study_of_whole_machines() {
     let kept = journal.split_inclusive('\n').next().unwrap();
     std::fs::write(folder.path().join("results/torques/journal.jsonl"), kept).unwrap();
     let second = common::ertel(&folder, &["sweep", "torques.toml"]);
-    let told = text(&second.stdout);
+    let shown = text(&second.stdout);
     assert!(
-        told.contains("1 of them earlier") && told.contains("1 new"),
-        "{told}"
+        shown.contains("1 of them earlier") && shown.contains("1 new"),
+        "{shown}"
     );
     assert_eq!(read(&folder, "results/torques/results.csv"), table);
 }
@@ -231,7 +231,7 @@ fn points_of_machines_that_fail() {
     assert!(message.contains("point 2 of torques.toml"), "{message}");
 }
 
-/// Measured losses stand beside those of whole machines; a traction is that of one contact.
+/// Measured losses are compared with those of whole machines; a traction is that of one contact.
 #[test]
 fn losses_of_gears_are_compared() {
     let folder = workspace(GEARS);
@@ -244,10 +244,10 @@ fn losses_of_gears_are_compared() {
         "{}",
         text(&compared.stderr)
     );
-    let told = text(&compared.stdout);
+    let shown = text(&compared.stdout);
     assert!(
-        told.contains("power lost, computed against measured"),
-        "{told}"
+        shown.contains("power lost, computed against measured"),
+        "{shown}"
     );
     let rows = read(&folder, "results/gears-rig/comparison.csv");
     assert!(
@@ -280,15 +280,15 @@ fn samples_of_whole_machines() {
     let found: serde_json::Value = serde_json::from_str(&found).unwrap();
     let power = &found["figures"]["friction_power"];
     assert!(power["standard"].as_f64().unwrap() > 0.0, "{power}");
-    // The pressure goes with the torque alone, other figures with the estimates of the oil, too.
+    // The pressure depends on the torque alone, other figures with the estimates of the oil, too.
     let pressure = &found["figures"]["hertz_pressure_maximum"];
     let correlation = &pressure["correlations"]["machine.pinion_torque"];
     assert!(correlation.as_f64().unwrap() > 0.99, "{pressure}");
 }
 
-/// What is solved beside each point is a single contact.
+/// Comparison solves of the points are for single contacts only.
 #[test]
-fn a_curve_of_machines_has_no_newtonian_beside_it() {
+fn a_curve_of_machines_has_no_newtonian_comparison() {
     let gears = GEARS.replace("newtonian = true", "max_iterations = 60");
     let curve = "[curve]\nquantity = \"machine.pinion_torque\"\nvalues = [\"50 N.m\", \"60 N.m\"]\nnewtonian = true\n";
     let folder = workspace(&(gears + curve));

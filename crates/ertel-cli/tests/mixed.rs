@@ -43,7 +43,7 @@ fn rough_ball() -> (TempDir, String) {
     (folder, text)
 }
 
-/// The commands of the guide as they stand there, by the built program; the picture, the table and its sums.
+/// The commands of the guide, run by the built program; the picture, the table and its sums.
 #[test]
 fn commands_of_the_guide_give_a_stribeck_curve() {
     let page = std::fs::read_to_string(root().join("docs/guide/mixed-lubrication.md")).unwrap();
@@ -135,7 +135,7 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
     assert_eq!(again.status.code(), Some(0), "{}", text(&again.stderr));
 }
 
-/// A point contact: `mixed` of result.json and the report; against the closed form of its own film where that is all but flat.
+/// A point contact: `mixed` of result.json and the report; against the closed form with its film where that is almost flat.
 #[test]
 fn result_of_a_rough_ball() {
     let (folder, given) = rough_ball();
@@ -217,7 +217,7 @@ fn machines_at_lambda_0_7_are_mixed() {
         let path = entry.unwrap().path();
         let given = std::fs::read_to_string(&path).unwrap();
         if given.contains("[surface_roughness]") {
-            continue; // It has a roughness of its own.
+            continue; // It has its own roughness.
         }
         let estimate = |file: &Path| -> Value {
             let output = ertel(

@@ -1,4 +1,4 @@
-//! Lubricants and materials of the user, in files of their own.
+//! Lubricants and materials of the user, in separate files.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -70,7 +70,7 @@ impl Workspace {
         text(&output.stdout).to_owned()
     }
 
-    /// What bad input is answered with.
+    /// The message for bad input.
     fn refused(&self, arguments: &[&str]) -> String {
         let output = self.ertel(arguments);
         assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
@@ -85,7 +85,7 @@ impl Workspace {
     }
 }
 
-/// The same films, to the bit, as with the same laws in the case; the tables of a file lie beside it, wherever the case lies.
+/// The same films, to the bit, as with the same laws in the case; the tables of a file are next to it, wherever the case is.
 #[test]
 fn a_file_stands_for_what_is_in_it() {
     let oil = OIL.trim().replace('\n', ", ");
@@ -119,7 +119,7 @@ fn a_file_stands_for_what_is_in_it() {
     let own = w.central_film("own.toml");
     assert_eq!(own, w.central_film("written.toml"));
     assert!(w.central_film("tabled.toml") > 0.0);
-    // What changes in the file changes the film: 2^0.7, about.
+    // A change in the file changes the film: 2^0.7, about.
     w.write("data/oil.toml", &OIL.replace("40 mPa.s", "80 mPa.s"));
     let ratio = w.central_film("own.toml") / own;
     assert!((1.5..1.8).contains(&ratio), "{ratio}");
@@ -144,7 +144,7 @@ fn a_file_stands_for_what_is_in_it() {
     );
 }
 
-/// What `ertel fit` writes is a lubricant but for its density, which the case gives.
+/// The entry of `ertel fit` is a lubricant except for its density, which the case gives.
 #[test]
 fn a_fit_is_a_lubricant() {
     let data =
@@ -172,7 +172,7 @@ fn a_fit_is_a_lubricant() {
     w.done(&["fluids", "show", "my-oil.toml"]);
 }
 
-/// Errors stand where they are made: in the case, or in the file.
+/// Errors point to their origin: the case, or the file.
 #[test]
 fn errors_name_the_file() {
     let w = Workspace::new(&[
@@ -205,7 +205,7 @@ fn errors_name_the_file() {
 /// A name stands for a file of the folder of own data in cases, studies, lists and fits; where the database has it, too, the file
 /// counts, and a note says so.
 #[test]
-fn names_of_a_folder_of_own_data_stand_beside_those_of_the_database() {
+fn names_of_own_data_are_added_to_those_of_the_database() {
     let tait = "viscosity = { law = \"constant\", mu_0 = \"10 mPa.s\" }\n[density]\nlaw = \"tait\"\nrho_0 = \"870 kg/m^3\"\n\
         reference_temperature = \"20 degC\"\nk_0r = \"9 GPa\"\nk_0r_prime = 10.5\nbeta_k = \"6.5e-3 1/K\"\nbeta_k_prime = \"0 1/K\"\na_v = \"7.7e-4 1/K\"\n";
     let w = Workspace::new(&[

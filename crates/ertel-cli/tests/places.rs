@@ -50,9 +50,9 @@ fn workspace() -> TempDir {
     folder
 }
 
-/// Runs the program with 4 GB of memory at most; its exit code and what it said.
+/// Runs the program with 4 GB of memory at most; its exit code and output.
 fn run(folder: &Path, arguments: &[OsString], stdin: Stdio) -> (i32, String) {
-    let [out, err] = [".said", ".told"].map(|name| folder.join(name));
+    let [out, err] = [".stdout", ".stderr"].map(|name| folder.join(name));
     let mut child = Command::new("sh")
         .args(["-c", "ulimit -v 4000000; exec \"$0\" \"$@\""])
         .arg(env!("CARGO_BIN_EXE_ertel"))
@@ -84,7 +84,7 @@ fn run(folder: &Path, arguments: &[OsString], stdin: Stdio) -> (i32, String) {
     (status.code().unwrap_or(-1), said.concat())
 }
 
-/// What a path can be.
+/// State of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
     Missing,
@@ -205,7 +205,7 @@ fn check(folder: &Path, command: &str, path: &OsStr, what: &str) -> i32 {
     code
 }
 
-/// Commands that read a file, and what stands in a good one.
+/// Commands that read a file, and the content of a valid one.
 const READERS: [(&str, &str); 18] = [
     ("solve {} -q -o out", "case.toml"),
     ("solve --check {}", "case.toml"),
@@ -327,7 +327,7 @@ fn places_to_write() {
                 }
                 path = path.with_file_name(path.file_name().unwrap());
             }
-            // What is forced is the user's wish.
+            // `--force` replaces files on purpose.
             if command.contains("--force") && matches!(state, State::File | State::Unreadable) {
                 continue;
             }
@@ -390,9 +390,9 @@ fn one_folder_for_two_results() {
     assert!(root.join("there/x/result.json").exists() && root.join("there/y/result.json").exists());
 }
 
-/// Results do not go into the folder of the samples beside them.
+/// Results do not go into the folder of their samples.
 #[test]
-fn results_have_a_folder_of_their_own() {
+fn results_have_a_separate_folder() {
     let folder = workspace();
     let root = folder.path();
     symlink("out", root.join("out-monte-carlo")).unwrap();
@@ -401,11 +401,11 @@ fn results_have_a_folder_of_their_own() {
     arguments.push("contact.load=20 kN/m ± 5 %".into());
     let (code, said) = run(root, &arguments, Stdio::null());
     assert_eq!(code, 2, "{said}");
-    assert!(said.contains("both are one place"), "{said}");
+    assert!(said.contains("both are the same folder"), "{said}");
     assert!(!root.join("out").exists());
 }
 
-/// What a run leaves that was stopped before its list of points: the next one goes on.
+/// A run that was stopped before its list of points was written is continued by the next one.
 #[test]
 fn comparisons_go_on_after_a_stop_at_any_moment() {
     let lock = |at: &Path| {
@@ -478,9 +478,9 @@ fn an_empty_validation_is_an_error() {
     assert_eq!(code, 2);
 }
 
-/// An entry changed by hand, and a drawing beside it that nobody named.
+/// An entry changed by hand, and a drawing next to it that was not named.
 #[test]
-fn a_fit_replaces_what_it_is_told_to() {
+fn a_fit_replaces_only_with_force() {
     let folder = workspace();
     let root = folder.path();
     let fit = |more: &str| {

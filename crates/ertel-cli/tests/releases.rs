@@ -1,4 +1,4 @@
-//! What a release consists of: notices of the works of others, the hosted workflow, the list of changes.
+//! Parts of a release: notices of the works of others, the hosted workflow, the list of changes.
 
 use std::process::Command;
 
@@ -112,11 +112,8 @@ fn everything_that_is_shipped_has_them() {
         let text = std::fs::read_to_string(root().join(maker)).unwrap();
         assert!(text.contains(line), "{maker}: {line}");
     }
-    let beside_the_wheel = root().join("crates/ertel-py/THIRD_PARTY_NOTICES.txt");
-    assert_eq!(
-        std::fs::read_to_string(beside_the_wheel).unwrap(),
-        notices()
-    );
+    let of_the_wheel = root().join("crates/ertel-py/THIRD_PARTY_NOTICES.txt");
+    assert_eq!(std::fs::read_to_string(of_the_wheel).unwrap(), notices());
 }
 
 /// The hosted checks are those of a developer's machine; a tag builds a release and tries it in empty places.

@@ -1,4 +1,4 @@
-//! `ertel schema` beside what it describes: the readers and the shipped files.
+//! `ertel schema` against the readers and the shipped files.
 
 use crate::common::root;
 

@@ -1,4 +1,4 @@
-//! The schema beside the readers on random cases: whatever the readers take, an editor underlines nothing of.
+//! The schema against the readers on random cases: an editor marks no error in a case that the readers accept.
 
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -126,7 +126,7 @@ fn what_belongs_to_somebody_else_is_not_replaced() {
 
 #[cfg(unix)]
 #[test]
-fn an_unwritable_folder_is_told_before_the_solve() {
+fn an_unwritable_folder_is_reported_before_the_solve() {
     use std::os::unix::fs::PermissionsExt;
     let folder = workspace("quick.toml");
     let locked = folder.path().join("locked");

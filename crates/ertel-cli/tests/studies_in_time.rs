@@ -71,9 +71,9 @@ impl Rows {
     }
 }
 
-/// The figures of a point are those that its own table over time has, by a minimum, a maximum and trapezoids made here; a study that was cut off goes on to the same table.
+/// The figures of a point are those that its own table over time has, by a minimum, a maximum and trapezoids made here; an interrupted study continues to the same table.
 #[test]
-fn a_study_over_time_tells_extremes_and_goes_on() {
+fn a_study_over_time_shows_extremes_and_resumes() {
     let folder = workspace(CASE, STUDY);
     let run = |more: &[&str]| {
         let output = ertel(
@@ -159,7 +159,7 @@ fn a_study_over_time_tells_extremes_and_goes_on() {
     assert_eq!(read(&folder, "out/results.csv"), table);
 }
 
-/// A point whose relief no allowed grid resolves is told with its reason and exit code 3; the others are solved. Entries of arrays are counted from 1.
+/// A point whose relief no allowed grid resolves is reported with its reason and exit code 3; the others are solved. Entries of arrays are counted from 1.
 #[test]
 fn points_that_fail_have_their_reason() {
     let relief = "\n[[surface]]\nkind = \"groove\"\nbody = \"body_1\"\nhalf_width = \"60 um\"\ndepth = \"20 nm\"\nx = \"-0.3 mm\"\n\n[mesh]\nmax_unknowns = 3000\n";
@@ -221,12 +221,12 @@ fn curves_and_samples_of_a_case_in_time() {
     let alone: serde_json::Value =
         serde_json::from_str(&read(&folder, "out/points/3/transient.json")).unwrap();
     assert_eq!(alone["over_time"]["film_minimum_lowest"], *figure);
-    let beside = curve.replace("folders = true", "newtonian = true");
+    let newtonian = curve.replace("folders = true", "newtonian = true");
     let power = CASE.replace(
         "alpha = \"22 1/GPa\" }",
         "alpha = \"22 1/GPa\" }\nshear_thinning = { law = \"ree-eyring\", tau_0 = \"5 MPa\" }",
     );
-    write(&folder, "case.toml", &format!("{power}{beside}"));
+    write(&folder, "case.toml", &format!("{power}{newtonian}"));
     let output = ertel(&folder, &["solve", "case.toml", "--check"]);
     assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
     assert!(

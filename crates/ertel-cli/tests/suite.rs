@@ -1,4 +1,4 @@
-//! All integration tests in one program: each program of its own would link the whole library once more, and run alone.
+//! All integration tests in one program: separate programs would each link the whole library, and run one after the other.
 
 mod bad;
 mod bad_cases;
@@ -17,8 +17,8 @@ mod held;
 mod interferogram;
 mod keys;
 mod machine;
-mod manners;
 mod mixed;
+mod options_and_streams;
 mod own_data;
 mod places;
 mod releases;

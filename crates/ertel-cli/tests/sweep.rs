@@ -130,7 +130,7 @@ values = ["0.2 m/s", "2 m/s"]
     assert!(text(&fit.stdout).contains("Central film of 18 results"));
 }
 
-/// Temperatures stand in the table, and what heat takes away beside the same points without it.
+/// Temperatures are in the table, and the films are thinner than those without heat.
 #[test]
 fn a_study_with_heat_has_its_temperatures() {
     let study = r#"
@@ -226,7 +226,7 @@ values = [false, true]
     }
 }
 
-/// Killed at random moments, a study comes to the same table, byte for byte, and no point is in its journal twice.
+/// Killed at random moments, a study gives the same table, byte for byte, and no point is in its journal twice.
 #[test]
 fn a_killed_study_ends_as_an_undisturbed_one() {
     let folder = workspace(STUDY);
@@ -260,7 +260,7 @@ fn a_killed_study_ends_as_an_undisturbed_one() {
             let _ = child.wait();
             n_lines(name)
         };
-        // Killed before its end, however fast the machine is now; then once more, at whatever time.
+        // Killed before its end, however fast the machine is now; then again, at any time.
         let mut limit = time.as_secs_f64();
         let mut tries = 0;
         let name = loop {
@@ -422,7 +422,7 @@ values = ["galerkin"]
         text(&output.stdout)
     );
     assert_eq!(read(&folder, "results/study/results.csv"), table);
-    // What is fitted are the others.
+    // The others are fitted.
     let fit = Command::new(env!("CARGO_BIN_EXE_ertel"))
         .args(["fit", "film", "results/study/results.csv"])
         .current_dir(&folder)
@@ -449,7 +449,7 @@ fn a_changed_study_solves_what_changed() {
     );
     let table = read(&folder, "results/study/results.csv");
     assert_eq!(column(&table, "contact.load_N_per_m")[3], "6e4");
-    // Another viscosity is another case in every point; the former ones are left out of the table.
+    // Another viscosity is another case in every point; the former ones are omitted from the table.
     let base = read(&folder, "base.toml").replace("40 mPa.s", "41 mPa.s");
     std::fs::write(folder.path().join("base.toml"), base).unwrap();
     let output = sweep(&folder, &["study.toml"]);
@@ -501,7 +501,7 @@ fn what_cannot_be_run_is_refused() {
         );
     }
     refused(&[], 2, "STUDY.toml");
-    refused(&["--merge", "out", "nothing"], 2, "holds no study");
+    refused(&["--merge", "out", "nothing"], 2, "is not a study");
     std::fs::create_dir(folder.path().join("mine")).unwrap();
     std::fs::write(folder.path().join("mine/notes.txt"), "mine").unwrap();
     refused(&["study.toml", "-o", "mine"], 1, "no study.json of ertel");
@@ -542,7 +542,7 @@ fn an_interrupted_study_says_how_to_go_on() {
     let rest: Vec<String> = lines.map(Result::unwrap).collect();
     assert_eq!(child.wait().unwrap().code(), Some(130), "{rest:?}");
     assert!(
-        rest.last().unwrap().contains("goes on with the others"),
+        rest.last().unwrap().contains("continues with the others"),
         "{rest:?}"
     );
     assert!(!folder.path().join("results/study/results.csv").exists());

@@ -99,7 +99,7 @@ fn a_ramp_is_solved_written_and_replaced() {
 
 /// A relief that no allowed grid resolves ends with the reason and exit code 3; cross-checks refuse a case in time.
 #[test]
-fn what_is_not_solved_in_time_is_told() {
+fn unsolved_instants_are_reported() {
     let relief = "\n[[surface]]\nkind = \"groove\"\nbody = \"body_1\"\nhalf_width = \"1 um\"\ndepth = \"20 nm\"\nx = \"-0.3 mm\"\n\n[mesh]\nmax_unknowns = 2000\n";
     let folder = workspace(&format!("{CASE}{relief}"));
     let output = ertel(&folder, &["solve", "case.toml", "--output", "out"]);
@@ -114,7 +114,7 @@ fn what_is_not_solved_in_time_is_told() {
     assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
 }
 
-/// A roller sinks under a constant load from a gap, without rolling: the film thins as the body comes near, and bears the load. A ball that falls has its force and its rebound told.
+/// A roller sinks under a constant load from a gap, without rolling: the film thins as the body comes near, and bears the load. The force and rebound of a falling ball are reported.
 #[test]
 fn bodies_that_are_apart_come_near() {
     let sinks = CASE
@@ -154,7 +154,7 @@ fn bodies_that_are_apart_come_near() {
     assert!(bar > 0.0 && bar < 0.2, "{bar}");
 }
 
-/// A run that is killed goes on from its checkpoint to the same table; a checkpoint of another case, a forgotten one and none are refused.
+/// A run that is killed continues from its checkpoint to the same table; a checkpoint of another case, a forgotten one and none are refused.
 #[test]
 fn a_killed_run_goes_on() {
     let folder = workspace(CASE);
@@ -180,7 +180,7 @@ fn a_killed_run_goes_on() {
     for (more, said) in [
         (
             &["-o", "out", "--checkpoint", "1 min"][..],
-            "go on from there with --resume",
+            "continue it with --resume",
         ),
         (
             &["-o", "out", "--resume", "--set", "contact.load=90 kN/m"],
@@ -205,7 +205,7 @@ fn a_killed_run_goes_on() {
         assert!(text(&output.stderr).contains("damaged"));
         assert_eq!(std::fs::read(&file).unwrap(), damaged);
     }
-    // What a kill left beside it is removed.
+    // Incomplete files of a killed run are removed.
     let left = folder.path().join(".ertel-new-a1B2c3");
     std::fs::write(&left, "half").unwrap();
     std::fs::write(&file, whole).unwrap();
@@ -216,10 +216,10 @@ fn a_killed_run_goes_on() {
     assert_eq!(table("out"), table("whole"));
 }
 
-/// Where a checkpoint cannot be written, a warning says so once while the run goes on to its end.
+/// Where a checkpoint cannot be written, a warning says so once and the run continues to its end.
 #[cfg(unix)]
 #[test]
-fn a_checkpoint_that_cannot_be_written_is_told_at_once() {
+fn a_checkpoint_that_cannot_be_written_is_reported_at_once() {
     let folder = workspace(
         &CASE
             .replace("duration = \"1 ms\"", "duration = \"0.02 ms\"")
@@ -230,18 +230,19 @@ fn a_checkpoint_that_cannot_be_written_is_told_at_once() {
     std::os::unix::fs::symlink("missing/place", link).unwrap();
     let arguments = ["solve", "case.toml", "-o", "out", "--checkpoint", "0 s"];
     let output = ertel(&folder, &arguments);
-    let told = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{told}");
+    let shown = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{shown}");
     assert_eq!(
-        told.matches("warning: the checkpoint cannot be written")
+        shown
+            .matches("warning: the checkpoint cannot be written")
             .count(),
         1,
-        "{told}"
+        "{shown}"
     );
-    let (before, _) = told.split_once("warning: the checkpoint").unwrap();
+    let (before, _) = shown.split_once("warning: the checkpoint").unwrap();
     assert!(
-        before.matches("step ").count() < told.matches("step ").count(),
-        "{told}"
+        before.matches("step ").count() < shown.matches("step ").count(),
+        "{shown}"
     );
 }
 
@@ -314,7 +315,7 @@ fn a_complete_result_is_kept_when_a_second_run_is_stopped() {
     assert_eq!(json(&at("out-partial/transient.json"))["complete"], false);
     let report = std::fs::read_to_string(at("out-partial/report.txt")).unwrap();
     assert!(report.contains("interrupted"), "{report}");
-    // It goes on to a complete result, which replaces the former one.
+    // It continues to a complete result, which replaces the former one.
     let rest = ertel(
         &folder,
         &["solve", "case.toml", "-q", "-o", "out", "--resume"],
@@ -457,10 +458,10 @@ fn waves_keep_the_amplitudes_of_venner() {
         assert!((exact / ratio - 1.0).abs() < 1e-14);
         let shown = text(&output.stdout);
         let (_, rest) = shown.split_once("amplitude ratio of the waves").unwrap();
-        let told = rest.split_whitespace().next().unwrap();
+        let shown = rest.split_whitespace().next().unwrap();
         assert!(
-            (told.parse::<f64>().unwrap() - ratio).abs() < 1e-3,
-            "{told}"
+            (shown.parse::<f64>().unwrap() - ratio).abs() < 1e-3,
+            "{shown}"
         );
         let bytes = std::fs::read(out.join("result.nc")).unwrap();
         assert!(bytes.windows(8).any(|w| w == exact.to_be_bytes()));

@@ -96,7 +96,7 @@ fn uncertainty_is_the_root_of_the_sum_of_squares() {
 }
 
 /// Both are near linear here: standard deviations agree within three standard errors. A second run finds all samples in the journal and
-/// comes to the same bytes.
+/// gives the same bytes.
 #[test]
 fn samples_agree_with_the_first_order() {
     let workspace = Workspace::new(&[("line.toml", CASE)]);
@@ -233,7 +233,7 @@ fn bad_uncertainties_exit_with_2() {
         ("[1.9, 2.1] m/s", "[2.1, 1.9] m/s", "below the second"),
         ("[1.9, 2.1] m/s", "[1.9, 2.1", "not closed"),
         ("60 degC", "60 degC ± 5 %", "write the ± in K"),
-        ("\"1 %\"", "\"1 % ± 10 %\"", "how to solve"),
+        ("\"1 %\"", "\"1 % ± 10 %\"", "numerical setting"),
         (
             "[bodies]",
             "[[correlation]]\nof = \"contact.load\"\nwith = \"motion.slide_to_roll_ratio\"\ncoefficient = 0.5\n[bodies]",
@@ -315,7 +315,7 @@ fn heat_takes_differences_of_solves() {
     assert_eq!(result["sensitivities_by"], "differences of solves");
     let by = result["sensitivities"]["film_central"].as_object().unwrap();
     assert_eq!(by.keys().collect::<Vec<_>>(), ["contact.load"]);
-    // The same by two solves from the command line, 3 % apart on meshes of their own.
+    // The same by two solves from the command line, 3 % apart on separate meshes.
     let at = |load: &str| {
         let text = heat.replace("50 kN/m ± 5 %", load);
         std::fs::write(workspace.path("side.toml"), text).unwrap();
@@ -332,9 +332,9 @@ fn heat_takes_differences_of_solves() {
     );
 }
 
-/// What no derivative reaches is told, and warned of where it is uncertain: a meniscus ends the mesh.
+/// Inputs without a derivative are reported, with a warning if they are uncertain: a meniscus ends the mesh.
 #[test]
-fn what_the_uncertainty_leaves_out_is_told() {
+fn neglected_uncertainties_are_reported() {
     let inlet = "[inlet]\nmeniscus_distance = \"0.6 mm ± 5 %\"\n[bodies]";
     let workspace = Workspace::new(&[("line.toml", &CASE.replacen("[bodies]", inlet, 1))]);
     workspace.succeed(&["solve", "line.toml", "--output", "out"]);
@@ -353,9 +353,9 @@ fn what_the_uncertainty_leaves_out_is_told() {
         );
     }
     let warnings = result["warnings"].as_array().unwrap();
-    let tells = |w: &&Value| {
+    let is_it = |w: &&Value| {
         w.as_str()
             .is_some_and(|w| w.contains("neglects that of inlet.meniscus_distance"))
     };
-    assert_eq!(warnings.iter().filter(tells).count(), 1, "{warnings:?}");
+    assert_eq!(warnings.iter().filter(is_it).count(), 1, "{warnings:?}");
 }

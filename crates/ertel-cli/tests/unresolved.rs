@@ -45,7 +45,7 @@ fn json(path: &Path) -> serde_json::Value {
 }
 
 #[test]
-fn a_case_that_is_not_resolved_is_written_and_told() {
+fn a_case_that_is_not_resolved_is_written_with_a_warning() {
     let folder = workspace(STARVED);
     let output = ertel(&folder, &["solve", "case.toml"]);
     let message = text(&output.stderr);

@@ -85,7 +85,7 @@ fn a_full_stderr_stops_nothing() {
 
 /// The results are there, but not everything went well.
 #[test]
-fn a_full_stdout_is_told_when_the_work_is_done() {
+fn a_full_stdout_is_reported_when_the_work_is_done() {
     run(">/dev/full", 1);
 }
 

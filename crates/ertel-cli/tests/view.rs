@@ -55,7 +55,7 @@ fn results_are_shown_and_files_of_users_kept() {
         (vec!["view", "empty"], "empty/report.html: no such file"),
         (vec!["view", "nothere"], "nothere: no such result folder"),
         (vec!["view", "nowhere"], "nowhere"),
-        (vec!["view", "mine.html"], "no page of results"),
+        (vec!["view", "mine.html"], "not a result page"),
         (vec!["view"], "RESULT"),
     ] {
         let arguments: Vec<&str> = arguments.into_iter().chain(["--no-browser"]).collect();

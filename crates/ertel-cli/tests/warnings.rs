@@ -51,10 +51,10 @@ fn silenced_warnings_are_not_shown_but_counted() {
     let folder = case(BOTH);
     let output = ertel(&folder, &["solve", "case.toml", "--check"]);
     assert_eq!(output.status.code(), Some(0));
-    let told = stderr(&output);
+    let shown = stderr(&output);
     assert!(
-        !told.contains("law-range") && !told.contains("opposite-motion"),
-        "{told}"
+        !shown.contains("law-range") && !shown.contains("opposite-motion"),
+        "{shown}"
     );
     solve(
         &folder,
@@ -85,10 +85,10 @@ fn unknown_codes_and_unusable_figures_are_refused() {
         let folder = case(&format!("silence = [\"{code}\"]"));
         let output = ertel(&folder, &["solve", "case.toml", "--check"]);
         assert_eq!(output.status.code(), Some(2));
-        let told = stderr(&output);
+        let shown = stderr(&output);
         assert!(
-            told.contains(words) && told.contains("case.toml:22"),
-            "{told}"
+            shown.contains(words) && shown.contains("case.toml:22"),
+            "{shown}"
         );
     }
 }

@@ -1,4 +1,4 @@
-//! Light that interferes in the film: what a camera over a transparent body sees of it.
+//! Optical interference in the film, as seen by a camera through a transparent body.
 //!
 //! Light that comes back from the lower face of the transparent body and light that comes back from the other body have run
 //! through oil and spacer layer twice, the second one alone:
@@ -28,7 +28,7 @@ use serde::Serialize;
 /// (CIE 1931; Wright 1929 and Guild 1931).
 pub const CIE_RGB: [f64; 3] = [700.0e-9, 546.1e-9, 435.8e-9];
 
-/// What an interferogram is taken with.
+/// The instrument of an interferogram.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Interferometer {
     /// Wavelengths in vacuum, m: one, or those of the red, green and blue channel.
@@ -111,7 +111,7 @@ mod tests {
         }
     }
 
-    /// A spacer of 100 nm with n_s = 1.2 stands for 120 nm/1.5 = 80 nm of oil.
+    /// A spacer of 100 nm with n_s = 1.2 is optically equal to 120 nm/1.5 = 80 nm of oil.
     #[test]
     fn a_spacer_layer_moves_the_fringes() {
         let own = Interferometer {

@@ -3,13 +3,13 @@
 //!
 //! | module | what |
 //! |---|---|
-//! | [`warning`], [`words`] | what a user should know, numbers in it |
+//! | [`warning`], [`words`] | warnings, number formats in them |
 //! | [`contact`], [`params`] | geometry, scales, motion; settings |
 //! | [`film`] | the fluid in the film and its flow at a point |
 //! | [`forms`] | weak forms at a point |
 //! | [`elastic`] | elastic bodies |
 //! | [`solution`], [`mixed`] | figures and fields in SI; asperities |
-//! | [`engine`] | the interface of ways of solving; what is read off any film |
+//! | [`engine`] | the interface of numerical methods; figures of any film |
 //! | [`solve`] | finite elements: Newton's method, continuation, refinement, heat |
 //! | [`transient`] | contacts in time |
 //! | [`volumes`] | finite volumes: a monotone scheme for isothermal point contacts |

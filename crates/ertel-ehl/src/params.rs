@@ -1,4 +1,4 @@
-//! What a user may set: mesh, solver, heat, output. Defaults are right without being touched.
+//! User settings: mesh, solver, heat, output. The defaults suit most contacts.
 
 mod thermal;
 
@@ -41,14 +41,14 @@ impl MeshPreset {
 /// Mesh and elements; lengths in Hertz half-widths a.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MeshParams {
-    /// Preset that the sizes below came from.
+    /// Preset of the sizes below.
     pub preset: MeshPreset,
-    /// Relative error of central and minimum film to reach by local refinement; `None`: the mesh is as the
-    /// sizes below say.
+    /// Target error (relative) of central and minimum film for local refinement; `None`: the mesh has the
+    /// sizes below.
     pub target_error: Option<f64>,
-    /// Root-mean-square error of the pressure over the dry contact, in p_h, to reach by it; `None`: films alone count.
+    /// Target root-mean-square error of the pressure over the dry contact, in p_h; `None`: only the films have a target.
     pub pressure_error: Option<f64>,
-    /// Pressure unknowns that it may go to, about; `None`: as many as the bodies afford.
+    /// Most pressure unknowns, approximately; `None`: a default that depends on the bodies.
     pub max_unknowns: Option<usize>,
     /// Cell size in the Hertz zone.
     pub hertz_size: f64,
@@ -118,20 +118,20 @@ impl MeshParams {
     }
 }
 
-/// Pressure unknowns that refinement may go to unless the user allows more: about a minute.
+/// Default limit of pressure unknowns for refinement: about a minute.
 pub const DEFAULT_MAX_UNKNOWNS: usize = 100_000;
 
-/// The same where only the pressure is not as accurate as asked for: some seconds.
+/// The same where only the pressure misses its target: some seconds.
 pub const DEFAULT_MAX_UNKNOWNS_FOR_PRESSURE: usize = 16_000;
 
-/// The same above finite-element bodies, whose operator costs the square to the cube of them.
+/// The same with finite-element bodies, whose operator costs their square to their cube.
 pub const DEFAULT_MAX_UNKNOWNS_OF_BODIES: usize = 8_000;
 
-/// Target of a user who asks for nothing.
+/// Default target error.
 pub const DEFAULT_TARGET_ERROR: f64 = 0.002;
 
-/// Root-mean-square error of the pressure, in p_h, over the relative error of the films, where the user asks for the latter
-/// alone.
+/// Default target of the pressure (root mean square, in p_h), over the target error of the films, if only the latter is
+/// given.
 const PRESSURE_SHARE: f64 = 3.5;
 
 impl MeshParams {
@@ -139,7 +139,7 @@ impl MeshParams {
     /// are those that it starts from.
     pub fn adaptive(target_error: f64, kind: ContactKind) -> MeshParams {
         let start = MeshParams::preset(MeshPreset::Normal, kind);
-        // No refinement mends the growth, whose error falls with its square.
+        // Refinement does not reduce the error of the growth, which falls with its square.
         let share = (target_error / DEFAULT_TARGET_ERROR).min(1.0).sqrt();
         MeshParams {
             target_error: Some(target_error),
@@ -189,7 +189,7 @@ pub enum ElasticModel {
     HalfSpace,
     /// One equivalent finite-element body (Habchi 2008, appendix A).
     Equivalent,
-    /// Plane and ball as finite-element bodies of their own, deflections summed.
+    /// Plane and ball as separate finite-element bodies, deflections summed.
     TwoBodies,
 }
 
@@ -213,7 +213,7 @@ impl Method {
         }
     }
 
-    /// Its name in sentences.
+    /// Its name in messages.
     pub fn words(self) -> &'static str {
         match self {
             Method::FiniteElements => "finite elements",
@@ -245,7 +245,7 @@ pub enum LinearSolver {
 /// Solver settings.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SolverParams {
-    /// Finite elements or finite volumes; `None`: the one that takes less time, and the other one where that does not converge.
+    /// Finite elements or finite volumes; `None`: the faster one, and the other one where that does not converge.
     pub method: Option<Method>,
     /// Galerkin, SUPG or GLS.
     pub formulation: Formulation,
@@ -254,14 +254,14 @@ pub struct SolverParams {
     /// Coefficient ρ_r of the diffusion at ridges of the pressure that elements do not resolve; `None`: 1 in circular and elliptical contacts of half-spaces
     /// with the default stabilisation, else 0.
     pub ridge_diffusion: Option<f64>,
-    /// Whether SUPG and GLS reckon with the deflection, too; without, they are as printed in Habchi
+    /// Whether SUPG and GLS include the deflection, too; without, they are as printed in Habchi
     /// 2008, eqs. 3.15 to 3.17, and incompressible lubricants are not stabilised at all.
     pub elastic_stabilisation: bool,
     /// Cavitation penalty ξ₀.
     pub penalty: f64,
     /// Its dependence on the element size.
     pub penalty_scaling: PenaltyScaling,
-    /// Half-spaces or finite-element bodies; `None`: half-spaces, unless something else asks for a body.
+    /// Half-spaces or finite-element bodies; `None`: half-spaces, unless another setting requires a body.
     pub elasticity: Option<ElasticModel>,
     /// Condensed or monolithic.
     pub linear: LinearSolver,
@@ -272,9 +272,9 @@ pub struct SolverParams {
     pub max_iterations: usize,
     /// Solve on a second, coarser mesh to bound the discretisation error.
     pub error_estimate: bool,
-    /// Leave out the shear thinning of the lubricant: its low-shear viscosity alone.
+    /// Neglect shear thinning: use the low-shear viscosity of the lubricant.
     pub newtonian: bool,
-    /// Leave out the heat of a case that has `[thermal]`: everything at the temperature of the inlet.
+    /// Neglect heat in a case with `[thermal]`: everything at the temperature of the inlet.
     pub isothermal: bool,
 }
 
@@ -299,7 +299,7 @@ impl Default for SolverParams {
     }
 }
 
-/// What is written, and where.
+/// Output files and their folder.
 #[derive(Clone, PartialEq, Serialize, Default)]
 pub struct OutputParams {
     /// Folder; `None`: `results/<case name>`.
@@ -314,7 +314,7 @@ pub struct OutputParams {
     pub vtu: bool,
     /// Write an animation of a case in time (`animation.png`).
     pub animation: bool,
-    /// Picture of a point contact by the interference of light.
+    /// Interferogram of a point contact.
     pub interferogram: Option<Interferometer>,
     /// Which derivatives of the figures by inputs are computed.
     pub sensitivities: SensitivityDemand,
@@ -322,7 +322,7 @@ pub struct OutputParams {
     pub silence: Vec<WarningKind>,
 }
 
-/// As derived, without what is not asked for and came later: keys of journals are made of this text, and those that there are stay valid.
+/// As derived, without later fields at their defaults: keys of journals are made of this text, and existing ones stay valid.
 impl std::fmt::Debug for OutputParams {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let OutputParams {
@@ -405,7 +405,7 @@ pub enum SensitivityDemand {
     /// Where an input has an uncertainty.
     #[default]
     WhereUncertain,
-    /// Those too that cost little beside a solve: not where heat counts, nor by what changes the length of a roller in half-widths.
+    /// Also those that cost little compared with a solve: not for thermal contacts, nor for inputs that change the length of a roller in half-widths.
     WhereCheap,
     /// All of them.
     All,

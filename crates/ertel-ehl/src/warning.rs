@@ -1,4 +1,4 @@
-//! What a user should know about a case or its results, by kind, so that many points say it once.
+//! Warnings about a case or its results, by kind; those of many points are merged.
 
 mod kind;
 
@@ -11,14 +11,14 @@ use serde::{Deserialize, Serialize};
 
 pub use kind::{Explanation, Severity, WarningKind};
 
-/// What a user should know, in a sentence or two.
+/// A warning, in a sentence or two.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Warning {
-    /// What it is about.
+    /// Kind.
     pub kind: WarningKind,
     /// The sentence.
     pub text: String,
-    /// How far a bound is exceeded, to find the worst of one kind.
+    /// How far a limit is exceeded, to find the worst of one kind.
     pub excess: f64,
     /// Whether the case does not want to see it.
     #[serde(default)]
@@ -36,7 +36,7 @@ impl Warning {
         }
     }
 
-    /// A warning about a bound, and how far it is exceeded.
+    /// A warning about a limit, and how far it is exceeded.
     pub fn beyond(kind: WarningKind, excess: f64, text: impl Into<String>) -> Warning {
         Warning {
             excess,
@@ -149,7 +149,7 @@ pub fn codes(warnings: &[Warning]) -> Vec<WarningKind> {
 pub struct Merged {
     /// The worst of them.
     pub worst: Warning,
-    /// Whose it is.
+    /// Its point.
     pub worst_point: usize,
     /// The points, in order.
     pub points: Vec<usize>,
@@ -326,7 +326,7 @@ mod tests {
         assert_eq!(lines, ["points 1, 5: a", "point 3: b"]);
     }
 
-    /// Silenced warnings are counted, and what is not to be used is shown.
+    /// Silenced warnings are counted, and warnings about unusable figures are shown.
     #[test]
     fn silenced_warnings_are_counted() {
         let friction = Warning::new(WarningKind::Friction, "0.3");

@@ -65,7 +65,7 @@ pub fn digits(value: f64, n: usize) -> String {
     }
 }
 
-/// Which scale temperatures are shown in; the other one stands beside it.
+/// Scale in which temperatures are shown first; the other one follows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TemperatureScale {
     /// K.
@@ -115,7 +115,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_read_well() {
+    fn numbers_are_readable() {
         assert_eq!(length(244.824e-9), "244.8 nm");
         assert_eq!(length(218.279e-6), "218.3 µm");
         assert_eq!(length(0.016), "16 mm");

@@ -204,7 +204,7 @@ impl Lagrange {
         table
     }
 
-    /// What the best polynomial of a lower degree (in the L² sense) leaves of each shape function, at
+    /// Difference of each shape function and its best polynomial of a lower degree (in the L² sense), at
     /// the points of a rule: N − πN, `[point * n_nodes + node]`; zero if the degree is not
     /// lower. The rule must be exact for twice the order.
     pub fn fluctuations(&self, degree: usize, rule: &Quadrature) -> Vec<f64> {
@@ -300,11 +300,11 @@ mod tests {
         }
     }
 
-    /// In one dimension the rest of a cubic beside quadratics is its third Legendre polynomial, of a
-    /// quadratic beside linear ones the second (closed forms): x³ = (2P₃ + 3x)/5, x² = (2P₂ + 1)/3 on
+    /// In one dimension the rest of a cubic after projection onto quadratics is its third Legendre polynomial, of a
+    /// quadratic onto linear ones the second (closed forms): x³ = (2P₃ + 3x)/5, x² = (2P₂ + 1)/3 on
     /// [−1, 1]; ξ = (1 + x)/2. Lower polynomials leave nothing, in any dimension.
     #[test]
-    fn fluctuations_are_what_projection_leaves() {
+    fn fluctuations_are_projection_residuals() {
         for (order, legendre) in [
             (3, (|x| (5.0 * x * x * x - 3.0 * x) / 2.0) as fn(f64) -> f64),
             (2, |x| (3.0 * x * x - 1.0) / 2.0),

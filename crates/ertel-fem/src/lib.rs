@@ -1,4 +1,4 @@
-//! Meshes, Lagrange elements, assembly and solvers on simplices; knows no lubrication.
+//! Meshes, Lagrange elements, assembly and solvers on simplices, independent of lubrication.
 
 pub mod assembly;
 pub mod element;

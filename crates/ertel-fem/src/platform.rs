@@ -1,4 +1,4 @@
-//! What differs between a computer and a browser (`wasm32-unknown-unknown`): threads, the clock, and the order in which bodies are eliminated.
+//! Differences between a computer and a browser (`wasm32-unknown-unknown`): threads, the clock, and the order in which bodies are eliminated.
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
@@ -25,7 +25,7 @@ mod browser {
 
     static CLOCK: OnceLock<fn() -> f64> = OnceLock::new();
 
-    /// Sets the clock, seconds from any origin; WebAssembly has none of its own. Without it all times are 0; a second clock is not taken.
+    /// Sets the clock, seconds from any origin; WebAssembly has none. Without it all times are 0; a second clock is ignored.
     pub fn set_clock(seconds: fn() -> f64) {
         let _ = CLOCK.set(seconds);
     }

@@ -3,7 +3,7 @@
 //! A table is read as spreadsheets and instruments write it. The line with the most titles that are known names the columns;
 //! lines before it are those of an instrument, a line of units may follow it. Empty lines and comments (`#`, `%`, `//`, `!`) are
 //! skipped. Cells are separated by semicolons, tabs, commas or blanks, whichever gives the most titles, or as a line `sep=;`
-//! says; they may be quoted. Decimal commas and marks between thousands are read where the cells tell which is which.
+//! says; they may be quoted. Decimal commas and marks between thousands are recognised from the cells.
 //!
 //! Columns have their unit in the title: `pressure_MPa`, `pressure [MPa]`, `pressure (MPa)`, `pressure / MPa`, `pressure in MPa`,
 //! `p, MPa`, with `_per_` for a quotient in the first spelling, `density_kg_per_m3`. Quantities have English and German names and
@@ -35,7 +35,7 @@ use title::{NamedUnit, Title};
 /// Bytes of a line at most, some thousand columns: the search for the titles keeps the cells of some hundred lines.
 const LONGEST_LINE: usize = 32_768;
 
-/// What is wrong with a table, and where.
+/// Error in a table, with its place.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{}:{line}:{column}: {}", excerpt(file), message(problem))]
 pub struct CsvError {
@@ -45,7 +45,7 @@ pub struct CsvError {
     pub line: usize,
     /// Column of the table, from 1.
     pub column: usize,
-    /// What is wrong, with the choices.
+    /// The problem, with the choices.
     pub problem: String,
 }
 
@@ -55,9 +55,9 @@ pub struct CsvTable {
     file: String,
     separator: Separator,
     header: Row,
-    /// The titles as they are read: with the units of a line of units, and as the user tells them.
+    /// The titles as they are read: with the units of a line of units, and as the user maps them.
     titles: Vec<String>,
-    /// Columns that are not looked at.
+    /// Ignored columns.
     is_ignored: Vec<bool>,
     rows: Vec<Row>,
     marks: Marks,
@@ -115,7 +115,7 @@ impl CsvTable {
         Ok(table)
     }
 
-    /// Reads a table whose columns may be those of a vocabulary, with what the user tells about it.
+    /// Reads a table whose columns may be those of a vocabulary, with the options of the user.
     ///
     /// # Errors
     ///
@@ -245,26 +245,26 @@ impl CsvTable {
         &self.header
     }
 
-    /// Title of a column as it is read; empty where it has none, and of a column that is not looked at.
+    /// Title of a column as it is read; empty where it has none, and of an ignored column.
     #[must_use]
     pub fn title(&self, index: usize) -> &str {
         self.titles.get(index).map_or("", String::as_str)
     }
 
-    /// Whether a column is not looked at: nothing stands there, it counts the lines, or the user says so.
+    /// Whether a column is ignored: it is empty, it counts the lines, or the user says so.
     #[must_use]
     pub fn is_ignored(&self, index: usize) -> bool {
         self.is_ignored.get(index).is_none_or(|ignored| *ignored)
             || self.header.cell(index).is_empty()
     }
 
-    /// What was left out or taken for something.
+    /// Notes on ignored columns and assumptions.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         &self.notes
     }
 
-    /// Whether a cell says that nothing stands there: it is empty, `-`, `n/a`, `NaN`.
+    /// Whether a cell marks a missing value: it is empty, `-`, `n/a`, `NaN`.
     #[must_use]
     pub fn is_missing(&self, row: &Row, index: usize) -> bool {
         number::is_missing(row.cell(index))
@@ -312,7 +312,7 @@ impl CsvTable {
         others: &[usize],
     ) -> Result<Option<Column>, CsvError> {
         let mut found: Vec<(usize, NamedUnit, Match)> = Vec::new();
-        // One that cannot be told from it: without a unit, or with one that is not known.
+        // Ambiguous columns: without a unit, or with an unknown one.
         let mut alike: Vec<usize> = Vec::new();
         let is_pure = dimension.same_exponents(Dimension::DIMENSIONLESS);
         for index in (0..self.titles.len()).filter(|i| !others.contains(i)) {
@@ -364,7 +364,7 @@ impl CsvTable {
 
     fn second(&self, name: &str, first: usize, index: usize) -> CsvError {
         let problem = format!(
-            "`{}` is a second column `{name}`; the first is column {}, `{}`; tell which one to take: `--column \"{name}=#{}\"`",
+            "`{}` is a second column `{name}`; the first is column {}, `{}`; choose one: `--column \"{name}=#{}\"`",
             excerpt(self.header.cell(index)),
             first + 1,
             excerpt(self.header.cell(first)),
@@ -386,7 +386,7 @@ impl CsvTable {
         if let Some(column) = self.find(name, dimension)? {
             return Ok(Some(column));
         }
-        // A name that goes on may be that of another column.
+        // A longer name may be that of another column.
         let is_near = |title: &Title| title.is_exact || title.name == Match::Name;
         self.without_unit(name, dimension, &[], &is_near)
     }
@@ -426,7 +426,7 @@ impl CsvTable {
         let is_other =
             |title: &Title| title.name == Match::Symbol && title.unit.is_some() && !title.is_bare();
         let named = named.filter(|(_, title)| is_near(title) && !is_other(title));
-        // The nearest to the name: one with brackets rather than one whose name goes on.
+        // The nearest to the name: one with brackets rather than a longer name.
         let nearest = named.min_by_key(|(_, title)| {
             (
                 !title.is_exact,
@@ -492,7 +492,7 @@ impl CsvTable {
             })
     }
 
-    /// A cell as a case has it: with a decimal point and nothing between thousands, if it is a number that can be told.
+    /// A cell as a case has it: with a decimal point and nothing between thousands, if it is an unambiguous number.
     #[must_use]
     pub fn with_point<'a>(&self, cell: &'a str) -> Cow<'a, str> {
         match self.marks.read(cell) {

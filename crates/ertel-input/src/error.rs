@@ -127,7 +127,7 @@ impl InputError {
         &self.0.key
     }
 
-    /// What is wrong, in one sentence without the place.
+    /// The problem in one sentence, without the place.
     #[must_use]
     pub fn message(&self) -> &str {
         &self.0.message

@@ -43,7 +43,7 @@ pub enum FileError {
     /// A table that is no text, but a file of another kind.
     #[error("is no text: it is {kind}; save the table as CSV, and give that file")]
     Binary {
-        /// What it is.
+        /// Kind of the file.
         kind: &'static str,
     },
 }

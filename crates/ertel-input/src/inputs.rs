@@ -8,15 +8,15 @@ use ertel_quantity::{Correlation, Dimension, Uncertainty};
 /// A quantity that was read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Input {
-    /// Its key path, as `contact.load`; of what a name stands for, below the key of the name: `lubricant.viscosity.mu_0`.
+    /// Its key path, as `contact.load`; for a quantity of a named entry, below the key of the name: `lubricant.viscosity.mu_0`.
     pub key: String,
     /// Its value as written, SI.
     pub value: f64,
-    /// What it measures.
+    /// Its dimension.
     pub dimension: Dimension,
     /// Its uncertainty, if it has one.
     pub uncertainty: Option<Uncertainty>,
-    /// Whether it stands in the document itself, and not in what a name stands for.
+    /// Whether it is in the document itself, and not in a named entry.
     pub written: bool,
     /// Whether nobody gave it: it is estimated from other inputs.
     pub estimated: bool,
@@ -45,7 +45,7 @@ impl Inputs {
         }
     }
 
-    /// What notes the quantities of the document itself.
+    /// Recorder of the quantities of the document itself.
     #[must_use]
     pub fn recorder(&self) -> Recorder<'_> {
         Recorder {
@@ -64,7 +64,7 @@ impl Inputs {
 
     fn note(&self, input: Input) {
         let mut noted = self.noted.lock().unwrap_or_else(PoisonError::into_inner);
-        // What is read again, or overrides what a name stands for, counts as it was read last.
+        // A quantity that is read again, or overrides that of a named entry, replaces the former.
         match noted.inputs.iter_mut().find(|i| i.key == input.key) {
             Some(known) => *known = input,
             None => noted.inputs.push(input),
@@ -89,7 +89,7 @@ pub struct Recorder<'a> {
 }
 
 impl<'a> Recorder<'a> {
-    /// What notes the quantities of the file that the key `key` names.
+    /// Recorder of the quantities of the file that the key `key` names.
     #[must_use]
     pub fn within(&self, key: &str) -> Recorder<'a> {
         Recorder {

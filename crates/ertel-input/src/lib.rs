@@ -126,16 +126,16 @@ impl Document {
         &self.source.text
     }
 
-    /// The values as they stand in the file, for an echo; reading goes through [`Document::root`].
+    /// The values as written in the file, for an echo; reading goes through [`Document::root`].
     #[must_use]
     pub fn tree(&self) -> &Node {
         &self.root
     }
 
-    /// The document with another file beside it, from which values can be put into it; returns what to add to the spans
-    /// of that file's nodes ([`Node::shifted`]), so that errors point there.
+    /// Adds another file, whose values can then be inserted; returns the offset to add to the spans of its nodes
+    /// ([`Node::shifted`]), so that errors point there.
     #[must_use]
-    pub fn beside(&self, file: &str, text: &str) -> (Self, usize) {
+    pub fn with_file(&self, file: &str, text: &str) -> (Self, usize) {
         let mut source = Source::clone(&self.source);
         let lengths = source.others.iter().map(|other| other.text.len() + 1);
         let offset = source.text.len() + 1 + lengths.sum::<usize>();
@@ -162,8 +162,8 @@ impl Document {
         InputError::at(&self.source, span, key, message)
     }
 
-    /// Puts a value at a key path, in place of the one there or as a new key; tables on the way are made. `key_span` is
-    /// where errors about the key point.
+    /// Inserts or replaces the value at a key path; missing tables are created. Errors about the key point to
+    /// `key_span`.
     ///
     /// # Errors
     ///

@@ -323,7 +323,7 @@ fn wrong_kinds_are_refused() {
     assert!(root.optional_strs("l").is_err());
     assert!(root.tables("l").is_err());
     assert!(root.tables("n").is_err());
-    // The caret stands under the second value.
+    // The caret is under the second value.
     let error = root.required_quantities("m", Dimension::LENGTH, Bounds::ANY);
     assert_eq!(error.unwrap_err().column(), Some(13));
 }
@@ -431,7 +431,7 @@ fn user_text_is_escaped_and_cut() {
         shown.contains("\\u001b[2J") && shown.contains("e\\u001bsc.toml"),
         "{shown}"
     );
-    // The caret stands below the fault, and the line is cut on both sides.
+    // The caret is below the fault, and the line is cut on both sides.
     let text = format!("a = \"{}\" ! \"{}\"\n", "µ".repeat(5000), "x".repeat(5000));
     let shown = Document::parse("c.toml", text).unwrap_err().to_string();
     let lines: Vec<&str> = shown.lines().collect();

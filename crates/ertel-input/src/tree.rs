@@ -7,7 +7,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::{InputError, Source};
 
-/// A value and where it stands.
+/// A value and its place.
 #[derive(Clone, Debug)]
 pub struct Node {
     /// Bytes of the text it takes.
@@ -46,7 +46,7 @@ pub struct Entry {
     pub node: Node,
 }
 
-/// The place of an entry of an array whose number, from 1, stands in a key path: `surface.2.depth`.
+/// The place of an entry of an array whose number, from 1, is in a key path: `surface.2.depth`.
 pub(crate) fn place_of(key: &str) -> Option<usize> {
     key.parse::<usize>().ok()?.checked_sub(1)
 }

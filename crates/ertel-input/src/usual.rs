@@ -7,7 +7,7 @@ use ertel_quantity::{Dimension as D, Dimension, Unit};
 
 use crate::keys::rows_of;
 
-/// What is usual for some keys.
+/// Usual values of some keys.
 #[derive(Clone, Copy, Debug)]
 pub struct Usual {
     dimension: Dimension,
@@ -127,7 +127,7 @@ pub(crate) const SPECIFIC_HEATS: Usual = usual(
     ("J/(kg.K)", 1.0, &["J/(kg.K)", "kJ/(kg.K)"]),
 );
 
-/// What is likely for any other key of a dimension.
+/// Likely values of any other key of a dimension.
 const OTHERS: &[Usual] = &[
     likely(D::LENGTH, [0.05, 2000.0], SIZE),
     likely(D::SPEED, [1e-4, 200.0], SPEED),
@@ -165,7 +165,7 @@ const OTHERS: &[Usual] = &[
 /// Temperatures that are meant in degC: below, in degC, people write this scale; above, they write kelvin.
 const CELSIUS: [f64; 2] = [-60.0, 200.0];
 
-/// What is usual for a key path of a dimension, if anything is known.
+/// Usual values of a key path of a dimension, if known.
 #[must_use]
 pub fn usual_of(key: &str, dimension: Dimension) -> Option<&'static Usual> {
     let of_key = (rows_of(key).into_iter().flat_map(|row| row.usual))

@@ -25,8 +25,8 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// Linear axis over exactly this range; in its place one that can be drawn, where the ends are not finite, not in order,
-    /// too large, or too near to each other to be told apart.
+    /// Linear axis over exactly this range; a drawable one instead, where the ends are not finite, not in order,
+    /// too large, or too near to each other to be distinguished.
     pub fn linear(label: &str, low: f64, high: f64) -> Axis {
         let (low, high) = match low.is_finite() && high.is_finite() {
             true => apart(low.min(high), low.max(high)),

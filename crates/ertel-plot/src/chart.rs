@@ -7,7 +7,7 @@ use super::frame::{
 };
 use super::legend::{Legend, Place};
 
-/// Colours told apart by colour-blind readers and in grey (Okabe and Ito 2008).
+/// Colours distinguishable for colour-blind readers and in grey (Okabe and Ito 2008).
 pub const PALETTE: [&str; 6] = [
     "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00",
 ];
@@ -99,13 +99,13 @@ pub struct Chart {
     pub y: Axis,
     /// Right axis, if any.
     pub y_right: Option<Axis>,
-    /// Right axis with other units of the range of the left one, if any; not beside `y_right`.
+    /// Right axis with other units of the range of the left one, if any; not with `y_right`.
     pub y_other: Option<Axis>,
     /// Curves, drawn in this order.
     pub series: Vec<Series>,
     /// Error bars on the left axis, below the curves.
     pub error_bars: Vec<ErrorBars>,
-    /// What the error bars are, for the legend; empty: no entry.
+    /// Label of the error bars in the legend; empty: no entry.
     pub error_label: String,
     /// Vertical lines.
     pub markers: Vec<Marker>,
@@ -114,7 +114,7 @@ pub struct Chart {
 }
 
 /// Frame inside the picture, px.
-const LEFT: f64 = 72.0;
+const LEFT_MARGIN: f64 = 72.0;
 const WIDTH: f64 = 420.0;
 const HEIGHT: f64 = 290.0;
 /// Space for the labels below the frame, px.
@@ -128,7 +128,7 @@ const BAR_CAP: f64 = 3.0;
 pub fn side_by_side(title: &str, charts: &[Chart], columns: usize) -> Drawing {
     let rows: Vec<&[Chart]> = charts.chunks(columns.max(1)).collect();
     let width = |row: &[Chart]| row.iter().map(|c| c.size()[0]).sum::<f64>();
-    // Frames in a row stand at the same height.
+    // Frames in a row are at the same height.
     let head = |row: &[Chart]| row.iter().map(Chart::head).fold(0.0, f64::max);
     let below = |row: &[Chart]| {
         let heights = row.iter().map(|c| c.size()[1] - c.head());
@@ -194,7 +194,7 @@ impl Chart {
     /// The frame within the picture whose upper left corner is at a point, px.
     fn frame(&self, [left, top]: [f64; 2]) -> Frame {
         Frame {
-            left: left + LEFT,
+            left: left + LEFT_MARGIN,
             top: top + self.head(),
             width: WIDTH,
             height: HEIGHT,
@@ -220,7 +220,10 @@ impl Chart {
         let right = if has_right { 68.0 } else { 22.0 };
         let legend = self.legend(self.frame([0.0; 2]));
         let extra = legend.map_or(0.0, |(legend, place)| legend.extra(place));
-        [LEFT + WIDTH + right, self.head() + HEIGHT + FOOT + extra]
+        [
+            LEFT_MARGIN + WIDTH + right,
+            self.head() + HEIGHT + FOOT + extra,
+        ]
     }
 
     /// Draws with the upper left corner at a point, px.
@@ -306,7 +309,7 @@ impl Chart {
         let mut d = String::new();
         for [x, low, high] in &bars.bars {
             let (x, top) = (frame.x(&self.x, *x), frame.y(&self.y, *high));
-            // The logarithm of what is not above zero is no place.
+            // Values that are not above zero have no logarithm.
             let bottom = Some(frame.y(&self.y, *low))
                 .filter(|y| y.is_finite())
                 .unwrap_or(foot);
@@ -315,7 +318,7 @@ impl Chart {
                 continue;
             }
             let top = top.clamp(-1e4, 1e4);
-            // A bar that leaves the frame has an arrow there in place of its cap, which is cut off.
+            // A bar that leaves the frame has an arrow there instead of its cap.
             let edges = [
                 (frame.top, top < frame.top),
                 (frame.top + frame.height, bottom >= foot),

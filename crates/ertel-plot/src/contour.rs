@@ -228,7 +228,7 @@ mod tests {
 
     /// f = |r| on a fine grid: {f ≥ ½} is the square less a disc, in two loops: 4 − π/4.
     #[test]
-    fn hole_is_a_loop_of_its_own() {
+    fn hole_is_a_separate_loop() {
         let (points, cells) = square(80);
         let values: Vec<f64> = points.iter().map(|p| p[0].hypot(p[1])).collect();
         let region = Triangulation::new(&points, &cells)

@@ -91,7 +91,7 @@ pub(crate) enum Element {
     Ellipse([f64; 2], [f64; 2], f64, Line),
     /// Text in label markup.
     Text(Text),
-    /// What follows shows only inside: left, top, width and height.
+    /// Clips the following items to left, top, width and height.
     BeginClip([f64; 4]),
     /// The end of that.
     EndClip,

@@ -62,7 +62,7 @@ pub const FRAME_WIDTH: f64 = 1.0;
 /// Distance that nobody sees, px.
 const UNSEEN: f64 = 0.05;
 
-/// Path through pixel points, interrupted where one is not finite; points that make no visible difference are left out.
+/// Path through pixel points, interrupted where one is not finite; points that make no visible difference are omitted.
 pub fn polyline(points: &[[f64; 2]]) -> String {
     let whole = |p: &[f64; 2]| p.iter().all(|v| v.is_finite());
     (points.split(|p| !whole(p)))
@@ -144,7 +144,7 @@ pub(crate) fn draw_y_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, side
     drawing.stroke(&d, Stroke::solid(INK, 0.8));
 }
 
-/// Tick labels and axis label beside the frame.
+/// Tick labels and axis label next to the frame.
 pub fn label_y_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, side: Side, colour: &str) {
     let ticks = axis.ticks();
     let widest = ticks

@@ -27,7 +27,7 @@ pub(crate) enum Place {
     Below(usize),
 }
 
-/// What stands in the legend.
+/// Entry of the legend.
 struct Entry<'a> {
     label: &'a str,
     series: Option<&'a Series>,

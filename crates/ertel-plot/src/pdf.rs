@@ -186,7 +186,7 @@ impl<'a> Page<'a> {
             let [c, s] = [c, s].map(|v| v as f32);
             self.content
                 .set_font(Name(FONTS[run.style as usize]), short(run.size))
-                // Letters stand upright where y goes downwards.
+                // Letters are upright with y downwards.
                 .set_text_matrix([c, s, s, -c, short(x), short(y)])
                 .show(Str(&codes));
             along += run.width();
@@ -251,7 +251,7 @@ impl<'a> Page<'a> {
     }
 }
 
-/// A font with the glyphs that are used, and the characters that they stand for.
+/// A font with the glyphs that are used, and their characters.
 fn write_font(
     pdf: &mut Pdf,
     style: Style,

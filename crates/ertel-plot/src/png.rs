@@ -235,7 +235,7 @@ impl Canvas {
 /// Outlines of glyphs, y upwards, as a path with y downwards.
 struct Outline {
     path: PathBuilder,
-    /// Where the glyph stands, px.
+    /// Position of the glyph, px.
     origin: [f64; 2],
     /// px per unit of the font.
     scale: f64,
@@ -376,7 +376,7 @@ mod tests {
         assert_eq!(at(30.0, 16.0), [255; 3]);
         assert_eq!(at(60.0, 16.0), [0, 0, 255]);
         let is_ink = |p: &[u8]| p.iter().all(|v| *v < 80);
-        // Letters stand above their baseline, which is at 44.
+        // Letters are above their baseline at 44.
         let rows = |from: f64, to: f64| {
             let row = |y: f64| 3 * 300 * (SCALE * y) as usize;
             pixels[row(from)..row(to)].chunks_exact(3).any(is_ink)

@@ -26,7 +26,7 @@ def mark(notebook: Any) -> str:
 
 
 def run(path: Path) -> Any:
-    """The notebook with the outputs of a run in a folder that has nothing but a link to the repository: outputs tell no other path."""
+    """The notebook with the outputs of a run in a folder that has nothing but a link to the repository, so that outputs contain no other path."""
     notebook = nbformat.read(path, as_version=4)
     os.environ["ERTEL_CASES"] = "repository/cases"
     with tempfile.TemporaryDirectory() as folder:

@@ -40,7 +40,7 @@ impl NativeCase {
         })
     }
 
-    /// The same case with values in place of its own, each written `key=value` with a value of TOML.
+    /// The same case with replaced values, each written `key=value` with a value of TOML.
     fn with_settings(&self, settings: Vec<String>) -> PyResult<Self> {
         let (name, folder) = (self.name.clone(), self.folder.clone());
         let case = Case::from_text_with(&name, &self.case.source, &folder, &settings);
@@ -93,11 +93,11 @@ impl NativeCase {
         self.case.contacts.is_some()
     }
 
-    /// What the user should know about the input.
+    /// Warnings about the input.
     #[getter]
     fn warnings(&self) -> Vec<String> {
-        let told = self.case.warnings.iter().filter(|w| w.is_shown());
-        told.map(ToString::to_string).collect()
+        let shown = self.case.warnings.iter().filter(|w| w.is_shown());
+        shown.map(ToString::to_string).collect()
     }
 
     /// The case in SI, as JSON.
@@ -123,7 +123,7 @@ impl NativeCase {
             .collect()
     }
 
-    /// What formulas say, as JSON.
+    /// Estimates by formulas, as JSON.
     fn estimate(&self) -> PyResult<String> {
         let estimate = ertel::estimate::estimate(&self.case);
         let document = ertel::output::estimate_json(&self.case.echo(), &estimate);

@@ -1,4 +1,4 @@
-//! Measured films and tractions beside computed ones.
+//! Measured films and tractions compared with computed ones.
 
 use std::path::PathBuf;
 
@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 
 use crate::errors;
 use crate::pool::detached;
-use crate::solve::beside_python;
+use crate::solve::without_gil;
 use crate::study::{Messages, described};
 
 /// Solves a case at the points of a table of measurements in `folder`; returns the report and a summary of the study as JSON. The table is
@@ -65,7 +65,7 @@ pub fn compare(
     };
     let wanted = progress.is_some();
     let study = &measured.study;
-    let summary = beside_python(py, progress.as_ref(), |sender, cancel| {
+    let summary = without_gil(py, progress.as_ref(), |sender, cancel| {
         let messages = Messages::new(sender, wanted, cancel);
         run_sweep(study, &points, &params, &messages)
     })?;

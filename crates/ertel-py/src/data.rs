@@ -282,7 +282,7 @@ pub fn field_names() -> Vec<(&'static str, &'static str, &'static str)> {
     Field::ALL.map(|f| (f.name(), f.unit(), f.words())).to_vec()
 }
 
-/// Name, words and symbol of every figure, in the order in which they are told; symbols of those that are shown first.
+/// Name, words and symbol of every figure, in the order of the report; symbols of those that are shown first.
 #[pyfunction]
 pub fn figure_names() -> Vec<(&'static str, &'static str, &'static str)> {
     Figure::ALL

@@ -11,7 +11,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::errors::OutputError;
 
-/// Process that uses the global pool; another process has a pool of its own.
+/// Process that uses the global pool; another process has its own pool.
 static STATE: Mutex<State> = Mutex::new(State {
     global: None,
     own: None,

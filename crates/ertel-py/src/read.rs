@@ -1,4 +1,4 @@
-//! What folders of results need of the solver's libraries: fields of a file on a grid, tables of studies, colours of pictures.
+//! Functions of the solver's libraries for folders of results: fields of a file on a grid, tables of studies, colours of pictures.
 
 use std::path::PathBuf;
 

@@ -39,7 +39,7 @@ impl NativeSolution {
         }
     }
 
-    /// What another solve can start from.
+    /// Start of another solve.
     pub fn start(&self) -> Option<Arc<Start>> {
         self.start.clone()
     }

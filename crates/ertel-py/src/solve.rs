@@ -1,4 +1,4 @@
-//! Solves, on a thread of their own, while the thread that asked looks after Python: progress and Ctrl-C.
+//! Solves on a separate thread, while the calling thread handles progress and Ctrl-C for Python.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
@@ -33,12 +33,12 @@ impl Cancel {
     }
 }
 
-/// Runs `work` on a thread of its own, without the interpreter's lock, and hands the messages that it sends to `progress`. Ctrl-C, and an
+/// Runs `work` on a separate thread, without the interpreter's lock, and hands the messages that it sends to `progress`. Ctrl-C, and an
 /// exception in `progress`, set the flag that `work` has and are raised once it is back.
 ///
 /// # Errors
 /// Those of `progress` and of signal handlers.
-pub fn beside_python<T: Send>(
+pub fn without_gil<T: Send>(
     py: Python<'_>,
     progress: Option<&Py<PyAny>>,
     work: impl FnOnce(Sender<String>, Cancel) -> T + Send,
@@ -80,7 +80,7 @@ pub fn beside_python<T: Send>(
     if let Some(error) = raised {
         return Err(error);
     }
-    result.map_err(|_| PyRuntimeError::new_err("internal error of ertel; the message stands above"))
+    result.map_err(|_| PyRuntimeError::new_err("internal error of ertel; the message is above"))
 }
 
 /// Sends each iteration as JSON.
@@ -157,7 +157,7 @@ pub fn solve(
     let single = case.single();
     let start = start.and_then(NativeSolution::start);
     let wanted = progress.is_some();
-    let solved = beside_python(py, progress.as_ref(), |sender, cancel| {
+    let solved = without_gil(py, progress.as_ref(), |sender, cancel| {
         let mut messages = Messages {
             sender,
             wanted,
@@ -181,7 +181,7 @@ pub fn solve_curve(
         return Err(errors::CaseError::new_err("the case has no [curve]"));
     };
     let wanted = progress.is_some();
-    let solution = beside_python(py, progress.as_ref(), |sender, cancel| {
+    let solution = without_gil(py, progress.as_ref(), |sender, cancel| {
         let mut messages = Messages {
             sender,
             wanted,
@@ -206,7 +206,7 @@ pub fn solve_transient(
         return Err(errors::CaseError::new_err("the case has no [transient]"));
     }
     let wanted = progress.is_some();
-    let found = beside_python(py, progress.as_ref(), |sender, cancel| {
+    let found = without_gil(py, progress.as_ref(), |sender, cancel| {
         let mut messages = Messages {
             sender,
             wanted,
@@ -232,7 +232,7 @@ pub fn solve_machine(
         return Err(errors::CaseError::new_err("the case is no whole machine"));
     }
     let wanted = progress.is_some();
-    let solved = beside_python(py, progress.as_ref(), |sender, cancel| {
+    let solved = without_gil(py, progress.as_ref(), |sender, cancel| {
         let mut messages = Messages {
             sender,
             wanted,

@@ -18,7 +18,7 @@ use pyo3::prelude::*;
 use crate::case::json;
 use crate::errors;
 use crate::pool::detached;
-use crate::solve::{Cancel, beside_python};
+use crate::solve::{Cancel, without_gil};
 
 /// A study whose points are solved by other processes, part by part.
 #[pyclass(frozen, module = "ertel._ertel")]
@@ -122,7 +122,7 @@ impl NativeStudy {
     }
 }
 
-/// Solves part `range` of a group of a study's points in a folder of its own; returns its journal.
+/// Solves part `range` of a group of a study's points in a separate folder; returns its journal.
 #[pyfunction]
 pub fn solve_part(
     py: Python<'_>,
@@ -153,7 +153,7 @@ pub fn solve_part(
         threads: Some(1),
         ..SweepParams::default()
     };
-    let summary = beside_python(py, None, |sender, cancel| {
+    let summary = without_gil(py, None, |sender, cancel| {
         let messages = Messages::new(sender, false, cancel);
         let part = (&plan, range.0..range.1);
         sweep_part(&study, part, &folder, &params, &messages)
@@ -246,7 +246,7 @@ pub fn sweep(
         retry,
     };
     let wanted = progress.is_some();
-    let summary = beside_python(py, progress.as_ref(), |sender, cancel| {
+    let summary = without_gil(py, progress.as_ref(), |sender, cancel| {
         let messages = Messages::new(sender, wanted, cancel);
         run_sweep(&study, &folder, &params, &messages)
     })?;

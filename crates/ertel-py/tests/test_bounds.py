@@ -17,7 +17,7 @@ def test_no_threads(name: str, cases: Path, tmp_path: Path) -> None:
 
 
 def test_a_film_too_thin_for_any_mesh_is_bad_input(root: Path) -> None:
-    """As for the program, exit code 2, which tells what to change."""
+    """As exit code 2 of the program, with advice on what to change."""
     case = ertel.Case.from_file(root / "crates/ertel-cli/tests/bad/film-too-thin.toml")
     with pytest.raises(ertel.CaseError, match="the film is too thin to resolve") as error:
         case.solve()

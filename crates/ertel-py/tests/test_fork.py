@@ -28,7 +28,7 @@ print("same")
 
 @pytest.mark.skipif("fork" not in multiprocessing.get_all_start_methods(), reason="no fork on this system")
 def test_solves_in_forked_processes(root: object) -> None:
-    # In an interpreter of its own, so that a solve that waits for ever is stopped by the time limit.
+    # In a separate interpreter: a solve that hangs is stopped by the time limit.
     path = f"{root}/cases/roller.toml"
-    told = subprocess.run([sys.executable, "-c", CODE, path], capture_output=True, text=True, timeout=60, check=False)
-    assert told.returncode == 0 and told.stdout == "same\n", told.stderr
+    run = subprocess.run([sys.executable, "-c", CODE, path], capture_output=True, text=True, timeout=60, check=False)
+    assert run.returncode == 0 and run.stdout == "same\n", run.stderr

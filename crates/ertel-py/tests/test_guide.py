@@ -31,10 +31,10 @@ def test_numbers_of_the_research_page(root: Path, tmp_path: Path, monkeypatch: p
     names: dict[str, Any] = {}
     for snippet in re.findall(r"```python\n(.*?)```", text, re.DOTALL):
         exec(compile(snippet, "research.md", "exec"), names)
-    told = re.findall(r"# ([\d.]+) ± ([\d.]+) nm", text)
+    shown = re.findall(r"# ([\d.]+) ± ([\d.]+) nm", text)
     films = [result.film_central for result in names["results"].values()]
-    assert len(told) == 2
-    for (value, bar), film in zip(told, films):
+    assert len(shown) == 2
+    for (value, bar), film in zip(shown, films):
         assert float(value) == pytest.approx(film.value * 1e9, abs=0.3 * film.error * 1e9) and float(bar) == pytest.approx(film.error * 1e9, rel=0.15)
     assert names["films"] == pytest.approx([237.59e-9, 237.59e-9], abs=0.005e-9) and "# 237.59 nm by both" in text
     rows = re.findall(r"^\| ([\d.]+) \| (\d+) \| ([\d.]+) \| ([\d.]+) \| −([\d.]+) \|$", text, re.MULTILINE)
@@ -47,7 +47,7 @@ def test_numbers_of_the_research_page(root: Path, tmp_path: Path, monkeypatch: p
 
 
 def test_named_attributes_exist(root: Path) -> None:
-    """What tables and sentences of the guide name is in the package."""
+    """Names in tables and sentences of the guide exist in the package."""
     import ertel
     import ertel.distributed
 

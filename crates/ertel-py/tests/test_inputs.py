@@ -1,4 +1,4 @@
-"""Values that are no values of a case, and arguments of no function: each refused by an error of its own, none by the interpreter."""
+"""Values that are no values of a case, and arguments of no function: each refused by an error of the package, none by the interpreter."""
 
 from __future__ import annotations
 

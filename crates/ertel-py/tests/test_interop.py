@@ -131,9 +131,9 @@ def test_other_readers_of_the_surface(result: ertel.Result, tmp_path: Path) -> N
     own = result.to_pyvista()
     units = {"points": "m", "pressure": "Pa", "film_thickness": "m", "viscosity": "Pa.s"}
     for field_data, named in ((mesh.field_data, names), (grid.field_data, names), (own.field_data, {name: name for name in names})):
-        told = json.loads(bytes(field_data["units"]))
+        given = json.loads(bytes(field_data["units"]))
         for name, unit in units.items():
-            assert told[named.get(name, name)] == unit
+            assert given[named.get(name, name)] == unit
 
 
 def test_one_name_for_one_figure(result: ertel.Result, root: Path) -> None:

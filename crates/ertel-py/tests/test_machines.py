@@ -25,7 +25,7 @@ OIL = {"iso_vg": 68, "base_oil": "mineral"}
 
 @pytest.fixture(scope="module")
 def bearing() -> ertel.Bearing:
-    """Five balls without clearance: both beside the loaded one are alike, and the two above carry nothing."""
+    """Five balls without clearance: both neighbours of the loaded one are alike, and the two above carry nothing."""
     return ertel.Bearing(
         "6206",
         balls=5,
@@ -85,7 +85,7 @@ def test_contacts(machine: ertel.MachineSolution) -> None:
     assert [c.ring for c in contacts].count("inner") == 5
     inner = {round(math.degrees(c.place)) % 360: c for c in contacts if c.ring == "inner"}
     assert sorted(inner) == [0, 72, 144, 216, 288]
-    # What the balls carry is in balance with 1 kN; centrifugal forces load the outer ring alone.
+    # The ball loads are in balance with 1 kN; centrifugal forces load the outer ring alone.
     assert sum(c.load * math.cos(c.place) for c in inner.values()) == pytest.approx(1000.0, rel=1e-6)
     # No clearance, hence Q ~ cos(psi)^1.5 by Hertz.
     assert inner[72].load / inner[0].load == pytest.approx(math.cos(math.radians(72.0)) ** 1.5, rel=0.02)
@@ -253,7 +253,7 @@ def test_rollers_by_designation_dimensions_or_kind() -> None:
         ({"mesh": {"target": 0.02}}, "target_error"),
     ],
 )
-def test_bad_keywords_are_told_as_in_a_file(changes: dict[str, Any], words: str) -> None:
+def test_bad_keywords_are_reported_as_in_a_file(changes: dict[str, Any], words: str) -> None:
     keys: dict[str, Any] = {
         "designation": "6206",
         "radial_load": "2 kN",
@@ -287,5 +287,5 @@ def test_sections_are_those_of_the_reference(root: Path) -> None:
     text = (root / "docs/reference/case-file.md").read_text(encoding="utf-8")
     table = text.split("<!-- generated: sections -->")[1].split("<!-- end -->")[0]
     sections = set(re.findall(r"^\| `(\w+)` \|", table, re.MULTILINE))
-    # What a machine gives in their place.
+    # The figures of a machine instead.
     assert set(_machines._SECTIONS) == sections - {"machine", "contact", "motion"}

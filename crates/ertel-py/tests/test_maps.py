@@ -11,7 +11,7 @@ import ertel
 
 
 class Topography:
-    """What of a topography of SurfaceTopography is asked for."""
+    """The used attributes of a topography of SurfaceTopography."""
 
     unit = "um"
     physical_sizes = (60.0, 40.0)
@@ -41,14 +41,14 @@ def test_objects_and_arrays_are_written_for_a_case(tmp_path: Path) -> None:
     masked = np.ma.masked_array(heights, mask=(x == 3) & (y == 7))
     ertel.write_map(tmp_path / "object.sdf", Topography(masked))
     ertel.write_map(tmp_path / "array.sdf", heights * 1e-6, sizes=(60e-6, 40e-6), unit="m")
-    told = [_case(tmp_path, f"{name}.sdf").si["surfaces"][0] for name in ("object", "array")]
-    assert [surface["missing"] for surface in told] == [1, 0]
-    for surface in told:
+    found = [_case(tmp_path, f"{name}.sdf").si["surfaces"][0] for name in ("object", "array")]
+    assert [surface["missing"] for surface in found] == [1, 0]
+    for surface in found:
         assert surface["points"] == [30, 20]
         assert surface["spacing"] == pytest.approx([2e-6, 2e-6])
         assert surface["levelled"]["sz"] == pytest.approx(1e-6 * np.ptp(heights))
-    assert told[1]["levelled"]["sq"] == pytest.approx(1e-6 * np.std(heights))
-    assert told[0]["hash"] != told[1]["hash"]
+    assert found[1]["levelled"]["sq"] == pytest.approx(1e-6 * np.std(heights))
+    assert found[0]["hash"] != found[1]["hash"]
     profile = ertel.write_map(tmp_path / "profile.sdf", [1.0, 2.0, 0.0, 1.5, 3.0, 1.0], sizes=60, unit="nm")
     assert _case(tmp_path, profile.name).si["surfaces"][0]["points"] == [6, 1]
 
@@ -69,7 +69,7 @@ def test_objects_and_arrays_are_written_for_a_case(tmp_path: Path) -> None:
         ([["a"]], {"unit": "um", "sizes": (1, 1)}, "numbers"),
     ],
 )
-def test_what_is_no_map_is_told(tmp_path: Path, surface: object, more: dict[str, object], says: str) -> None:
+def test_invalid_maps_are_refused(tmp_path: Path, surface: object, more: dict[str, object], says: str) -> None:
     with pytest.raises(ertel.CaseError, match=says):
         ertel.write_map(tmp_path / "a.sdf", surface, **more)  # type: ignore[arg-type]
     with pytest.raises(ertel.CaseError, match="cannot be read"):

@@ -19,7 +19,7 @@ MOST_OF_A_NOTEBOOK = 400_000
 
 
 def kinds(notebook: Any) -> list[list[str]]:
-    """What each cell gives: streams, errors, and the formats of data."""
+    """Outputs of each cell: streams, errors, and the formats of data."""
     cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
     return [[",".join(sorted(output.get("data", {"name": ""}))) for output in cell.outputs] for cell in cells]
 
@@ -48,7 +48,7 @@ def test_outputs_are_kept_and_small(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     assert len(text) < MOST_OF_A_NOTEBOOK
     assert not any(f"{place}/" in text for place in ("/tmp", "/home", "/root", "/work", str(FOLDER))), "a path of the machine that ran it"
-    # What a tutorial shows can be true: no films that friction would burn, no traction that no lubricant has.
+    # Results of a tutorial are plausible: no films that friction would burn, no traction that no lubricant has.
     assert "friction heats the film by" not in text and "larger than measured for any lubricant" not in text
     for output in (output for cell in cells for output in cell.outputs):
         assert output.output_type != "error"

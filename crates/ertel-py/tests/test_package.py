@@ -23,7 +23,7 @@ import ertel
 
 
 def without_times(document: dict[str, Any]) -> dict[str, Any]:
-    """What does not depend on the clock or on memory."""
+    """Parts that do not depend on the clock or on memory."""
     document = json.loads(json.dumps(document))
     stats = document["stats"]
     stats.pop("wall_seconds"), stats.pop("peak_memory", None)
@@ -116,11 +116,11 @@ def test_bad_input(line: dict[str, Any], section: str, key: str, value: object, 
 def test_messages_are_those_of_the_program(program: str, tmp_path: Path) -> None:
     path = tmp_path / "bad.toml"
     path.write_text('[contact]\nkind = "line"\nradius = "-1 mm"\n')
-    told = subprocess.run([program, "solve", path], capture_output=True, text=True, check=False)
-    assert told.returncode == 2
+    found = subprocess.run([program, "solve", path], capture_output=True, text=True, check=False)
+    assert found.returncode == 2
     with pytest.raises(ertel.CaseError) as error:
         ertel.Case.from_file(path)
-    assert told.stderr.strip() == f"error: {error.value}"
+    assert found.stderr.strip() == f"error: {error.value}"
 
 
 def test_no_convergence(line: dict[str, Any]) -> None:
@@ -404,9 +404,9 @@ def test_comparisons(cases: Path, tmp_path: Path) -> None:
     rows = ["a;b;c;d;e;f", *(line.replace(",", ";").replace(".", ",") for line in lines[1:3])]
     measured.write_text("\n".join(rows) + "\n")
     columns = {"entrainment speed": "a:mm/s", "load": "b:N", "temperature": "c:degC", "slide to roll ratio": "d:%", "film central": "e:nm"}
-    told = ertel.compare(cases / "measured-films.toml", measured, tmp_path / "told", columns=columns, decimal="comma")
-    assert told["film_central_measured_m"].tolist() == pytest.approx(known.tolist())
-    assert told["film_central_computed_m"].tolist() == pytest.approx(computed.tolist(), rel=1e-6)
+    found = ertel.compare(cases / "measured-films.toml", measured, tmp_path / "columns", columns=columns, decimal="comma")
+    assert found["film_central_measured_m"].tolist() == pytest.approx(known.tolist())
+    assert found["film_central_computed_m"].tolist() == pytest.approx(computed.tolist(), rel=1e-6)
     with pytest.raises(ertel.CaseError, match="comma"):
         ertel.compare(cases / "measured-films.toml", measured, tmp_path / "out3", columns=columns, decimal="dot")  # type: ignore[arg-type]
     with pytest.raises(ertel.CaseError, match="no column"):

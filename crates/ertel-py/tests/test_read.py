@@ -177,9 +177,9 @@ def test_samples_of_the_program(program: str, cases: Path, tmp_path: Path) -> No
         statistics.write_text(whole.replace(old, new))
         with pytest.raises(ertel.OutputError, match=words):
             ertel.read(tmp_path / "r-monte-carlo")
-    # Statistics had no format in version 1: the reason is told, and what to do.
+    # Statistics had no format in version 1: the error gives the reason and advice.
     statistics.write_text(json.dumps({key: value for key, value in json.loads(whole).items() if key in ("samples", "solved", "figures")}))
-    with pytest.raises(ertel.OutputError, match=r"monte-carlo\.json: it does not tell its `format`: an older ertel wrote it"):
+    with pytest.raises(ertel.OutputError, match=r"monte-carlo\.json: it has no `format`: an older ertel wrote it"):
         ertel.read(tmp_path / "r-monte-carlo")
     film = samples.figures["film_central"]
     pytest.importorskip("pandas")
@@ -224,7 +224,7 @@ def test_folders_that_are_none(solved: tuple[ertel.Result, Path], tmp_path: Path
         (lambda text: "[]", "no file of ertel"),
         (lambda text: text.replace('"ertel-result"', '"other"'), "no file of ertel"),
         (lambda text: text.replace('"format_version": 2', '"format_version": 3'), "layout is version 3, written by ertel"),
-        (lambda text: text.replace('"format_version": 2,', ""), "does not tell its `format_version`"),
+        (lambda text: text.replace('"format_version": 2,', ""), "it has no `format_version`"),
         (lambda text: text.replace('"figures"', '"numbers"', 1), "`figures`.*solve the case again"),
         (lambda text: text.replace('"value"', '"v"'), "content is not that of a result"),
         (lambda text: text.replace('"error": ', '"error": NaN, "e": ', 1), "NaN"),

@@ -1,6 +1,6 @@
 //! Numbers with a comma, which people of many countries write for the decimal point, and others between thousands.
 
-/// What a number with a comma may mean, as it is to be written, with what follows it; `None` without such a comma.
+/// Possible readings of a number with a comma, as they are to be written, with the text after it; `None` without such a comma.
 pub(super) fn readings(text: &str) -> Option<Vec<String>> {
     let is_number = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | ',');
     let end = text.find(|c| !is_number(c)).unwrap_or(text.len());

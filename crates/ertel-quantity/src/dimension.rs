@@ -6,7 +6,7 @@ use std::fmt;
 /// The physical dimension of a quantity: integer exponents of length, mass, time, temperature and angle.
 ///
 /// A temperature and a temperature difference have the same exponents but convert differently from `degC`,
-/// so [`Dimension::TEMPERATURE_DIFFERENCE`] is a dimension of its own.
+/// so [`Dimension::TEMPERATURE_DIFFERENCE`] is a separate dimension.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Dimension {
     /// Exponents of length, mass, time, temperature, angle.
@@ -33,7 +33,7 @@ impl Dimension {
         exponents: [0, 0, 0, 1, 0],
         is_difference: true,
     };
-    /// Plane angle, rad; a dimension of its own, so that no bare number is taken for degrees.
+    /// Plane angle, rad; a separate dimension, so that no bare number is taken for degrees.
     pub const ANGLE: Self = Self {
         exponents: [0, 0, 0, 0, 1],
         is_difference: false,

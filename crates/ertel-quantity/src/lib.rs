@@ -45,15 +45,15 @@ pub enum QuantityError {
     Comma {
         /// The text as given.
         text: String,
-        /// What may be meant, as it is to be written; one or two.
+        /// Possible readings, as they are to be written; one or two.
         readings: Vec<String>,
     },
-    /// A number stands alone where a unit is needed.
+    /// A number without the required unit.
     #[error("`{text}` has no unit; {} is needed ({})", expected.name(), expected.examples())]
     MissingUnit {
         /// The text as given.
         text: String,
-        /// What was asked for.
+        /// The required dimension.
         expected: Dimension,
     },
     /// The unit cannot be read.
@@ -61,7 +61,7 @@ pub enum QuantityError {
     Unit {
         /// The text as given.
         text: String,
-        /// What is wrong with the unit.
+        /// The problem with the unit.
         source: UnitError,
     },
     /// The unit is known but measures something else.
@@ -72,9 +72,9 @@ pub enum QuantityError {
     WrongDimension {
         /// The text as given.
         text: String,
-        /// What the text is.
+        /// The dimension of the text.
         found: Dimension,
-        /// What was asked for.
+        /// The required dimension.
         expected: Dimension,
     },
     /// The uncertainty cannot be read.
@@ -82,7 +82,7 @@ pub enum QuantityError {
     Uncertainty {
         /// The text as given.
         text: String,
-        /// What is wrong with it.
+        /// The problem with it.
         reason: String,
     },
     /// Seconds of a Saybolt viscometer that no oil has.
@@ -164,7 +164,7 @@ pub fn parse(text: &str, expected: Dimension) -> Result<f64, QuantityError> {
 }
 
 impl QuantityError {
-    /// What to write instead, where more can be said than which units fit.
+    /// Advice on what to write instead, beyond the units that fit.
     #[must_use]
     pub fn advice(&self) -> Option<String> {
         let Self::WrongDimension {
@@ -299,7 +299,7 @@ fn split_number(text: &str) -> Option<(f64, &str)> {
     }
 }
 
-/// The exponent of `×10^-8`, `x 10^-8`, `·10⁻⁸`, and what follows; `None` where no power of ten stands.
+/// The exponent of `×10^-8`, `x 10^-8`, `·10⁻⁸`, and the rest; `None` without a power of ten.
 fn power_of_ten(text: &str) -> Option<(i32, &str)> {
     let rest = text.strip_prefix(['×', 'x', '*', '·', '⋅'])?;
     let rest = rest.trim_start().strip_prefix("10")?;

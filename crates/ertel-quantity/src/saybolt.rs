@@ -9,7 +9,7 @@
 
 use super::split_number;
 
-/// What the seconds are called.
+/// Names of the seconds.
 pub(super) const NAMES: [&str; 5] = ["SUS", "SSU", "SUV", "sus", "ssu"];
 
 /// Temperature (K) of the formula: 100 °F.

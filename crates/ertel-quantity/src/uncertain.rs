@@ -1,6 +1,6 @@
 //! Quantities with an uncertainty: `"40 mPa.s ± 5 %"`, `"16 mm ± 10 um"`, `"40 ± 2 mPa.s"`, `"[36, 44] mPa.s"`.
 //!
-//! What follows `±` (or `+-`, `+/-`) is half the width of the interval that holds the value with a probability of 95 %, of a normal
+//! The number after `±` (or `+-`, `+/-`) is half the width of the interval that holds the value with a probability of 95 %, of a normal
 //! distribution: two standard deviations (JCGM 100:2008, 6.3.3, with the coverage factor k = 2). Limits in brackets are those of a
 //! uniform distribution, of the standard deviation (b − a)/√12 (the same, 4.3.7), about its middle.
 
@@ -115,7 +115,7 @@ pub fn parse_uncertain(
     Ok((value, Some(Uncertainty::Normal { standard })))
 }
 
-/// What stands before and behind the sign.
+/// The parts before and after the sign.
 fn split(text: &str) -> Option<(&str, &str)> {
     let signs = ["±", "+/-", "+-"];
     let (value, deviation) = signs.iter().find_map(|sign| text.split_once(sign))?;

@@ -25,7 +25,7 @@ pub enum UnitError {
     Malformed {
         /// The unit as written.
         unit: String,
-        /// What is wrong.
+        /// The problem.
         reason: &'static str,
     },
 }
@@ -78,7 +78,7 @@ impl Unit {
     }
 
     /// Reads a unit expression where one of dimension `expected` is needed, which settles what [`Unit::parse`] alone cannot: a product
-    /// after a slash, and revolutions of which the name is left out, `1/min`. The unit read may measure something else.
+    /// after a slash, and revolutions without their name, `1/min`. The unit read may measure something else.
     ///
     /// # Errors
     ///
@@ -135,7 +135,7 @@ impl Unit {
         self.is_saybolt
     }
 
-    /// What it measures.
+    /// Its dimension.
     #[must_use]
     pub fn dimension(&self) -> Dimension {
         self.dimension

@@ -1,4 +1,4 @@
-//! What can be wrong with the constants of a law.
+//! Errors in the constants of a law.
 
 use thiserror::Error;
 
@@ -36,7 +36,7 @@ pub enum LawError {
         law: &'static str,
         /// Name of the column.
         key: &'static str,
-        /// What is wrong.
+        /// The problem.
         problem: String,
     },
 }

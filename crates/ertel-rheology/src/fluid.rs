@@ -33,11 +33,11 @@ pub struct Fluid {
     pub thermal_conductivity: Option<ConductivityLaw>,
     /// Law of the heat capacity.
     pub heat_capacity: Option<HeatCapacityLaw>,
-    /// Kind of the base oil, if known: by it heat and shear are estimated where they are asked for.
+    /// Kind of the base oil, if known: estimates of heat and shear are based on it.
     pub base_oil: Option<BaseOil>,
     /// Range of the data; `None` if nothing is known about it.
     pub validity: Option<ValidityRange>,
-    /// What to know before using this fluid.
+    /// Notes for users of this fluid.
     pub notes: Vec<String>,
     /// Every number with its source.
     pub provenance: Vec<Datum>,

@@ -1,4 +1,4 @@
-//! Laws and database of lubricant and solid properties, in SI; knows no mesh.
+//! Laws and database of lubricant and solid properties, in SI.
 //!
 //! Pressure is the rise above ambient in Pa, temperature is absolute in K. Laws are generic over [`Scalar`]: evaluated
 //! with a dual number they return exact derivatives.

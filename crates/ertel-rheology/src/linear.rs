@@ -3,7 +3,7 @@
 use crate::Scalar;
 use crate::error::{Check, LawError};
 
-/// `1 + a_T (T - T_R) + a_p p`, held at a tenth where it falls below.
+/// `1 + a_T (T - T_R) + a_p p`, limited to a tenth from below.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinearFactor {
     /// Temperature T_R at which the factor is one (K).

@@ -17,7 +17,7 @@ pub struct Datum {
     pub source: String,
     /// How well the number is attested.
     pub status: Status,
-    /// What to know before using it.
+    /// Note for users.
     pub note: Option<String>,
 }
 
@@ -36,9 +36,9 @@ pub enum Status {
     Coolprop,
     /// Computed from other data of the same entry.
     Computed,
-    /// Estimated from other data by a correlation or a typical value; a note tells how far it may be off.
+    /// Estimated from other data by a correlation or a typical value; a note states its uncertainty.
     Estimated,
-    /// Not from any source: stands in for a number that does not influence an isothermal film.
+    /// Not from any source: placeholder for a number that does not influence an isothermal film.
     Nominal,
     /// Given by the user.
     User,
@@ -80,7 +80,7 @@ pub struct ValidityRange {
     pub pressure: Option<(f64, f64)>,
     /// Lowest and highest temperature (K); `None` if the source does not say.
     pub temperature: Option<(f64, f64)>,
-    /// What the range rests on.
+    /// Basis of the range.
     pub source: String,
     /// Whether it is what is stated for a law in general, and not for this fluid.
     pub of_law: bool,
@@ -93,12 +93,12 @@ pub struct TemperatureRange {
     pub lowest: f64,
     /// Highest temperature (K).
     pub highest: f64,
-    /// What the range rests on.
+    /// Basis of the range.
     pub basis: String,
 }
 
 impl TemperatureRange {
-    /// The narrowest of some ranges that `temperature`, K, leaves.
+    /// The narrowest of the ranges that do not contain `temperature`, K.
     #[must_use]
     pub fn left(ranges: &[TemperatureRange], temperature: f64) -> Option<&TemperatureRange> {
         let left = ranges.iter().filter(|range| !range.contains(temperature));
@@ -141,7 +141,7 @@ fn beyond(fluid: &str, [pressure, limit]: [f64; 2], basis: &str, of_law: bool) -
     match of_law {
         true => format!("viscosity law extrapolated above {limit:.2} GPa ({basis})"),
         false => format!(
-            "{fluid}: the pressure reaches {pressure:.3} GPa, its data hold up to {limit:.3} GPa ({basis})"
+            "{fluid}: the pressure reaches {pressure:.3} GPa, its data are valid up to {limit:.3} GPa ({basis})"
         ),
     }
 }
@@ -149,7 +149,7 @@ fn beyond(fluid: &str, [pressure, limit]: [f64; 2], basis: &str, of_law: bool) -
 /// A state outside the range for which the data of a fluid hold.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum RangeWarning {
-    /// The pressure goes above the range.
+    /// The pressure exceeds the range.
     #[error("{}", beyond(.fluid, [*.pressure, *.limit], .basis, *.of_law))]
     PressureAbove {
         /// Name of the fluid.
@@ -158,21 +158,21 @@ pub enum RangeWarning {
         pressure: f64,
         /// Upper end of the range (Pa).
         limit: f64,
-        /// What the range rests on.
+        /// Basis of the range.
         basis: String,
         /// Whether it is what is stated for the law in general.
         of_law: bool,
     },
     /// The temperature lies outside the range.
     #[error(
-        "{fluid}: the temperature is {}, its data hold {range} ({})", celsius(*.temperature), .range.basis
+        "{fluid}: the temperature is {}, its data are valid {range} ({})", celsius(*.temperature), .range.basis
     )]
     Temperature {
         /// Name of the fluid.
         fluid: String,
         /// Temperature (K).
         temperature: f64,
-        /// The range that it leaves.
+        /// The range that it is outside of.
         range: TemperatureRange,
     },
 }

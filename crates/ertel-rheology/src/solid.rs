@@ -14,7 +14,7 @@ pub struct Solid {
     pub youngs_modulus: f64,
     /// Poisson's ratio (-).
     pub poissons_ratio: f64,
-    /// Largest Hertz pressure (Pa) that the solid bears without lasting damage: yield of ductile ones, cracks of brittle ones.
+    /// Largest Hertz pressure (Pa) without permanent damage of the solid: yield of ductile ones, cracks of brittle ones.
     pub hertz_pressure_limit: Option<f64>,
     /// Density (kg/m³).
     pub density: Option<f64>,
@@ -22,7 +22,7 @@ pub struct Solid {
     pub thermal_conductivity: Option<ConductivityLaw>,
     /// Law of the heat capacity, evaluated at ambient pressure.
     pub heat_capacity: Option<HeatCapacityLaw>,
-    /// What to know before using this solid.
+    /// Notes for users of this solid.
     pub notes: Vec<String>,
     /// Every number with its source.
     pub provenance: Vec<Datum>,

@@ -276,8 +276,8 @@ fn states_outside_the_data_are_reported() {
         RangeWarning::PressureAbove { limit: 0.528e9, .. }
     ));
     for (warning, start) in warnings.iter().zip([
-        "pao-650: the pressure reaches 0.600 GPa, its data hold up to 0.528 GPa (",
-        "pao-650: the temperature is 39.85 °C, its data hold at 74.85 °C only (",
+        "pao-650: the pressure reaches 0.600 GPa, its data are valid up to 0.528 GPa (",
+        "pao-650: the temperature is 39.85 °C, its data are valid at 74.85 °C only (",
     ]) {
         let text = warning.to_string();
         assert!(text.starts_with(start), "{text}");
@@ -288,14 +288,17 @@ fn states_outside_the_data_are_reported() {
     assert_eq!(warnings.len(), 1);
     let warm = database::fluid("r245fa").unwrap().check_range(0.0, 330.0);
     let text = warm[0].to_string();
-    assert!(text.contains("data hold from 0 °C to 50 °C ("), "{text}");
+    assert!(
+        text.contains("data are valid from 0 °C to 50 °C ("),
+        "{text}"
+    );
     // A WLF law ends at the glass transition, 0.343 GPa at 40 degC.
     let ether = database::fluid("polyphenyl-ether-5p4e").unwrap();
     assert_eq!(ether.check_range(0.34e9, 313.15), []);
     assert_eq!(ether.check_range(0.35e9, 313.15).len(), 1);
 }
 
-/// Where the viscosity of a law is that of a glass, no liquid is drawn any more.
+/// A fluid ends where its viscosity is that of a glass.
 #[test]
 fn viscosities_end_where_the_liquid_is_a_glass() {
     let ether = database::fluid("polyphenyl-ether-5p4e").unwrap();
@@ -304,7 +307,7 @@ fn viscosities_end_where_the_liquid_is_a_glass() {
     assert!(ether.viscosity(end, 313.15) < 1.01 * GLASS_VISCOSITY);
     // Below the ambient glass temperature of -28.2 degC nothing is left.
     assert_eq!(ether.highest_pressure_of_viscosity(240.0), Some(0.0));
-    // A law without an end of its own: Barus with 20 1/GPa and 0.1 Pa.s has 1e12 Pa.s at ln(1e13)/20 GPa.
+    // A law without an upper limit: Barus with 20 1/GPa and 0.1 Pa.s has 1e12 Pa.s at ln(1e13)/20 GPa.
     let mut barus = database::fluid("squalane-pip").unwrap();
     barus.validity = None;
     barus.viscosity = ViscosityLaw::Barus(Barus::new(0.1, 20e-9).unwrap());

@@ -242,7 +242,7 @@ proptest! {
         }
     }
 
-    /// A Newton iterate strays anywhere; neither property may vanish or change its sign there.
+    /// Newton iterates may be anywhere; neither property may vanish or change sign there.
     #[test]
     fn both_stay_positive(p in -1.0..20.0_f64, t in 100.0..1500.0_f64) {
         for law in conductivity_laws() {

@@ -166,7 +166,7 @@ fn cheng() {
 }
 
 /// The fit of Habchi 2008 scatters about his measurements (appendix C): computed independently, the largest deviation
-/// is 27 % for fluid A (its ambient viscosity at -16 °C) and 7 % for fluid B. Signs or units gone wrong give far more.
+/// is 27 % for fluid A (its ambient viscosity at -16 °C) and 7 % for fluid B. Wrong signs or units give far more.
 ///
 /// Habchi 2008, eq. 2.16.
 #[test]

@@ -212,7 +212,7 @@ fn limiting_stress_values() {
 ///
 /// Theory: Laws, Limiting stress.
 #[test]
-fn the_limit_goes_on_smoothly() {
+fn the_limit_continues_smoothly() {
     let limit = StressLimit::new(1.0, 0.0).unwrap();
     // r A(r) = atanh r by r² is smooth; derivatives of the factor at r² on both sides of 0.999².
     let at = |square: f64| {
@@ -232,10 +232,10 @@ fn the_limit_goes_on_smoothly() {
     assert!(flow(1.0066) < 1e3 && flow(1.0135) < 1e6);
 }
 
-/// A softened limit is the inverse hyperbolic tangent up to its joint, goes on with the same value and two derivatives, and
+/// A softened limit is the inverse hyperbolic tangent up to its joint, continues with the same value and two derivatives, and
 /// its shear rate grows e-fold per (1 − r₁²)/(2r₁) far beyond: γ̇ ~ e^{(r − r₁)/ε}/(2r₁).
 #[test]
-fn a_softened_limit_goes_on_smoothly() {
+fn a_softened_limit_continues_smoothly() {
     for joint in [0.5, 0.92, 0.992] {
         let limit = StressLimit::new(1.0, 0.0).unwrap().softened(joint);
         let at = |square: f64| {
@@ -709,7 +709,7 @@ proptest! {
     }
 
     /// Any constants that a case file may give, and any stress: finite with two derivatives, never below the last, and
-    /// what the formula says.
+    /// equal to the formula.
     #[test]
     fn extreme_constants_are_sound(law in extreme_law(), ln_stress in -30.0..69.0_f64) {
         let at = |ln_stress: f64| {
@@ -728,7 +728,7 @@ proptest! {
         let found = alone.relative_fluidity((2.0 * ln_stress).exp());
         let expected = ln_fluidity(alone, ln_stress);
         // Smoothing at zero stress moves the power by (1 - k/2) 1e-12/r², r the stress or rate over that of the knee;
-        // beyond 1e65 the fluidity goes on as a parabola.
+        // beyond 1e65 the fluidity continues as a parabola.
         let smoothing = law.scales(0.0).knee.map_or(0.0, |knee| {
             let ln_rate = match alone {
                 ShearLaw::CarreauYasuda(_) => expected,

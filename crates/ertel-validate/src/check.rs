@@ -7,7 +7,7 @@ use ertel::fit::{FilmForm, FilmState};
 use ertel::reference::FilmFormula;
 use ertel::solution::Solution;
 
-/// What a figure is compared with.
+/// Reference of a comparison.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reference {
     /// A published value.
@@ -63,7 +63,7 @@ impl Subject {
 /// A comparison to make.
 #[derive(Clone, Debug)]
 pub struct Check {
-    /// What figure.
+    /// The figure.
     pub quantity: Quantity,
     /// Of which runs.
     pub subject: Subject,
@@ -95,7 +95,7 @@ pub enum Verdict {
 pub struct Row {
     /// Run or runs.
     pub run: String,
-    /// What is compared.
+    /// The compared quantity.
     pub label: String,
     /// Whose value it is.
     pub source: String,

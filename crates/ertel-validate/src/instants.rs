@@ -1,4 +1,4 @@
-//! Films along the motion at instants of a contact over time, beside published ones.
+//! Films along the motion at instants of a contact over time, compared with published ones.
 
 use ertel::run::transient::{InstantProfile, TransientSolution};
 use ertel_input::{Bounds, InputError, Table};

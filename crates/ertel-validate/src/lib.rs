@@ -1,4 +1,4 @@
-//! Validation: published values beside ours, study by study.
+//! Validation: comparison with published values, study by study.
 //!
 //! A study is a folder with case files and a `reference.toml` that says which runs to make of them
 //! and which published values, tolerances and reasons belong to the results.
@@ -37,14 +37,14 @@ pub struct Study {
     pub name: String,
     /// One line.
     pub title: String,
-    /// Where the published values stand.
+    /// Source of the published values.
     pub source: String,
     /// Every file that it was read from.
     pub files: Vec<PathBuf>,
-    /// What is computed.
+    /// Computations.
     pub runs: Vec<Run>,
-    /// What is compared.
+    /// Comparisons.
     pub checks: Vec<Check>,
-    /// What is drawn.
+    /// Pictures.
     pub pictures: Vec<Picture>,
 }

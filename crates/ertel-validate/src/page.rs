@@ -6,19 +6,19 @@ use super::{Study, StudyResult};
 /// The whole page.
 fn whole(sections: &[String]) -> String {
     format!(
-        "# Validation\n\nPublished values beside computed ones. Made by\n\n    ertel validate --write docs\n\n\
-         from the studies in `validation/`; `ertel validate NAME` runs one of them, with `--write docs` anew in this page; \
+        "# Validation\n\nComputed values compared with published ones. Made by\n\n    ertel validate --write docs\n\n\
+         from the studies in `validation/`; `ertel validate NAME` runs one of them, with `--write docs` it updates this page; \
          `ertel validate --quick` makes the runs that take seconds. Films are H = hR/a², lengths X = x/a, pressures P = p/p_h. Rows without a tolerance are \
          shown for information.\n\n{}",
         sections.join("\n")
     )
 }
 
-/// The page with the sections of these studies (name and text) in place of their old ones; new ones stand where the
-/// order of names puts them.
+/// The page with the sections of these studies (name and text) replaced; new ones are inserted in the
+/// order of names.
 pub fn splice(page: &str, sections: &[(String, String)]) -> String {
     let mut all: Vec<(String, String)> = Vec::new();
-    // What comes before the first section is written anew.
+    // The text before the first section is rewritten.
     for part in format!("\n{page}").split("\n## ").skip(1) {
         let text = format!("## {}\n", part.trim_end());
         let name = name_of(&text).unwrap_or_default().to_owned();
@@ -108,7 +108,7 @@ mod tests {
             section("d", "four"),
         ];
         let old = whole(&texts(&[a.clone(), b, d.clone()]));
-        let (b, c) = (section("b", "anew"), section("c", "three"));
+        let (b, c) = (section("b", "new"), section("c", "three"));
         let expected = whole(&texts(&[a.clone(), b.clone(), c.clone(), d]));
         assert_eq!(splice(&old, &[c.clone(), b.clone()]), expected);
         assert_eq!(splice(&expected, &[b]), expected);

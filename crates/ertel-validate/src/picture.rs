@@ -13,7 +13,7 @@ use ertel::solution::Solution;
 use ertel::study::CurveSolution;
 use ertel_plot::{Axis, Chart, Look, PALETTE, Series};
 
-/// What a picture shows.
+/// Content of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PictureKind {
     /// Pressure and film on the centreline of a run.
@@ -41,7 +41,7 @@ pub enum PictureKind {
     FilmShape(usize),
     /// Traction coefficients of the curves of these runs, likewise.
     TractionCurves(Vec<usize>),
-    /// Films of a run over time beside published ones, panels in rows of so many.
+    /// Films of a run over time compared with published ones, panels in rows of so many.
     Instants(usize, Vec<Published>, usize),
     /// A quantity over the penalty, one colour per scaling, one look per mesh.
     Penalty(Quantity),
@@ -52,11 +52,11 @@ pub enum PictureKind {
 pub struct Picture {
     /// File name after that of the study.
     pub name: String,
-    /// What it shows, in a sentence.
+    /// Its content, in a sentence.
     pub caption: String,
-    /// What it shows.
+    /// Its content.
     pub kind: PictureKind,
-    /// Range of the left axis, in the unit shown there, in place of one around the values.
+    /// Range of the left axis, in the unit shown there, instead of one around the values.
     pub range: Option<[f64; 2]>,
 }
 

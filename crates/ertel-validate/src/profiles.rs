@@ -1,4 +1,4 @@
-//! Pictures that set profiles of several runs beside each other.
+//! Pictures with profiles of several runs side by side.
 
 use ertel::output::pictures::{self, film_unit};
 use ertel::solution::Solution;
@@ -10,12 +10,12 @@ type Named<'a> = (String, Option<&'a Solution>);
 
 /// Range of X shown: the contact and the inlet near it.
 const WINDOW: [f64; 2] = [-1.5, 1.5];
-/// Pressures P that are not told from none.
+/// Pressures P below this count as zero.
 const DUST: f64 = 2e-3;
 /// Films are shown up to this multiple of the central one.
 const FILM_SHOWN: f64 = 2.0;
 
-/// Pressure and film of each run that converged in a panel of its own, axes alike; the heading of the last one names the others.
+/// Pressure and film of each run that converged in a separate panel, axes alike; the heading of the last one names the others.
 /// `None` without any solution.
 pub(super) fn panels(title: &str, runs: &[Named], columns: usize) -> Option<String> {
     let solved = runs.iter().filter_map(|(name, s)| Some((name, (*s)?)));
@@ -60,7 +60,7 @@ fn panel(name: &str, s: &Solution) -> Chart {
     chart
 }
 
-/// What is set over each other.
+/// Profiles drawn in one chart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Profile {
     /// Pressure.
@@ -145,7 +145,7 @@ pub(super) fn overlay(
     Some(side_by_side(title, &charts, 2).svg())
 }
 
-/// Temperatures of each run in a panel of its own, axes alike: across the film at its chosen points, or along the
+/// Temperatures of each run in a separate panel, axes alike: across the film at its chosen points, or along the
 /// centreline. `None` without any thermal solution.
 pub(super) fn temperatures(
     across: bool,

@@ -1,18 +1,18 @@
 //! Reading studies.
 //!
 //! ```toml
-//! title = "What is validated"
+//! title = "Subject of the validation"
 //! source = "Whose values"
 //!
 //! [[run]]
 //! name = "normal"                 # within the study
-//! case = "case.toml"              # beside this file
+//! case = "case.toml"              # next to this file
 //! task = "solve"                  # or "deflect": deflection under the Hertz pressure; "curve": the case's [curve];
 //!                                 # "transient": the contact over time
 //! quick = true                    # takes seconds
 //! newton_iterations = 31          # of a cold start, all levels together
 //! moes = [200.0, 10.0]            # sets load and alpha (Barus, Roelands) for these groups
-//! entrainment_speed = "1.47 m/s"  # in place of the case's, if it has one; likewise slide_to_roll_ratio
+//! entrainment_speed = "1.47 m/s"  # replaces that of the case, if it has one; likewise slide_to_roll_ratio
 //! [run.mesh]                      # replaces the case's [mesh]; likewise [run.solver]
 //! preset = "normal"
 //! [run.thermal]                   # likewise, of a thermal case
@@ -20,7 +20,7 @@
 //!
 //! [[check]]
 //! quantity = "central-film"
-//! runs = ["normal"]               # all that have the quantity, if left out
+//! runs = ["normal"]               # all that have the quantity, if absent
 //! value = 0.0822                  # or formula = "moes-line" (compressed = true), or
 //!                                 # power_law = [c, a, b] of h = c R √(2U) M^a L^b, or none of these
 //! tolerance = "1 %"               # or tolerance_absolute, at_most, between = [2.0, 4.0], sign = true
@@ -35,13 +35,13 @@
 //!                                 # `zoom`);
 //!                                 # of curves: film-curves, film-shape (of one `run`), traction-curves;
 //!                                 # of a contact over time: instants (of one `run`, panels in `columns`)
-//! range = [200, 400]              # of the left axis, as shown; around the values, if left out; not of panels,
-//!                                 # of what is set over each other and of maps
+//! range = [200, 400]              # of the left axis, as shown; around the values, if absent; not of panels,
+//!                                 # of overlays and of maps
 //! run = "normal"
-//! caption = "What it shows."
+//! caption = "Its content."
 //! ```
-//! A check of the quantity `film-at` has the `x` and the `time` that it looks at, which is one of the case's output times.
-//! A picture of the kind `instants` shows films of such times beside published ones:
+//! A check of the quantity `film-at` has the `x` and the `time` of the film, which is one of the case's output times.
+//! A picture of the kind `instants` compares films at such times with published ones:
 //!
 //! ```toml
 //! [[picture.instant]]

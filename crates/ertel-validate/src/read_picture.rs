@@ -158,7 +158,7 @@ fn columns(table: &mut Table<'_>) -> Result<usize, InputError> {
     Ok(columns.unwrap_or(2))
 }
 
-/// `runs` of a picture, all if left out.
+/// `runs` of a picture, all if absent.
 fn picture_runs(table: &mut Table<'_>, study: &Study) -> Result<Vec<usize>, InputError> {
     match table.optional_strs("runs")? {
         Some(runs) => indices(table, "runs", &runs, study),

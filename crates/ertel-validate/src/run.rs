@@ -10,7 +10,7 @@ use ertel::solve::{Observer, SolveError};
 use ertel::study::{CurveObserver, CurveSolution, solve_curve};
 use ertel::transient::TransientError;
 
-/// What is computed from a case.
+/// Computation from a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Task {
     /// Film and pressure.
@@ -30,7 +30,7 @@ pub struct Run {
     pub name: String,
     /// The case, changes of the run included.
     pub case: Case,
-    /// What is computed.
+    /// The computation.
     pub task: Task,
     /// Takes seconds: part of the quick selection.
     pub quick: bool,
@@ -47,7 +47,7 @@ pub enum Selection {
     Quick,
 }
 
-/// What came of a run.
+/// Result of a run.
 #[derive(Debug)]
 pub enum Outcome {
     /// A solution.
@@ -58,7 +58,7 @@ pub enum Outcome {
     Curve(CurveSolution),
     /// Instants up to the end.
     Transient(Box<TransientSolution>),
-    /// An error, as told.
+    /// An error message.
     Failed(String),
     /// Not selected.
     Skipped,
@@ -80,7 +80,7 @@ impl StudyResult {
     }
 }
 
-/// What a start may take beyond the iterations that its study states: a few, or a quarter of a long way. Less is no failure.
+/// Allowed iterations of a start: those stated plus 25 %, at least 5. Fewer are no failure.
 fn ceiling(stated: f64) -> f64 {
     stated + (0.25 * stated).floor().max(5.0)
 }
@@ -183,7 +183,7 @@ fn follow(run: &Run, observer: &mut dyn CurveObserver) -> Result<Outcome, SolveE
 }
 
 impl Run {
-    /// The iterations of a cold start, beside the stated ones.
+    /// The iterations of a cold start, compared with the stated ones.
     fn iterations(&self, outcome: &Outcome) -> Option<Row> {
         let quantity = Quantity::NewtonIterations;
         let ours = quantity.value(self, outcome, None)?;

@@ -29,7 +29,7 @@ impl fmt::Display for Change {
 }
 
 /// Brings `newton_iterations` of the runs in the text of a `reference.toml` up to what they took; runs that state none, that
-/// were left out or that failed stay as they are. Comments and layout stay.
+/// were skipped or failed are unchanged. Comments and layout stay.
 ///
 /// # Errors
 /// Text that is no TOML, or not that of the study.

@@ -3,7 +3,7 @@
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
-/** The functions of a compiled module, an instance of its own for each call. */
+/** The functions of a compiled module, a separate instance for each call. */
 export async function start(module) {
   let exports;
   let answer = null;
@@ -34,7 +34,7 @@ export async function start(module) {
       exports[name](...places);
     } catch (error) {
       const reason = panic || String(error);
-      return { ok: false, error: { text: `the solver stopped with an error of its own: ${reason}`, internal: true } };
+      return { ok: false, error: { text: `the solver stopped with an internal error: ${reason}`, internal: true } };
     }
     return JSON.parse(answer);
   }

@@ -2,7 +2,7 @@
 //
 // A field has `keys(file)`, the key path that it edits; `shown(file)`, whether it belongs to the case as it is; and, where it is a choice
 // between forms of a case, `value(file)` and `choose(file, value)`, the list of changes. `file` is a view of the case file (class File).
-// Which values are numbers, what the choices are and what a key means in the reference stand in `database.keys`, from the program.
+// `database.keys`, from the program, has the choices of keys, their meaning, and which values are numbers.
 
 /** Values of a case file by key path, as the module gives them. */
 export class File {
@@ -34,7 +34,7 @@ export class File {
     return this.value("contact.kind");
   }
 
-  /** What stands between the brackets of a body: its key is `body_1` or, older, `plane`. */
+  /** The key of a body: `body_1` or, older, `plane`. */
   body(n) {
     return this.name(...(n === 1 ? ["bodies.plane", "bodies.body_1"] : ["bodies.ball", "bodies.body_2"]));
   }
@@ -167,13 +167,13 @@ function body(n, what, database) {
   ];
 }
 
-/** Whether a body's table has keys besides its name and elastic constants. */
+/** Whether a body's table has keys other than its name and elastic constants. */
 function hasMore(file, key) {
   const plain = ["name", "youngs_modulus", "poissons_ratio"].map((part) => `${key}.${part}`);
   return Object.keys(file.values).some((one) => one.startsWith(`${key}.`) && !plain.includes(one));
 }
 
-/** Groups of fields; `section` is the table of the case file that errors without a field of their own belong to. */
+/** Groups of fields; `section` is the table of the case file that errors without a field belong to. */
 export function groups(database) {
   /** The choices of a key, each with a title or its own name. */
   const choices = (key, titles = {}) => () => database.keys[key].choices.map((choice) => [choice, titles[choice] ?? choice]);

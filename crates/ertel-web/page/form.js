@@ -111,7 +111,7 @@ export class Form {
     }
     if (field.options) this.#fill(field, String(value ?? ""));
     const text = beyond ? "" : String(value ?? "");
-    // What the user is typing stays as typed where it means the same.
+    // The user's text stays as typed where it means the same.
     if (document.activeElement === input && !field.options && (input.value.trim() === text || (this.keys[key]?.number && input.value.trim() !== "" && Number(input.value) === value))) return;
     input.value = text;
   }

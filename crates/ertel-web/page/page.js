@@ -108,7 +108,7 @@ function selectLine(line) {
   caseText.setSelectionRange(from, from + lines[line - 1].length);
 }
 
-/** Solves the case in a worker of its own. */
+/** Solves the case in a separate worker. */
 function solve() {
   const text = caseText.value;
   worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });

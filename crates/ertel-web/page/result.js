@@ -49,7 +49,7 @@ export function showResult(place, answer) {
   place.append(element("ul", { className: "files" }, ...links));
   const page = files.find((file) => file.name === "report.html");
   if (page) {
-    // The report is a page of its own with its own script, which this page's policy would not let run.
+    // The report is a separate page with a script, which the policy of this page would not let run.
     const frame = element("iframe", { title: "Report", src: "frame.html", allow: "clipboard-write" });
     frame.setAttribute("sandbox", "allow-scripts");
     frame.addEventListener("load", () => frame.contentWindow.postMessage(page.text, "*"), { once: true });

@@ -34,7 +34,7 @@ fn send_answer(value: &Value) {
     send(page::ertel_answer, &value.to_string());
 }
 
-/// Sets the clock, lets dense products use the SIMD that the module is compiled for, and lets the page know what a panic says before the module stops.
+/// Sets the clock, lets dense products use the SIMD that the module is compiled for, and passes the text of a panic to the page before the module stops.
 fn start() {
     static STARTED: Once = Once::new();
     STARTED.call_once(|| {
@@ -51,7 +51,7 @@ extern "C" fn text_room(length: usize) -> *mut u8 {
     Box::into_raw(vec![0u8; length].into_boxed_slice()).cast()
 }
 
-/// The text that JavaScript wrote into room of its own.
+/// The text that JavaScript wrote into memory of the module.
 ///
 /// # Safety
 /// `start` and `length` are those of one call of [`text_room`], and are handed over once.

@@ -1,4 +1,4 @@
-//! What the page offers to choose from.
+//! Choices that the page offers.
 
 use std::path::Path;
 
@@ -44,13 +44,13 @@ const SECTIONS: [&str; 6] = [
     "thermal",
 ];
 
-/// What the form has to know of keys, by their key paths: `{"words": "...", "number": false, "choices": [...]}`, the choices of a choice
+/// Descriptions of keys for the form, by their key paths: `{"words": "...", "number": false, "choices": [...]}`, the choices of a choice
 /// alone.
 fn described() -> Map<String, Value> {
     let is_shown = |path: &str| SECTIONS.contains(&path.split('.').next().unwrap_or_default());
     let describe = |row: &Row| {
         let mut key = json!({
-            "words": plain(&row.told()),
+            "words": plain(&row.description()),
             "number": matches!(row.kind, Kind::Number | Kind::Share | Kind::Count),
         });
         if let Kind::Choice(choices) | Kind::AnyCase(choices) = row.kind {

@@ -64,7 +64,7 @@ fn item(new: &Value) -> Option<Option<Item>> {
     })
 }
 
-/// Sets the item at a path; `root` says whether the table is that of the whole file, where new tables get a header of their own.
+/// Sets the item at a path; `root` says whether the table is that of the whole file, where new tables get their own header.
 fn set(table: &mut dyn TableLike, path: &[&str], mut item: Item, root: bool) {
     let [key, rest @ ..] = path else { return };
     if rest.is_empty() {

@@ -1,4 +1,4 @@
-//! What went wrong, in the words of the program.
+//! Errors, in the words of the program.
 
 use ertel::output::OutputError;
 use ertel::solve::{DiscretisationError, SolveError};

@@ -34,7 +34,7 @@ fn collect(node: &Node, path: &str, values: &mut Map<String, Value>, tables: &mu
             }
             return;
         }
-        // A list of tables has no field of its own.
+        // A list of tables has no field.
         Toml::Array(nodes) => Value::Array(nodes.iter().map(scalar).collect()),
         _ => scalar(node),
     };

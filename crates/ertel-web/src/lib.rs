@@ -23,5 +23,5 @@ pub use edit::{EditError, edit};
 pub use form::form;
 pub use solve::solve;
 
-/// What errors call the case file.
+/// Name of the case file in errors.
 pub const CASE: &str = "case.toml";

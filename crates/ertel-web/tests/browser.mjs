@@ -1,4 +1,4 @@
-// The page in Chromium, by the DevTools protocol over a pipe: nothing to install besides the browser.
+// The page in Chromium, by the DevTools protocol over a pipe: nothing to install except the browser.
 
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";

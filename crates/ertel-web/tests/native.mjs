@@ -29,7 +29,7 @@ export function nativeResult(text) {
   });
 }
 
-/** What the program says of a case that it refuses; empty where it takes it. */
+/** The program's message about a refused case; empty if it is accepted. */
 export function nativeMessage(text) {
   return inFolder(text, (folder) => {
     const { status, stderr } = spawnSync(PROGRAM, ["solve", "--check", "case.toml"], { cwd: folder, encoding: "utf8" });
@@ -37,7 +37,7 @@ export function nativeMessage(text) {
   });
 }
 
-/** What of a result may differ, relative. All but these are figures, and agree to 1e-9. */
+/** Parts of a result that may differ more, relative. All others agree to 1e-9. */
 const CLASSES = [
   // Times and iterations.
   { name: "effort", of: (path) => /^\.(stats|history)\b/.test(path), tolerance: Infinity },
@@ -45,11 +45,11 @@ const CLASSES = [
   { name: "error bars of places", of: (path) => /\.place_error$/.test(path), scale: (result) => result.hertz.half_width, tolerance: 1e-4 },
   // Adjoints that weigh errors are solved to 1e-4, and what they weigh are small differences: 6.8e-3 was seen.
   { name: "error bars", of: (path) => /error$/.test(path) && !/balance_error$|^\.checks\b/.test(path), tolerance: 2e-2 },
-  // Small differences of large numbers: compared beside 1.
+  // Small differences of large numbers: compared with 1.
   { name: "balances", of: (path) => /balance_error$|^\.checks\.(power|rolling)\.error$|^\.formulas\.\d+\.difference_/.test(path), scale: () => 1, tolerance: 1e-9 },
   // Where a film or pressure is extreme it is flat: 1e-15 of the value is 3e-8 of the half-width.
   { name: "places", of: (path) => /^\.(summary|figures)\..*\.[xyz]$/.test(path), scale: (result) => result.hertz.half_width, tolerance: 1e-6 },
-  // By adjoints of their own tolerance; beside 1, a power law.
+  // By adjoints with their own tolerance; relative to 1, a power law.
   { name: "sensitivities", of: (path) => /^\.sensitivities(_per_kelvin)?\b/.test(path), scale: () => 1, tolerance: 1e-4 },
   // At the edge of the steepest rise of pressure, what Newton's method leaves (a residual of 1e-8) is largest: 1.6e-9 was seen; it counts in what
   // finite volumes dissipate, 1.3e-9 was seen.

@@ -52,7 +52,7 @@ const read = (name) => readFileSync(join(ROOT, `cases/${name}.toml`), "utf8");
   console.log(`  ${agreed(own, native)}`);
 }
 {
-  // By finite volumes, as it is solved by itself.
+  // By finite volumes, the default method of this case.
   const { own, native, seconds } = await both("ball-on-disc", read("ball-on-disc"));
   console.log(`  ${agreed(own, native)}`);
   inTime("ball-on-disc", seconds, 10);
@@ -77,7 +77,7 @@ function badCases(folder) {
   return cases;
 }
 
-// What the program refuses, the page refuses with the same words. Files beside the case are not there in a browser.
+// The page refuses the same cases as the program, with the same words. Files next to the case do not exist in a browser.
 const folder = join(ROOT, "crates/ertel-cli/tests/bad");
 const ertel = await start(module);
 let compared = 0;

@@ -1,4 +1,4 @@
-//! What a page asks for, on the computer: fields of a case file, edits that keep it, and the words of the program.
+//! Requests of the page, on the computer: fields of a case file, edits that keep it, and the words of the program.
 
 use std::path::Path;
 
@@ -13,7 +13,7 @@ fn edited(text: &str, changes: &Value) -> String {
     edit(text, &changes.to_string()).unwrap()
 }
 
-/// Values as they stand in the file, by their key paths.
+/// Values as written in the file, by their key paths.
 #[test]
 fn fields_are_the_values_of_the_file() {
     let found = form(BALL);

@@ -156,7 +156,7 @@ fn compare(contact: &Contact) -> Vec<Row> {
             let (Some(bar), Some(reference_bar)) = (here.error, there.error) else {
                 continue;
             };
-            // What is zero by symmetry, and what the reference cannot tell.
+            // Figures that are zero by symmetry or not resolved by the reference.
             if here.value.abs() < 1e-9 * bar || bar == 0.0 || reference_bar > 0.5 * bar {
                 continue;
             }

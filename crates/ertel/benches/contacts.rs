@@ -1,4 +1,4 @@
-//! What contacts cost: `cargo bench -p ertel`.
+//! Cost of contacts: `cargo bench -p ertel`.
 //!
 //! The shipped cases as they are, the main contact at an error of 0.2 % and a line contact at
 //! 0.1 %, each cold and with the elastic operator at hand; then the same discrete problems by the
@@ -20,7 +20,7 @@ use ertel::solve::NoObserver;
 use ertel::study::solve_curve;
 use ertel_input::Document;
 
-/// What contacts cost.
+/// Cost of contacts.
 #[derive(Parser)]
 struct Args {
     /// One run of each instead of medians of several
@@ -38,7 +38,7 @@ struct Args {
     /// Only the curves
     #[arg(long)]
     curves: bool,
-    /// Only what sensitivities cost beside a warm solve
+    /// Only the cost of sensitivities compared with a warm solve
     #[arg(long)]
     sensitivities: bool,
     /// Given by cargo
@@ -118,7 +118,7 @@ fn curves() {
 /// A curve over its contact alone from a cold start.
 fn curve(name: &str, case: &Case) {
     let mut points = case.curve.clone().expect("a case with a curve");
-    // The Newtonian curve beside is a second curve.
+    // The Newtonian curve is a second curve.
     points.newtonian = false;
     let clock = Clock::start();
     solve(case, &mut NoObserver).expect("a shipped case converges");
@@ -227,7 +227,7 @@ fn row(name: &str, time: Seconds, solution: &Solution) {
     );
 }
 
-/// A measured time beside what is asked for.
+/// A measured time compared with its target.
 fn against(what: &str, time: Seconds, target: f64) {
     println!(
         "{what:<44} {:.3} s wall, {:.3} s CPU; at most {target} s: {:.2} of it",

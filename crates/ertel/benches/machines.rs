@@ -1,8 +1,8 @@
-//! What whole machines cost: `cargo bench -p ertel --bench machines`.
+//! Cost of whole machines: `cargo bench -p ertel --bench machines`.
 //!
-//! The shipped bearing, gear pair (without and with heat) and cam: wall and CPU time of all contacts side by side, and of a sample of the different
-//! contacts solved one by one from nothing on one thread, all in one run on one machine. The ratio is what the cores, the starts of neighbours and contacts that are
-//! alike save beside solving every contact by itself.
+//! The shipped bearing, gear pair (without and with heat) and cam: wall and CPU time of all contacts in parallel, and of a sample of the different
+//! contacts solved one by one from cold starts on one thread, all in one run on one machine. The ratio is the saving by the cores, the starts from neighbours and the merging of
+//! identical contacts.
 
 #[path = "common/clock.rs"]
 mod clock;

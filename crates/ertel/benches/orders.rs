@@ -89,7 +89,7 @@ fn main() {
     }
 }
 
-/// What came out and what it cost.
+/// Result and cost.
 fn columns(outcome: Result<Solution, SolveError>, time: Seconds, target: f64) -> String {
     let seconds = format!("{:.2} | {:.2}", time.cpu, time.wall);
     let s = match outcome {

@@ -1,4 +1,4 @@
-//! What studies cost: `cargo bench -p ertel --bench sweeps`.
+//! Cost of studies: `cargo bench -p ertel --bench sweeps`.
 //!
 //! The shipped studies, and a sample of their points as single cold cases on one thread: time of the
 //! whole, of a point and of a cold case, and their ratio, all in one run on one machine. `-- --large N`: one study of N line
@@ -25,10 +25,10 @@ const STUDIES: [&str; 3] = [
     "ball-on-disc-speeds-and-loads",
 ];
 
-/// What studies cost.
+/// Cost of studies.
 #[derive(Parser)]
 struct Args {
-    /// Study files in place of the shipped ones
+    /// Study files instead of the shipped ones
     studies: Vec<PathBuf>,
     /// Solve this many of the points as single cold cases, spread over the study
     #[arg(long, default_value = "6")]
@@ -36,7 +36,7 @@ struct Args {
     /// Points solved at the same time (default: as many as cores)
     #[arg(long)]
     jobs: Option<usize>,
-    /// One study of this many line contacts (rounded to a square) in place of all
+    /// One study of this many line contacts (rounded to a square) instead of all
     #[arg(long)]
     large: Option<usize>,
     /// Given by cargo
@@ -181,7 +181,7 @@ impl SweepObserver for Growth {
     }
 }
 
-/// Memory in use, bytes, where the system tells.
+/// Memory in use, bytes, where the system reports it.
 fn resident() -> Option<f64> {
     let text = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = text.lines().find(|line| line.starts_with("VmRSS:"))?;

@@ -1,7 +1,7 @@
-//! What contacts in time cost: `cargo bench -p ertel --bench transient`.
+//! Cost of contacts in time: `cargo bench -p ertel --bench transient`.
 //!
-//! Courses of speed and load, and surfaces that pass, each beside the steady solve of the same contact: steps, time of the whole, of a step and of the
-//! steady solve, and their ratio, all in one run on one machine. Beside it what a run with a third of the tolerance says of the film.
+//! Courses of speed and load, and surfaces that pass, each compared with the steady solve of the same contact: steps, time of the whole, of a step and of the
+//! steady solve, and their ratio, all in one run on one machine. Also the film of a run with a third of the tolerance.
 
 #[path = "common/clock.rs"]
 mod clock;
@@ -95,7 +95,7 @@ const COURSES: [Course; 6] = [
     },
 ];
 
-/// What contacts in time cost.
+/// Cost of contacts in time.
 #[derive(Parser)]
 struct Args {
     /// Those whose names contain this

@@ -1,4 +1,4 @@
-//! What formulas say about a case, without solving it.
+//! Estimates of a case from formulas, without a solve.
 //!
 //! `cargo run --release -p ertel --example formulas`
 

@@ -1,4 +1,4 @@
-//! A steel roller from its case file, and the film that formulas predict beside the computed one.
+//! A steel roller from its case file, and its computed film compared with film formulas.
 //!
 //! `cargo run --release -p ertel --example line_contact`
 

@@ -1,5 +1,5 @@
-//! One case by two methods: finite elements and finite volumes share the contact, the fluid and what is read off a film, and nothing of how the
-//! film is found. Figures that agree within their error bars were found twice.
+//! One case by two methods: finite elements and finite volumes share the contact, the fluid and the evaluation of a film, but not the
+//! solver. Figures that agree within their error bars are confirmed independently.
 
 use crate::case::{Case, finite_volumes_refuse};
 use crate::params::Method;
@@ -32,7 +32,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// In a word or two.
+    /// Short label.
     pub fn words(self) -> &'static str {
         match self {
             Verdict::Agrees => "agrees",
@@ -88,7 +88,7 @@ impl CrossCheck {
     }
 }
 
-/// Why a case cannot be solved by the method that is not its own; `None` where it can.
+/// Reason why a case cannot be solved by the other method; `None` where it can.
 pub fn why_not(case: &Case) -> Option<String> {
     match case.solver.method {
         _ if !case.standing_reliefs().is_empty() => {
@@ -100,7 +100,7 @@ pub fn why_not(case: &Case) -> Option<String> {
     }
 }
 
-/// Solves a case by the method that is not its own, and compares.
+/// Solves a case by the other method, and compares.
 ///
 /// # Errors
 /// As [`run::solve`] has them.
@@ -112,7 +112,7 @@ pub fn cross_check(
     let methods = [own.stats.method, own.stats.method.other()];
     let mut crossed = case.clone();
     crossed.solver.method = Some(methods[1]);
-    // A limit in unknowns of one method says nothing of the other's.
+    // A limit in unknowns of one method does not apply to the other.
     crossed.mesh.max_unknowns = None;
     let other = run::solve(&crossed, observer)?;
     let figures = (own.figures())

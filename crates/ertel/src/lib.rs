@@ -31,13 +31,13 @@
 //! | solve it from the solution of another one | [`run::solve_from`] |
 //! | read figures and fields | [`solution::Solution`], [`solution::ContactFields`] |
 //! | vary inputs over lists and ranges | [`case::Study`], [`sweep::sweep`] |
-//! | ask formulas | [`estimate`], [`mod@reference`] |
+//! | estimate by formulas | [`estimate`], [`mod@reference`] |
 //! | fit laws to measurements | [`fit`] |
 //! | compare with measurements | [`compare`] |
 //! | write the files of the program | [`output`] |
 //!
-//! The folder `examples` has a small program for each. The solver is the crate `ertel_ehl`, which reads and writes no files; its modules stand here,
-//! too. Modules use only those below them, `ertel_ehl → files, case → problem → run → mark → point → machine → study → output → sweep`
+//! The folder `examples` has a small program for each. The solver is the crate `ertel_ehl`, which reads and writes no files; its modules are re-exported
+//! here. Modules use only those below them, `ertel_ehl → files, case → problem → run → mark → point → machine → study → output → sweep`
 //! (`tests/arrows.rs`).
 
 pub use ertel_ehl::{

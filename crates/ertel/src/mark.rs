@@ -1,7 +1,7 @@
 //! Why a figure is not to be used as it is, and numbers that carry this along.
 //!
-//! A reason is found once, at the contact that has it ([`of_figure`]). Sums, products and extremes of [`Marked`] numbers carry it to all that is made of
-//! them.
+//! A reason is found once, at the contact that has it ([`of_figure`]). Sums, products and extremes of [`Marked`] numbers pass it
+//! on.
 
 use std::iter::Sum;
 use std::ops::{Add, BitOr, Div, Mul, Sub};
@@ -9,12 +9,12 @@ use std::ops::{Add, BitOr, Div, Mul, Sub};
 use crate::solution::{Estimate, Figure, Section, Solution};
 use crate::warning::WarningKind;
 
-/// Why a figure is not to be used as it stands.
+/// Why a figure is not to be used as it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
-    /// Made of figures that are not resolved.
+    /// Derived from figures that are not resolved.
     Unresolved,
-    /// Made of friction that no lubricant transmits.
+    /// Derived from friction that no lubricant transmits.
     Friction,
     /// Friction of the film alone, where asperities carry a part of the load.
     FilmAlone,
@@ -41,7 +41,7 @@ impl Mark {
         }
     }
 
-    /// What stands behind a figure in reports; of an unresolved one, which has no number, nothing.
+    /// Symbol after a figure in reports; none for an unresolved one, which has no number.
     pub fn symbol(self) -> &'static str {
         match self {
             Mark::Unresolved => "",
@@ -51,15 +51,15 @@ impl Mark {
         }
     }
 
-    /// What it means, in a sentence.
+    /// Explanation in one sentence.
     pub fn words(self) -> &'static str {
         match self {
-            Mark::Unresolved => "made of figures that are not resolved",
+            Mark::Unresolved => "derived from figures that are not resolved",
             Mark::Friction => {
-                "(!) made of friction that no lubricant transmits, of films without what limits it: not to be used"
+                "(!) derived from friction that no lubricant transmits; the model does not limit it: do not use"
             }
             Mark::FilmAlone => {
-                "(f) of the film alone: it does not separate the surfaces, and the friction of the asperities is not in it"
+                "(f) film alone: it does not separate the surfaces, and the friction of the asperities is not included"
             }
             Mark::BetweenPoints => {
                 "(b) the extreme lies between the points, next to where the entrainment reverses"
@@ -93,7 +93,7 @@ impl Marks {
         Marks(u8::from(condition) << mark as u8)
     }
 
-    /// What stands behind a figure in reports.
+    /// Symbols after a figure in reports.
     pub fn symbols(self) -> String {
         self.iter().map(Mark::symbol).collect()
     }
@@ -113,7 +113,7 @@ impl Sum for Marks {
     }
 }
 
-/// The marks of a figure of a contact. Films that no lubricant would shear so have tractions, heat and temperatures that are as wrong.
+/// The marks of a figure of a contact. Friction that no lubricant transmits also invalidates heat and temperatures.
 pub fn of_figure(solution: &Solution, figure: Figure) -> Marks {
     let is_of_friction = match figure.section() {
         Section::Traction | Section::Shear | Section::Temperature | Section::Heat => true,
@@ -124,14 +124,14 @@ pub fn of_figure(solution: &Solution, figure: Figure) -> Marks {
         | Marks::when(warned(WarningKind::Roughness), Mark::FilmAlone)
 }
 
-/// A number with its error bar, and why it is not to be used as it stands.
+/// A number with its error bar and its marks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Marked {
     /// The value, SI.
     pub value: f64,
     /// Half-width of its error bar; `None` where it comes from a formula alone.
     pub error: Option<f64>,
-    /// Why it is not to be used as it stands.
+    /// Marks: why it is not to be used as it is.
     pub marks: Marks,
 }
 
@@ -159,7 +159,7 @@ impl Marked {
         }
     }
 
-    /// Whether there is a number to show: what it is made of is resolved, and its bar is narrow enough.
+    /// Whether there is a number to show: its parts are resolved, and its bar is narrow enough.
     pub fn is_resolved(self) -> bool {
         !self.marks.has(Mark::Unresolved) && self.estimate().is_resolved()
     }
@@ -288,7 +288,7 @@ mod tests {
 
     /// By hand: 3 ± 0.1 with a mark, and 5 ± 0.2 without.
     #[test]
-    fn marks_go_with_whatever_is_made_of_a_number() {
+    fn derived_numbers_keep_the_marks() {
         let (doubted, sound) = (
             number(3.0, 0.1, Some(Mark::Friction)),
             number(5.0, 0.2, None),
@@ -312,9 +312,9 @@ mod tests {
         assert_eq!(both.marks.symbols(), " (!) (f)");
     }
 
-    /// A rise of 100 ± 60 K is not resolved, nor is a temperature of 400 ± 60 K that is made of it, nor its safety; a label leaves a number to be used.
+    /// A rise of 100 ± 60 K is not resolved, nor is a temperature of 400 ± 60 K derived from it, nor its safety; a number with a label may be used.
     #[test]
-    fn nothing_is_resolved_that_is_made_of_what_is_not() {
+    fn numbers_derived_from_unresolved_ones_are_unresolved() {
         let rise = number(100.0, 60.0, None);
         let hot = rise.above(300.0);
         assert!(hot.estimate().is_resolved() && !hot.is_resolved());

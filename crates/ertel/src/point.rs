@@ -1,4 +1,4 @@
-//! What becomes of a point of a curve or a study: a contact, or a whole machine with its contacts and figures.
+//! Result of a point of a curve or a study: a contact, or a whole machine with its contacts and figures.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use crate::warning::{Warning, by_kind};
 /// A point of a curve or a study, solved or not.
 #[derive(Clone, Debug)]
 pub struct PointSolution {
-    /// Value of what varies, SI; in a study of the first axis, NaN where that has no numbers.
+    /// Value of the varied quantity, SI; in a study that of the first axis, NaN where it has no numbers.
     pub value: f64,
     /// The point's case.
     pub case: CaseEcho,
@@ -24,7 +24,7 @@ pub struct PointSolution {
     pub is_in_time: bool,
     /// The whole machine, where the point is one.
     pub machine: Option<Arc<MachinePoint>>,
-    /// The same point without shear thinning, where that is asked for.
+    /// The same point without shear thinning, where requested.
     pub newtonian: Option<Outcome>,
     /// The same point without heat, likewise.
     pub isothermal: Option<Outcome>,
@@ -64,7 +64,7 @@ impl PointSolution {
             || machine.is_some_and(|machine| machine.figures.unresolved().next().is_some())
     }
 
-    /// What to know about it; of the contacts of a machine the worst of each kind.
+    /// Its warnings; of the contacts of a machine the worst of each kind.
     pub fn warnings(&self) -> Vec<Warning> {
         let Some(machine) = &self.machine else {
             return match &self.outcome {
@@ -89,7 +89,7 @@ impl PointSolution {
         self.isothermal.as_ref().and_then(Outcome::solution)
     }
 
-    /// What heat does to film and traction: beside the point's isothermal solution, else as its own stages tell.
+    /// Effect of heat on film and traction: from the point's isothermal solution, else from its own stages.
     pub fn thermal_reduction(&self) -> Option<ThermalReduction> {
         let thermal = self.outcome.solution()?;
         let Some(isothermal) = self.isothermal_solution() else {
@@ -107,7 +107,7 @@ impl PointSolution {
         })
     }
 
-    /// What shear thinning does to the film: beside the point's Newtonian solution, else as its own stages tell.
+    /// Effect of shear thinning on the film: from the point's Newtonian solution, else from its own stages.
     pub fn film_reduction(&self) -> Option<FilmReduction> {
         let thinned = self.outcome.solution()?;
         let Some(newtonian) = self.newtonian_solution() else {
@@ -121,7 +121,7 @@ impl PointSolution {
     }
 }
 
-/// What became of a point.
+/// Outcome of a point.
 #[derive(Clone, Debug)]
 pub enum Outcome {
     /// Solved.
@@ -143,14 +143,14 @@ pub struct RunInTime {
     pub newton_iterations: usize,
     /// Names of the films that are not resolved at some instant.
     pub unresolved: Vec<&'static str>,
-    /// What to know.
+    /// Warnings.
     pub warnings: Vec<Warning>,
     /// All instants, where they are kept.
     pub instants: Option<Arc<TransientSolution>>,
 }
 
 impl RunInTime {
-    /// What becomes of a run that has come to its end; `keep` keeps its instants.
+    /// Outcome of a run that has reached its end; `keep` keeps its instants.
     pub(crate) fn new(found: TransientSolution, keep: bool) -> RunInTime {
         let films = [Figure::FilmCentral, Figure::FilmMinimum];
         let is_unresolved = |film: &Figure| {
@@ -206,20 +206,20 @@ impl Outcome {
     }
 }
 
-/// What became of the contacts of a machine.
+/// Outcomes of the contacts of a machine.
 #[derive(Clone, Debug)]
 pub struct MachineSolution {
     /// The machine.
     pub machine: Arc<WholeMachine>,
-    /// What became of each contact that stands for others, by its place among the contacts; `None` where nothing presses, another contact
-    /// stands for it, or the user stopped before.
+    /// Outcome of each contact that represents others, by its place among the contacts; `None` where it is unloaded, another contact
+    /// represents it, or the user stopped before.
     pub contacts: Vec<Option<PointSolution>>,
     /// Wall time, s.
     pub wall_seconds: f64,
 }
 
 impl MachineSolution {
-    /// What became of the contact that stands for this one.
+    /// Outcome of the contact that represents this one.
     pub fn of(&self, contact: usize) -> Option<&PointSolution> {
         let like = self.machine.contacts[contact].like?;
         self.contacts[like].as_ref()
@@ -236,7 +236,7 @@ impl MachineSolution {
         contacts.filter_map(|(i, point)| Some((i, point.as_ref()?)))
     }
 
-    /// Contacts to be solved, those alike counted once.
+    /// Contacts to be solved, identical ones counted once.
     pub fn n_contacts(&self) -> usize {
         distinct(&self.machine).len()
     }
@@ -261,7 +261,7 @@ impl MachineSolution {
         Some(format!("{n} of {all} contacts failed; {name}: {reason}"))
     }
 
-    /// Contacts with a solution, those alike counted once.
+    /// Contacts with a solution, identical ones counted once.
     pub fn n_solved(&self) -> usize {
         self.solved().count() - self.n_failed()
     }
@@ -302,16 +302,16 @@ pub(crate) fn distinct(machine: &WholeMachine) -> Vec<usize> {
 pub struct MachineFigure {
     /// Name in results and Python: `friction_torque`.
     pub name: &'static str,
-    /// What it is, in words.
+    /// Description.
     pub words: &'static str,
-    /// The figure, SI, with the marks of what it is made of; its bar is that of the solved contacts and of their distance, `None` where it comes from a
+    /// The figure, SI, with the marks of its parts; its bar is that of the solved contacts and of their distance, `None` where it comes from a
     /// formula alone.
     pub estimate: Marked,
     /// Its SI unit; empty of a pure number.
     pub unit: &'static str,
     /// Part of the report.
     pub section: Section,
-    /// Where the formula comes from, or what is left out.
+    /// Source of the formula, or omitted parts.
     pub source: &'static str,
 }
 
@@ -356,12 +356,12 @@ impl Section {
     }
 }
 
-/// The figures of a machine, and what to know about them.
+/// The figures of a machine, and warnings about them.
 #[derive(Clone, Debug, Default)]
 pub struct MachineFigures {
     /// The figures in their order.
     pub all: Vec<MachineFigure>,
-    /// What to know.
+    /// Warnings.
     pub warnings: Vec<Warning>,
 }
 

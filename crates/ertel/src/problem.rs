@@ -35,15 +35,15 @@ pub fn problem(case: &Case) -> Problem {
     make(case, Zone::Dry, None)
 }
 
-/// The same with the zone of a roller as its slices have it: at once, for all that does not depend on where exactly its rim lies, and not
+/// The same with the zone of a roller from its slices: fast, for uses that do not depend on the exact position of its rim, not
 /// for solves.
 pub fn problem_by_slices(case: &Case) -> Problem {
     make(case, Zone::Slices, None)
 }
 
-/// The same for a case that differs little from that of a fluid, with which it shares what it can: for residuals, and not for solves.
-pub fn problem_beside(case: &Case, own: &FilmFluid) -> Problem {
-    // Sensitivities evaluate residuals on the mesh of a solve: where the rim lies does not matter to them.
+/// The same for a case close to that of a fluid, with which it shares tabulated properties: for residuals, not for solves.
+pub fn nearby_problem(case: &Case, own: &FilmFluid) -> Problem {
+    // Sensitivities evaluate residuals on the mesh of a solve: the position of the rim has no effect on them.
     make(case, Zone::Slices, Some(own))
 }
 
@@ -103,7 +103,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
     let (density, viscosity) = (&lubricant.density, &lubricant.viscosity);
     let (temperature, thinning) = (lubricant.temperature, case.shear_thinning());
     let mut fluid = match own {
-        Some(own) => own.beside(density, viscosity, temperature, thinning, &sliding, &scales),
+        Some(own) => own.nearby(density, viscosity, temperature, thinning, &sliding, &scales),
         None => FilmFluid::new(density, viscosity, temperature, &scales)
             .with_shear(thinning, &sliding, &scales),
     };
@@ -145,7 +145,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
             case.shear_thinning().is_some(),
             heat.is_some(),
             // Continuations in sliding or in the shear law are known, and that of rollers in diffusion, away from the pressures at their
-            // ends that a diffusive start has drawn out.
+            // ends that a diffusive start has smeared.
             fluid.has_limit() || (heat.is_some() && fluid.slides()) || contact.roller.is_some(),
         ),
         mesh_film,
@@ -258,9 +258,9 @@ fn heat(case: &Case, scales: &Scales) -> Option<(Heat, HeatPlan)> {
 
 /// Size of the first cells on the outlet side of the rim over that on the other, where half-spaces let the mesh be refined.
 ///
-/// The side lobes grow thinner with the load group than the central film that the sizes go with: h_min/h_c is 0.47 at M = 200, 0.30 at 2,000, 0.2
+/// The side lobes grow thinner with the load group than the central film that sets the sizes: h_min/h_c is 0.47 at M = 200, 0.30 at 2,000, 0.2
 /// at 10,000 (L = 5 to 10), about as M^(−1/5). Cells of the length h^(2/3) follow them; on coarser ones the film there comes out negative, and
-/// Newton's method goes round in circles.
+/// Newton's method cycles.
 fn rim_finesse(case: &Case) -> f64 {
     let refined = case.mesh.target_error.is_some();
     let half_spaces = case.elastic_model() == ElasticModel::HalfSpace;
@@ -286,7 +286,7 @@ pub fn groups(case: &Case, pressure_viscosity_coefficient: f64) -> Groups {
 }
 
 /// Central film, m, that the formulas of Moes (line) and Nijenbanning et al. (circular, elliptical) predict for an incompressible
-/// lubricant: what meshes and starts of solves go by. [`estimated_film`] is the estimate.
+/// lubricant: the basis of meshes and starts of solves. [`estimated_film`] is the estimate.
 pub fn predicted_film(case: &Case) -> f64 {
     let slope = case
         .lubricant
@@ -303,7 +303,7 @@ pub fn predicted_film(case: &Case) -> f64 {
     h * along * (2.0 * g.speed).sqrt()
 }
 
-/// Whether that film is so thick beside the contact that pressures far from it count.
+/// Whether that film is so thick compared with the contact that pressures far from it count.
 pub fn has_thick_film(case: &Case) -> bool {
     let contact = case.contact.along_motion();
     let hertz = Hertz::new(&contact, case.reduced_modulus());
@@ -355,7 +355,7 @@ fn stages(
         growth: mesh.growth,
         depth_growth: mesh.depth_growth,
     };
-    // The growth of the cells away from the contact makes errors, too: it is coarsened alike, or
+    // The growth of the cells away from the contact makes errors, too: it is coarsened likewise, or
     // the error estimate would not see them.
     // Where the mesh is refined locally, its growth stays.
     let doubled = |growth: f64| match mesh.target_error {
@@ -453,9 +453,9 @@ mod tests {
 
     use super::*;
 
-    /// A Newtonian contact that fails is not told that stress thins its film; one whose stress does so far more than oils is.
+    /// The failure of a Newtonian contact does not mention shear thinning; that of a contact which thins far more than oils do does.
     #[test]
-    fn only_what_thins_is_said_to_thin() {
+    fn only_thinning_fluids_are_said_to_thin() {
         let share = |lubricant: &str| {
             let text = format!(
                 "lubricant = {{ temperature = \"40 degC\", {lubricant} }}\n[contact]\nkind = \"circular\"\nradius = \"16 mm\"\nload = \"100 N\"\n\

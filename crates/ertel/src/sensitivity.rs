@@ -1,8 +1,8 @@
 //! Derivatives of the figures of a solution by the inputs of its case file.
 //!
-//! Each input is moved a little to either side, the case is read again with it, and the two problems that come of it are put to
-//! [`crate::solve::sensitivity`]: machines, data sheets and laws of any kind need nothing of their own. Where heat counts, which the adjoint
-//! does not reach, the two problems are solved on the mesh of the solution.
+//! Each input is moved a little to either side, the case is read again with it, and the two resulting problems are passed to
+//! [`crate::solve::sensitivity`]: machines, data sheets and laws of any kind need no special treatment. Where heat counts, which the adjoint
+//! does not include, the two problems are solved on the mesh of the solution.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use crate::case::Case;
 use crate::engine::sensitivity::{Derivatives, Perturbed};
 use crate::params::{ElasticModel, SensitivityDemand};
-use crate::problem::{problem, problem_beside};
+use crate::problem::{nearby_problem, problem};
 use crate::solution::{
     Figure, FigureSensitivity, LeftOut, Sensitivities, SensitivityInput, SensitivityMethod,
 };
@@ -23,7 +23,7 @@ use crate::solve::sequence::{Plan, Problem, StageSolution, Start, solve_on_mesh}
 use crate::solve::{Observer, SolveError};
 
 /// Steps of inputs, over their size: where the equations stay on their mesh, and where the mesh changes, whose elastic response has
-/// rounding of its own.
+/// additional rounding.
 const STEP: f64 = 1e-5;
 const STEP_OF_SHAPE: f64 = 1e-3;
 
@@ -36,7 +36,7 @@ const STEP_OF_SOLVES: f64 = 0.01;
 /// Why an input has no derivative where values on neither side of it are allowed.
 const AT_ITS_BOUND: &str = "it is at the bound of its range";
 
-/// Why an input has no derivative, in plain words: numbers of grades are names, and have no neighbours.
+/// Reason why an input has no derivative: grade numbers are names without neighbours.
 fn why_not(key: &str, reason: &str) -> String {
     let is_grade = key.rsplit('.').next() == Some("iso_vg");
     match is_grade && reason == AT_ITS_BOUND {
@@ -229,7 +229,7 @@ pub fn by_derivatives(
     };
     for (input, derivatives) in inputs.into_iter().zip(solution.derivatives(&sides)) {
         match derivatives {
-            // What a law of the database has beside what counts here.
+            // A constant of a database law that has no effect here.
             Ok(derivatives) if !input.written && derivatives.iter().all(|by| *by == 0.0) => {}
             Ok(derivatives) => {
                 add(input, &derivatives);
@@ -259,20 +259,20 @@ pub fn by_derivatives(
     }
 }
 
-/// Why a derivative by the temperature of the lubricant would be zero for want of a law, and say nothing.
+/// Reason why a derivative by the temperature of the lubricant would be a meaningless zero: a law is missing.
 fn no_temperature(case: &Case, input: &Input) -> Option<String> {
     let is_temperature = matches!(input.key.as_str(), "temperature" | "lubricant.temperature");
     is_temperature.then(|| case.lubricant.no_temperature())?
 }
 
-/// Whether another mesh for an input costs more than was asked for.
+/// Whether another mesh for an input costs more than was requested.
 fn is_costly(case: &Case, input: &Input) -> bool {
     case.contact.roller.is_some()
         && case.output.sensitivities != SensitivityDemand::All
         && input.uncertainty.is_none()
 }
 
-/// The problems on either side of an input; `None` where it is of no effect that a derivative could tell.
+/// The problems on either side of an input; `None` where it has no effect that a derivative could show.
 fn sides(
     case: &Case,
     own: &Problem,
@@ -283,9 +283,9 @@ fn sides(
         let side = |value: f64| {
             let values = BTreeMap::from([(input.key.clone(), value)]);
             let case = case.with_values(values).ok()?;
-            Some(problem_beside(&case, &own.fluid))
+            Some(nearby_problem(&case, &own.fluid))
         };
-        let here = || problem_beside(case, &own.fluid);
+        let here = || nearby_problem(case, &own.fluid);
         // At a bound, the derivative towards the side that there is.
         let (problems, distance, above) = match [side(input.value - step), side(input.value + step)]
         {

@@ -105,16 +105,19 @@ fn check(root: &Path, order: &[&str]) {
         if module == "lib" {
             continue;
         }
-        let own =
-            place(&module).unwrap_or_else(|| panic!("`{module}` stands nowhere in the order"));
+        let own = place(&module).unwrap_or_else(|| panic!("`{module}` is missing from the order"));
         seen.insert(own);
         for other in used(&std::fs::read_to_string(&file).unwrap()) {
             assert!(
                 place(&other).is_none_or(|other| other <= own),
-                "{} uses `{other}`, which stands above",
+                "{} uses `{other}`, which is above it",
                 inside.display()
             );
         }
     }
-    assert_eq!(seen.len(), order.len(), "a module of the order is gone");
+    assert_eq!(
+        seen.len(),
+        order.len(),
+        "a module of the order does not exist"
+    );
 }

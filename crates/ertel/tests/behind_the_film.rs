@@ -1,4 +1,4 @@
-//! Oil behind the film: what leaves it is all that is sheared there.
+//! Oil behind the film: only the oil that leaves the film is sheared there.
 
 use approx::assert_relative_eq;
 use ertel::case::Case;
@@ -43,7 +43,7 @@ fn assert_alike(found: &[Estimate]) {
 ///
 /// Theory: Behind the film.
 #[test]
-fn a_rigid_cylinder_drags_what_leaves_it() {
+fn a_rigid_cylinder_shears_the_oil_behind_it() {
     let (load, radius) = (200.0_f64, 0.016);
     let film = 4.894_97 * 0.04 * radius / load;
     let width = (2.0 * radius * film).sqrt();
@@ -98,6 +98,6 @@ fn edges_do_not_decide_on_the_moment_of_spin() {
     let moments = found.each_ref().map(|t| t.moment.unwrap());
     println!("{moments:?}");
     assert_alike(&moments);
-    // Beside what the end of the bodies is uncertain by, the edges count for little.
+    // Compared with the uncertainty from the end of the bodies, the edges count for little.
     assert_relative_eq!(moments[0].value, moments[1].value, max_relative = 0.01);
 }

@@ -1,5 +1,5 @@
-//! Finite elements and finite volumes share the contact, the fluid and what is read off a film, and nothing of how it is found: what agrees was found
-//! twice.
+//! Finite elements and finite volumes share the contact, the fluid and the evaluation of a film, but not the solver: figures that agree are confirmed
+//! independently.
 
 use std::collections::BTreeMap;
 
@@ -291,9 +291,9 @@ fn both_engines_agree_on_lines() {
 }
 
 /// A limiting stress at 2.2 GPa: Newton's method of the elements ends far from the solution on their finest mesh, and films have bars beyond themselves. The case is
-/// left to finite volumes, which resolve them.
+/// solved by finite volumes, which resolve them.
 #[test]
-fn films_that_one_method_does_not_resolve_are_left_to_the_other() {
+fn films_unresolved_by_one_method_are_solved_by_the_other() {
     let text = "lubricant = { temperature = \"40 degC\", density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }, viscosity = { law = \"barus\", \
                 mu_0 = \"6.92 mPa.s\", alpha = \"22.3 1/GPa\" }, shear_thinning = { law = \"ree-eyring\", tau_0 = \"9.77 MPa\", limit = { tau_l0 = \"8.1 MPa\", \
                 lambda = 0.067 } } }\n[contact]\nkind = \"line\"\nradius = \"6.42 mm\"\nhertz_pressure = \"2.225 GPa\"\n[bodies]\nbody_1 = \"steel\"\n\
@@ -314,7 +314,7 @@ fn films_that_one_method_does_not_resolve_are_left_to_the_other() {
     );
 }
 
-/// Fluids that thin by shear, as above and with what thinning does to the film: Eyring's with sliding across and spin, Carreau's in an ellipse at
+/// Fluids that thin by shear, as above and with the effect of thinning on the film: Eyring's with sliding across and spin, Carreau's in an ellipse at
 /// an angle.
 #[test]
 fn both_engines_agree_on_thinning() {
@@ -400,9 +400,9 @@ fn pressures_have_no_false_extremum() {
     assert_eq!(turns.count(), 3);
 }
 
-/// What finite elements do not solve within the iterations that they may take, is solved by finite volumes, and said to be; unless the method is given.
+/// Contacts that finite elements do not solve within their iteration limit are solved by finite volumes, with a warning, unless the method is given.
 #[test]
-fn what_elements_do_not_solve_is_left_to_volumes() {
+fn volumes_solve_contacts_that_elements_do_not() {
     let motion = "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.0";
     // Thinned by a power of the stress: elements are tried first.
     let law = "law = \"rabinowitsch\", tau_0 = \"5 MPa\", n = 0.5";
@@ -411,14 +411,14 @@ fn what_elements_do_not_solve_is_left_to_volumes() {
     case.solver.max_iterations = 1;
     let solution = solved(&case);
     assert_eq!(solution.stats.method, Method::FiniteVolumes);
-    let told = solution
+    let reported = solution
         .warnings
         .iter()
         .filter(|w| w.contains("solved by finite volumes"));
-    assert_eq!(told.count(), 1);
+    assert_eq!(reported.count(), 1);
     case.solver.method = Some(Method::FiniteElements);
     assert!(solve(&case, &mut NoObserver).is_err());
-    // Nor where the case asks for elements of its own.
+    // Nor where the case itself requests elements.
     case.solver.method = None;
     case.solver.formulation = Formulation::Supg;
     assert!(solve(&case, &mut NoObserver).is_err());
@@ -449,7 +449,7 @@ fn thick_films_and_steep_viscosities() {
 /// Sensitivities of a sliding ball, an ellipse at an angle and a cylinder by linear solves agree with those of the adjoint to 3 % of the largest, of the minimum film to 5 %: that of the ellipse by
 /// its load is -0.173 on fine grids, -0.199 and -0.157 here.
 #[test]
-fn both_tell_the_same_sensitivities() {
+fn both_methods_give_the_same_sensitivities() {
     let motion = "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.1";
     let ellipse = "kind = \"elliptical\"\nradius_x = \"10 mm\"\nradius_y = \"30 mm\"\nentrainment_angle = \"25 deg\"\nload = \"60 N\"";
     let more = "[mesh]\ntarget_error = 0.02\n[output]\nsensitivities = true";
@@ -479,7 +479,7 @@ fn both_tell_the_same_sensitivities() {
                 by.collect::<BTreeMap<String, f64>>()
             };
             let (own, other) = (of(&elements), of(&volumes));
-            // The temperature is beside absolute zero, and would hide the others.
+            // The temperature counts from absolute zero, and would hide the others.
             let is_counted = |key: &String| !key.contains("temperature");
             let largest = (own.iter().filter(|(key, _)| is_counted(key)))
                 .fold(0.0_f64, |m, (_, by)| m.max(by.abs()));

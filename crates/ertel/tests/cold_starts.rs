@@ -1,5 +1,5 @@
-//! Contacts that are hard to start from the dry contact alone, each as a user writes it. No start is known to them; what is
-//! asked of their solutions is what theory says of any.
+//! Contacts that are hard to start from the dry contact alone, each as a user writes it. They are solved without a given start; their
+//! solutions must meet general theory.
 
 use std::f64::consts::PI;
 use std::path::Path;
@@ -77,7 +77,7 @@ slide_to_roll_ratio = 0.0
     assert!(s.summary.film_minimum.value > 0.0);
 }
 
-/// What shears must flow off: heat in is heat out, within 1 %, and equals F_2 u_2 − F_1 u_1.
+/// Generated heat must flow off: heat in is heat out, within 1 %, and equals F_2 u_2 − F_1 u_1.
 fn is_hot_and_balanced(s: &Solution) {
     let thermal = s.thermal.as_ref().expect("a thermal contact");
     println!(
@@ -155,10 +155,10 @@ fn effusivity(conductivity: f64, capacity: f64, speed: f64) -> f64 {
 }
 
 /// Contacts whose temperatures would not settle at given films: 2.1 GPa at a sliding ratio of -2, where single nodes would go off by
-/// 1e5 K, and an inlet at 22 m/s whose oil flows back and takes its heat along, where whole steps swing to and fro.
+/// 1e5 K, and an inlet at 22 m/s whose oil flows back and takes its heat along, where full steps oscillate.
 ///
 /// Where they settle is known from the heat Q that each body takes up. A fast body that is heated evenly over the dry contact warms by
-/// (4/3) Q/(2a) √(2a/(πkρcu)) there on average (Jaeger 1942); two that are heated alike, wherever that is, by Q/√(kρcu) times the same.
+/// (4/3) Q/(2a) √(2a/(πkρcu)) there on average (Jaeger 1942); two that are heated equally, at any place, by Q/√(kρcu) times the same.
 #[test]
 fn temperatures_settle_far_from_the_isothermal_film() {
     const INLET: f64 = 313.0;

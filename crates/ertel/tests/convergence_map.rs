@@ -29,7 +29,7 @@ fn find(name: &str) -> MapCase {
 fn solved(name: &str, preset: Option<MeshPreset>) -> Solution {
     let map_case = find(name);
     let mut case = map_case.read().unwrap();
-    // Whether films converge is asked here; ridges are looked at elsewhere.
+    // Convergence of films is tested here; ridges are tested elsewhere.
     case.mesh.pressure_error = None;
     case.mesh.max_unknowns = Some(12_000);
     if let Some(preset) = preset {
@@ -136,7 +136,7 @@ fn extreme_lubricants_are_reached_step_by_step() {
     }
 }
 
-/// Incompressible at 3 GPa, and M = 10,000 at 3.3 GPa: without the terms that reckon with the deflection the
+/// Incompressible at 3 GPa, and M = 10,000 at 3.3 GPa: without the terms for the deflection the
 /// first does not converge.
 #[test]
 fn heavy_line_contacts() {

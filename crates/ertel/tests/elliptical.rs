@@ -149,7 +149,7 @@ fn a_wide_ellipse_tends_to_a_line() {
 }
 
 /// Along the longer axis of an ellipse ten times as long as wide the three formulations have the same films: the stabilisation, which
-/// they have more or less of, vanishes with the cells. With one that has no regard for how long cells are, GLS found 22.95 ± 0.17 nm after
+/// they have more or less of, vanishes with the cells. With one that ignores the length of cells, GLS found 22.95 ± 0.17 nm after
 /// forty times the effort.
 #[test]
 fn formulations_agree_in_slender_ellipses() {
@@ -182,7 +182,7 @@ fn slender(speed: f64) -> Case {
 
 /// Along the longer axis of an ellipse ten times as long as wide, where cells are ten times as long: the first start leads to the case
 /// without a continuation, and the film is that of Nijenbanning, Venner and Moes (Wear 176 (1994) 217-229) within 5 %. With a diffusion that
-/// is as strong across the cells as along them, the start has 33 nm in place of 79.
+/// is as strong across the cells as along them, the start has 33 nm instead of 79.
 #[test]
 fn a_slender_ellipse_along_its_axis() {
     let case = slender(0.5);
@@ -245,7 +245,7 @@ fn hertz_pressure_closes_the_gap() {
     }
 }
 
-/// Heat of an ellipse at an angle: what is made is carried off, and slides warm the film.
+/// Heat of an ellipse at an angle: generated heat is carried off, and sliding warms the film.
 #[test]
 fn heat_at_an_angle() {
     let mut case = heated(ellipse([0.016, 0.024], 30.0));

@@ -1,4 +1,4 @@
-//! The examples, each run as its first lines say; what they print is looked at.
+//! The examples, each run as its first lines say; their output is checked.
 
 use std::path::PathBuf;
 use std::process::Command;

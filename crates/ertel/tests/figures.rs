@@ -72,12 +72,12 @@ fn every_figure_of_a_thermal_contact_has_its_bar() {
         assert!(at.place_error.is_some(), "{}", figure.name());
         assert_eq!(finest.figures.get(figure).unwrap().place, Some([x, y]));
     }
-    // Of what heat does, the coarse mesh tells; so do its bars.
+    // The coarse mesh shows the effect of heat; so do its bars.
     let reduction = heat.reduction.unwrap();
     for e in [reduction.film_central, reduction.traction.unwrap()] {
         assert!(e.error.unwrap() > 0.0, "{e:?}");
     }
-    // What only leads to other stages has its films and its largest pressure.
+    // A stage that only leads to others has its films and its largest pressure.
     let start = &solution.stats.levels[0];
     assert_eq!(start.role, Role::Start);
     assert!(start.figures.value(Figure::PressureMaximum).is_some());
@@ -122,10 +122,10 @@ fn every_figure_of_a_thermal_contact_has_its_bar() {
 }
 
 /// Ball on disc, M = 199, L = 10, whose ridge reaches 1.10 to 1.15 GPa (52,900 pressures, and 54,837 along the ridge), above the 1.0112 GPa of
-/// the middle that every mesh finds. However the mesh is refined, the middle is told to 1 %, and the largest pressure is a lower bound that the ridge
-/// may exceed; neither has it a sensitivity, nor a bar that leaves the ridge out.
+/// the middle that every mesh finds. However the mesh is refined, the middle is accurate to 1 %, and the largest pressure is a lower bound that the ridge
+/// may exceed; neither has it a sensitivity, nor a bar that omits the ridge.
 #[test]
-fn the_middle_is_told_and_the_ridge_is_a_lower_bound() {
+fn the_middle_is_resolved_and_the_ridge_is_a_lower_bound() {
     for refine_for in ["films", "fields"] {
         let text = format!(
             "{BALL_ON_DISC}target_error = \"2 %\"\nrefine_for = \"{refine_for}\"\n\
@@ -156,7 +156,7 @@ fn the_middle_is_told_and_the_ridge_is_a_lower_bound() {
                 .iter()
                 .all(|f| f.figure != Figure::PressureMaximum)
         );
-        // A dry contact's largest pressure goes with the cube root of the load, and a film of a tenth of the approach changes that by little.
+        // A dry contact's largest pressure is proportional to the cube root of the load, and a film of a tenth of the approach changes that by little.
         let of_middle = sensitivities
             .figures
             .iter()
@@ -212,7 +212,7 @@ fn result<'t>(text: &'t str, name: &str) -> Option<&'t str> {
     lines.find(|line| line.trim().starts_with(name))
 }
 
-/// What only leads to the one mesh tells nothing of its errors: there are no bars, and no digits of them.
+/// The path to a single mesh contains no information on its errors: there are no bars, and no digits of them.
 #[test]
 fn without_an_estimate_there_are_no_bars() {
     let mut case = common::case(ContactKind::Line, 8e4);
@@ -231,8 +231,8 @@ fn without_an_estimate_there_are_no_bars() {
     }
 }
 
-/// The mean film stands in the registry and where it is measured, and nowhere else in the code: report, page, documents and tables tell it by the
-/// registry.
+/// The mean film is named in the registry and where it is measured, and nowhere else in the code: report, page, documents and tables read it from
+/// the registry.
 #[test]
 fn a_figure_is_named_in_two_files() {
     let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");

@@ -3,7 +3,7 @@
 use ertel::contact::Family;
 use ertel::fit::{FilmFit, FilmForm, FilmKind, FilmState, Films, fit_film};
 
-/// Films over M and L (or over the speed alone) that scatter by some per cent, with error bars of their own.
+/// Films over M and L (or over the speed alone) that scatter by some per cent, with separate error bars.
 fn states(form: FilmForm, truth: &[f64]) -> Vec<FilmState> {
     let mut states = Vec::new();
     for (i, load) in [20.0, 60.0, 200.0, 900.0].into_iter().enumerate() {
@@ -34,7 +34,7 @@ fn fitted(form: FilmForm, states: Vec<FilmState>) -> FilmFit {
 }
 
 /// Half an interval is widened by Σ|∂x/∂ln h_i| e_i, the derivatives by fits to films of which one is moved by ±1e-4. Factors and all constants of the
-/// blend are known by their logarithms. The power laws are linear in them; of the blend, derivatives at the minimum leave out the
+/// blend are known by their logarithms. The power laws are linear in them; of the blend, derivatives at the minimum neglect the
 /// scatter times the curvature, a few per cent.
 #[test]
 fn error_bars_come_on_top_of_the_scatter() {

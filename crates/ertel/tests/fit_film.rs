@@ -300,9 +300,9 @@ fn formulas_are_written_in_every_form() {
     assert!(written[5][0].contains("(2.621 M^(-1/5))^2.5 + (1.311 M^(-1/8) L^(3/4))^2.5"));
 }
 
-/// Where the films lie on one asymptote, the other one and the blend are not told.
+/// Where the films lie on one asymptote, the other one and the blend are not determined.
 #[test]
-fn a_blend_that_films_do_not_tell_is_warned_of() {
+fn an_undetermined_blend_gives_a_warning() {
     let form = FilmForm::Blend(Family::Point);
     let truth = [2.42, 1.25, 2.5];
     let made = |materials: &[f64], noise: f64| {
@@ -325,7 +325,7 @@ fn a_blend_that_films_do_not_tell_is_warned_of() {
 }
 
 #[test]
-fn exponents_that_films_do_not_tell_are_warned_of() {
+fn undetermined_exponents_give_a_warning() {
     let fit = moes;
     // L stays
     let one = [20.0, 100.0, 500.0, 2500.0].map(|m| film(m, 0.5, 0.0));

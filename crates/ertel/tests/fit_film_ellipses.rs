@@ -146,7 +146,7 @@ fn error_bars_widen_the_intervals() {
     }
 }
 
-/// Ratio and angle alone tell all but the exponent of G.
+/// Ratio and angle alone determine all but the exponent of G.
 #[test]
 fn ratio_and_angle_alone_are_enough() {
     let mut points = points();
@@ -219,9 +219,9 @@ fn limits_of_the_form() {
     );
 }
 
-/// Ellipses of one shape rolling along x do not tell what ellipticity does.
+/// Ellipses of one shape rolling along x do not determine the effect of ellipticity.
 #[test]
-fn what_films_do_not_tell_is_an_error() {
+fn undetermined_constants_are_an_error() {
     let mut points = points();
     for point in &mut points {
         (point.radii, point.angle) = ([0.016, 0.032], 0.0);
@@ -269,7 +269,7 @@ fn bad_tables_are_refused_with_their_place() {
         let error = read(&text, FilmForm::Elliptical).unwrap_err().to_string();
         assert!(error.starts_with(starts), "{error}");
     }
-    // Other forms say that they leave the shape out, and take the radius along the motion.
+    // Other forms warn that they neglect the shape, and use the radius along the motion.
     let films = read(&good, FilmForm::Moes).unwrap().unwrap();
     assert!(
         films.warnings[0].starts_with("the ellipses differ, R_y/R_x from"),

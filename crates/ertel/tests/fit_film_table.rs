@@ -48,7 +48,7 @@ fn results_are_read_by_their_columns() {
     assert!(read(&none, FilmKind::Central).unwrap().is_some());
 }
 
-/// What a rig gives: films over speed, in units of its own.
+/// Rig data: films over speed, in the units of the rig.
 #[test]
 fn films_over_speed_need_speed_alone() {
     let csv = "speed [mm/s]; film_central [nm]; load [N]; temperature [degC]\n\
@@ -142,14 +142,14 @@ fn rounding_of_four_digits_is_no_variation() {
     );
 }
 
-/// Films with and without heat in one table, told by their temperatures or by the switch of a study.
+/// Thermal and isothermal films in one table, distinguished by their temperatures or by the switch of a study.
 #[test]
-fn films_with_and_without_heat_are_told() {
+fn thermal_and_isothermal_films_are_distinguished() {
     let read = |text: &str| {
         let films = read_films("r.csv", text, FilmForm::Moes, FilmKind::Central, Some(0.01));
         films.unwrap().unwrap().warnings
     };
-    let told = "1 of the films are with heat and 2 without: the form does not tell them apart; leave one kind out";
+    let expected = "1 of the films are thermal and 2 isothermal: the form does not distinguish them; omit one kind";
     for [title, with, without] in [
         ["film_temperature_maximum_K", "320", ""],
         ["solver.isothermal", "false", "true"],
@@ -159,7 +159,7 @@ fn films_with_and_without_heat_are_told() {
             "film_central_m,moes_load,moes_material,speed_group,{title}\n1e-7,20,1,1e-12,{without}\n\
              9e-8,20,1,1e-12,{with}\n,,,,{with}\n2e-7,10,1,2e-12,{without}\n"
         );
-        assert_eq!(read(&mixed), [told], "{title}");
+        assert_eq!(read(&mixed), [expected], "{title}");
         let lines = |kind: &str| {
             let end = format!(",{kind}");
             let kept = mixed

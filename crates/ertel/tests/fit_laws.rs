@@ -278,7 +278,7 @@ fn appendix_c_of_habchi() {
 }
 
 #[test]
-fn what_data_cannot_tell_is_refused_or_warned_of() {
+fn undetermined_constants_are_refused_or_give_a_warning() {
     let params = Params::default();
     let isotherm = grid(Property::Viscosity, &[313.15], |p, _| {
         0.01 * (15e-9 * p).exp()
@@ -289,7 +289,7 @@ fn what_data_cannot_tell_is_refused_or_warned_of() {
         matches!(error, FitError::Undetermined { key: "beta", .. }),
         "{error}"
     );
-    // α + γ/T is all that nearly equal temperatures tell
+    // nearly equal temperatures determine only α + γ/T
     let near = grid(Property::Viscosity, &[313.15, 314.15], |p, t| {
         0.01 * (10e-9 * p + 1000.0 * (1.0 / t - 1.0 / 313.15) + 2e-6 * p / t).exp()
     });

@@ -221,7 +221,7 @@ fn the_entry_holds_the_density() {
     }
 }
 
-/// What is missing is told, with what to give.
+/// Missing inputs are reported, with advice.
 #[test]
 fn nothing_is_assumed() {
     let data = read(&sheet(), EXPANDING).unwrap();

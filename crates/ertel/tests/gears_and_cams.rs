@@ -79,7 +79,7 @@ fn figure(solved: &MachineSolution, contact: usize, figure: Figure) -> f64 {
         .value
 }
 
-/// The bars of a few contacts reach to what many say: they know how far apart their contacts are.
+/// The bars of a few contacts cover the values from many: they include the distance of the contacts.
 #[test]
 fn bars_of_losses_cover_the_distance_of_contacts() {
     let losses = |points: usize| {
@@ -239,7 +239,7 @@ fn a_short_path_of_gears() {
     assert_eq!(value(&found, "hertz_pressure_maximum"), highest);
 }
 
-/// With heat the temperatures of the teeth are those that were solved: the hottest flank of all contacts is the contact temperature of S_B, and Blok's is given beside it.
+/// With heat the temperatures of the teeth are those that were solved: the hottest flank of all contacts is the contact temperature of S_B, and Blok's is given in addition.
 #[test]
 fn solved_flanks_are_the_contact_temperature() {
     let text = format!("{GEARS}{REST}").replace(
@@ -280,7 +280,7 @@ fn solved_flanks_are_the_contact_temperature() {
     }
 }
 
-/// The mean of four angles is within the bar; those at 90° and 270° are alike but for the direction of the follower, which does not matter to speeds.
+/// The mean of four angles is within the bar; those at 90° and 270° differ only in the direction of the follower, which has no effect on speeds.
 #[test]
 fn a_turn_of_a_cam() {
     let (case, solved, found) = solve(CAM);
@@ -298,7 +298,7 @@ fn a_turn_of_a_cam() {
         turn.value / omega,
         max_relative = 1e-9
     );
-    // F e of a disc beside its centre, at 90°.
+    // F e of an eccentric disc, at 90°.
     assert_relative_eq!(value(&found, "torque_maximum"), 2.0, max_relative = 1e-9);
     let films = (0..4).map(|i| figure(&solved, i, Figure::FilmMinimum));
     let thinnest = films.fold(f64::INFINITY, f64::min);

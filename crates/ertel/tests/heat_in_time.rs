@@ -1,4 +1,4 @@
-//! Heat in time: what is steady stays, and what has changed comes to the steady contact of the new conditions.
+//! Heat in time: a steady contact stays steady, and a changed one approaches the steady contact of the new conditions.
 
 use std::path::Path;
 
@@ -76,7 +76,7 @@ fn figures(instant: &InstantSolution) -> [f64; FIGURES.len()] {
     })
 }
 
-/// Figures agree to a share; what flows into a body to twice that of what flows into both: into the glass flows what is left of much more, some of which it gives back behind the contact, and that of
+/// Figures agree to a share; what flows into a body to twice that of what flows into both: into the glass flows the remainder of much more, some of which it gives back behind the contact, and that of
 /// a coarse grid differs between the sum in space and that over time.
 fn assert_alike(found: &[f64; FIGURES.len()], expected: &[f64; FIGURES.len()], most: f64) {
     let into_both = expected[3] + expected[4];
@@ -94,7 +94,7 @@ fn assert_alike(found: &[f64; FIGURES.len()], expected: &[f64; FIGURES.len()], m
 }
 
 /// Under the conditions of the start nothing changes: the film equation and the energy of the film are those of the steady contact, and what the bodies remember is the
-/// steady rise, but for heat that spreads beyond the grid. A contact that has slowed down comes to what one is that begins so.
+/// steady rise, but for heat that spreads beyond the grid. A contact that has slowed down approaches one that starts at the lower speed.
 #[test]
 fn steady_contacts_stay_and_changes_come_to_them() {
     let change = "[transient]\nduration = \"0.45 ms\"\ntolerance = 0.05\noutput_times = [\"0.05 ms\", \"0.45 ms\"]\nentrainment_speed = { course = \"step\", at = \"0.05 ms\", to = \"1.3 m/s\" }\n";
@@ -111,8 +111,8 @@ fn steady_contacts_stay_and_changes_come_to_them() {
     assert_alike(&end, &steady, 8e-3);
 }
 
-/// A sliding line contact with a layer of oil, which is followed by a thinner one while oil and bodies warm by 10 K, comes to the steady contact with that layer at their temperature: by finite
-/// elements, which have nothing of the heat in time in common with it. Films to 0.1 %, rises to 0.3 %, friction and its heat to 0.2 %.
+/// A sliding line contact with a layer of oil, which is followed by a thinner one while oil and bodies warm by 10 K, approaches the steady contact with that layer at their temperature: by finite
+/// elements, which share no code of the heat in time. Films to 0.1 %, rises to 0.3 %, friction and its heat to 0.2 %.
 #[test]
 fn a_thinner_layer_heats_the_line_to_its_steady_temperatures() {
     let case = |layer: &str, temperature: f64, more: &str| {
@@ -169,30 +169,30 @@ sensitivities = false
     }
 }
 
-/// Stops a run once some of its instants are told, and keeps what it leaves.
+/// Stops a run after a number of reported instants, and keeps its checkpoint.
 struct Stopping {
     most: usize,
-    told: usize,
-    left: Option<Vec<u8>>,
+    reported: usize,
+    checkpoint: Option<Vec<u8>>,
 }
 
 impl Observer for Stopping {
     fn cancelled(&self) -> bool {
-        self.told >= self.most
+        self.reported >= self.most
     }
 }
 
 impl InstantObserver for Stopping {
     fn instant(&mut self, _: &Reached) {
-        self.told += 1;
+        self.reported += 1;
     }
 
     fn checkpoint(&mut self, checkpoint: Checkpoint) {
-        self.left = Some(checkpoint.to_bytes());
+        self.checkpoint = Some(checkpoint.to_bytes());
     }
 }
 
-/// A run with heat that stopped while its speed falls goes on from the bytes of its checkpoint to the tables of the run without a stop, to the digit: what film and bodies remember of the heat is a
+/// A run with heat that stopped while its speed falls resumes from the bytes of its checkpoint and gives the tables of the run without a stop, to the digit: the thermal history of film and bodies is a
 /// part of them. It stops where three instants count.
 #[test]
 fn a_run_with_heat_that_stopped_goes_on_to_the_digit() {
@@ -205,10 +205,13 @@ fn a_run_with_heat_that_stopped_goes_on_to_the_digit() {
     let n = whole.instants.len();
     let most = n / 2;
     assert!(most > 2, "{n}");
-    let (told, left) = (0, None);
-    let mut first = Stopping { most, told, left };
+    let mut first = Stopping {
+        most,
+        reported: 0,
+        checkpoint: None,
+    };
     assert!(transient::solve(&case, &mut first).failure.is_some());
-    let from = Checkpoint::from_bytes(&first.left.unwrap(), &case).unwrap();
+    let from = Checkpoint::from_bytes(&first.checkpoint.unwrap(), &case).unwrap();
     let rest = transient::solve_from(&case, Some(from), &mut NoObserver);
     assert!(rest.failure.is_none(), "{:?}", rest.failure);
     assert_eq!(tables(&rest), tables(&whole));

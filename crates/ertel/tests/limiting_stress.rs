@@ -1,4 +1,4 @@
-//! Contacts whose lubricant has a limiting shear stress, from the dry contact alone, against what theory says of them.
+//! Contacts whose lubricant has a limiting shear stress, from the dry contact alone, against theory.
 
 use crate::common;
 
@@ -119,8 +119,8 @@ fn a_limit_caps_a_law() {
     assert!(capped < 1.02 * limit[1] && capped < free && capped > 0.4 * limit[1]);
 }
 
-/// Oil of 0.33 mPa·s between steel and glass under 1.3 GPa whose film is 2 nm thick: its stress comes to the limit where the pressure no longer
-/// matters to the film, which thins by next to nothing. Newton's method that ended early on one of both films made 3 % of it, ± 0.1 %.
+/// Oil of 0.33 mPa·s between steel and glass under 1.3 GPa whose film is 2 nm thick: its stress reaches the limit where the pressure no longer
+/// affects the film, which thins by next to nothing. Newton's method that ended early on one of both films made 3 % of it, ± 0.1 %.
 #[test]
 fn a_film_that_does_not_thin_has_no_reduction() {
     let text = r#"

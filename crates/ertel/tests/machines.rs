@@ -12,7 +12,7 @@ use ertel::solve::{NoObserver, Observer};
 use ertel::study::{CurveObserver, PointSolution, solve_curve, solve_in_balance, solve_machine};
 use ertel_input::Document;
 
-/// All balls of a bearing under thrust are alike.
+/// All balls of a bearing under thrust are identical.
 const THRUST: &str = r#"
 title = "6206 under thrust"
 [machine]
@@ -45,7 +45,7 @@ fn read(text: &str) -> Case {
     .unwrap()
 }
 
-/// Two contacts stand for eighteen; their sums are nine times theirs, and each is what it is when solved alone.
+/// Two contacts represent eighteen; their sums are nine times theirs, and each is what it is when solved alone.
 #[test]
 fn a_bearing_under_thrust() {
     let case = read(THRUST);
@@ -60,11 +60,11 @@ fn a_bearing_under_thrust() {
         let solution = solved.solution(contact).unwrap();
         solution.figure(Figure::FrictionPower).unwrap().value
     };
-    // Friction goes by the law though the films are solved without it.
+    // Friction follows the law although the films are solved without it.
     let parts = value("friction_power_rolling") + value("friction_power_spin");
     let films = 9.0 * (power(0) + power(1));
     assert_relative_eq!(parts, films, max_relative = 1e-12);
-    // What spin errs by stays out of the rolling: at both walls it is the same.
+    // The error of spin does not affect the rolling: it is the same at both walls.
     let rolling = found.find("friction_power_rolling").unwrap().estimate;
     let share = rolling.error.unwrap() / rolling.value;
     assert!(share < 0.1, "{share}");
@@ -117,8 +117,8 @@ fn a_bearing_under_thrust() {
         assert!(report.contains(expected), "{expected} is not in\n{report}");
     }
     assert!(!report.contains("(!)"), "{report}");
-    // 70 °C are not where this heat leads to.
-    assert!(report.contains("solve once more"), "{report}");
+    // The heat balance does not give 70 °C.
+    assert!(report.contains("solve again at"), "{report}");
 }
 
 /// Lives by hand: P = 500 · Y with F_a/(Z D²) = 500/(9 · 90.7256) = 0.6123 MPa between 0.345 (Y 1.99) and 0.689 (Y 1.71): Y = 1.99 − 0.28 · 0.7772 = 1.77238,
@@ -166,10 +166,10 @@ fn a_bearing_in_balance_of_heat() {
         found
             .warnings
             .iter()
-            .all(|w| !w.text.contains("solve once more"))
+            .all(|w| !w.text.contains("solve again at"))
     );
     let rows = solved.case.machine.unwrap().rows;
-    assert!(rows.iter().any(|(name, _)| name == "balance of heat"));
+    assert!(rows.iter().any(|(name, _)| name == "heat balance"));
 }
 
 /// 30206 under 5 kN and 2 kN by hand: F_a/F_r = 0.4 above e = 0.375, P = 0.4 · 5 + 1.6 · 2 = 5.2 kN; C = 43 kN (NSK): (43/5.2)^(10/3) = 1143.6 million; P_0 =
@@ -208,7 +208,7 @@ fn tapered_rollers_by_their_designation() {
     }
 }
 
-/// After one of two contacts all files say so; sums and extremes over all contacts are left out, what mechanics give stays.
+/// After one of two contacts all files say so; sums and extremes over all contacts are omitted, figures from mechanics remain.
 #[test]
 fn an_interrupted_machine_is_marked_in_every_file() {
     let case = read(THRUST);
@@ -263,7 +263,7 @@ impl Observer for Stop {
 
 impl CurveObserver for Stop {}
 
-/// A machine that is stopped keeps what it has, which is less than all, and no contact counts as failed.
+/// A machine that is stopped keeps its finished contacts, and no contact counts as failed.
 #[test]
 fn a_machine_that_is_stopped() {
     let case = read(THRUST);

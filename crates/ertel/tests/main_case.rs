@@ -74,7 +74,7 @@ fn rigid_line_contact_is_martins() {
 /// Rigid isoviscous circular contact: Brewe, Hamrock & Taylor (1979), J. Lubr. Technol. 101,
 /// h₀ = 128·0.36 [0.131 atan(1/2) + 1.683]² R (U/W)² = 140.1 R (U/W)²; with half-Sommerfeld
 /// cavitation Kapitza's closed form gives 113.7. The load of a rigid ball falls off as 1/r and the
-/// film goes with its square: the finite contact area costs about 3 %.
+/// film is proportional to its square: the finite contact area costs about 3 %.
 #[test]
 fn rigid_circular_contact_is_brewes() {
     let mut case = main_case(ContactKind::Circular, 0.5);

@@ -1,4 +1,4 @@
-//! Marks of contacts reach all that is made of their figures; friction of machines goes by a law by default; bars hold the distance of the contacts.
+//! Marks of contacts apply to all figures derived from them; friction of machines follows a law by default; bars include the distance of the contacts.
 
 use std::path::Path;
 
@@ -55,7 +55,7 @@ target_error = 0.05
     )
 }
 
-/// What friction of the contacts makes of a pair of gears.
+/// Effect of contact friction on a pair of gears.
 const OF_FRICTION: [&str; 8] = [
     "friction_coefficient_mean",
     "friction_power_sliding",
@@ -67,7 +67,7 @@ const OF_FRICTION: [&str; 8] = [
     "scuffing_safety",
 ];
 
-/// Without a law some contacts have a traction above 0.15: all that friction makes has their mark, in the report, in JSON and in tables; films have none.
+/// Without a law some contacts have a traction above 0.15: all figures derived from friction have their mark, in the report, in JSON and in tables; films have none.
 #[test]
 fn friction_that_no_lubricant_transmits_marks_totals_of_gears() {
     let (case, solved, found) = solve(&gears("[solver]\nnewtonian = true"));
@@ -101,13 +101,13 @@ fn friction_that_no_lubricant_transmits_marks_totals_of_gears() {
         line("safety against scuffing S_B").contains("(!)"),
         "{report}"
     );
-    assert!(report.contains("(!) made of friction that no lubricant transmits"));
+    assert!(report.contains("(!) derived from friction that no lubricant transmits"));
 }
 
 /// Of the law that machines take by default the friction by the estimated law is 0.0199, 20.7 W; the films are those without it. They do not separate
 /// flanks of Ra 0.5 µm, which a warning and a label say.
 #[test]
-fn friction_of_gears_goes_by_a_law_by_default() {
+fn friction_of_gears_follows_a_law_by_default() {
     let (case, solved, found) = solve(&gears(""));
     assert!(case.friction_by_law && case.shear_thinning().is_none());
     let friction = value(&found, "friction_coefficient_mean");
@@ -180,7 +180,7 @@ fn spin_is_bounded_or_not_resolved() {
     let rolling = found.find("friction_power_rolling").unwrap().estimate;
     assert!(!rolling.is_doubtful(), "{rolling:?}");
     let report = output::machine_report(&case.echo(), &solved, &found, None);
-    assert!(!report.contains("solve once more"), "{report}");
+    assert!(!report.contains("solve again at"), "{report}");
     assert!(report.contains("not resolved (!)"), "{report}");
     // The contacts name what is not to be used in their table.
     let table = output::machine_table(&solved);
@@ -237,7 +237,7 @@ fn tables_of_curves_name_marked_figures_and_warnings() {
     );
 }
 
-/// A cam at few angles: the bar of the torque holds what many angles give, and a smallest film next to a reversal says so.
+/// A cam at few angles: the bar of the torque covers the value from many angles, and a smallest film next to a reversal says so.
 #[test]
 fn bars_of_a_turn_hold_the_distance_of_its_angles() {
     let cam = |points: usize| {

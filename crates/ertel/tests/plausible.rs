@@ -1,4 +1,4 @@
-//! Results that converged and cannot be true bring a warning; figures that the mesh does not resolve are named.
+//! Warnings of converged results that are physically impossible; names of figures that the mesh does not resolve.
 
 use std::path::Path;
 
@@ -68,7 +68,7 @@ fn friction_that_no_lubricant_transmits() {
     assert_eq!(warning(&thinning, WarningKind::Friction), None);
 }
 
-/// An Eyring stress of 60 MPa is no law of an oil. What the case has is not named as left out.
+/// An Eyring stress of 60 MPa is no law of an oil. Effects that the case includes are not named as neglected.
 #[test]
 fn a_law_without_limit_is_named() {
     let eyring = EYRING.replace("5 MPa", "60 MPa");
@@ -96,12 +96,12 @@ fn films_that_are_not_small() {
     let thick = film("200 m/s");
     let words = warning(&thick, WarningKind::ThickFilm).unwrap();
     assert!(
-        words.contains("of the radius, not small beside it"),
+        words.contains("of the radius, too thick for Reynolds' equation"),
         "{words}"
     );
 }
 
-/// Slip through an oil whose viscosity grows without limit up to 1.1 GPa: more friction than dry metal is no result, in any of its figures, and films stay.
+/// Slip through an oil whose viscosity grows without limit up to 1.1 GPa: friction above that of dry metal marks all figures derived from it; films stay valid.
 #[test]
 fn friction_beyond_physics_is_not_resolved() {
     let found = solved(
@@ -123,9 +123,9 @@ fn friction_beyond_physics_is_not_resolved() {
     assert!(warning(&found, WarningKind::Friction).is_some());
 }
 
-/// An inlet edge at 1.2 half-widths starves the contact: what it does to the films is beyond any bar.
+/// An inlet edge at 1.2 half-widths starves the contact: its effect on the films exceeds any bar.
 #[test]
-fn what_the_mesh_does_not_resolve() {
+fn unresolved_figures_are_named() {
     let fine = solved(ROLLER);
     assert!(fine.unresolved.is_empty());
     let starved = solved(&format!("{ROLLER}[mesh]\ninlet = -1.2\n"));
@@ -178,7 +178,7 @@ fn heat_balances_close() {
 /// An oil of ISO VG 220 that slides fast: the estimated law thins its film by about 9 %, and says so with both films; a measured law and a thinner oil at less
 /// speed do not.
 #[test]
-fn films_thinned_by_an_estimated_law_are_told() {
+fn films_thinned_by_an_estimated_law_are_reported() {
     let oil = |vg: usize, speed: &str, law: &str| {
         let (head, _) = ROLLER.split_once("density").unwrap();
         let text =

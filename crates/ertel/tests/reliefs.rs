@@ -32,11 +32,11 @@ fn films(solution: &Solution) -> [f64; 2] {
         .map(|figure| 1e9 * solution.figure(figure).unwrap().value)
 }
 
-/// Waves of 50 nm and half a half-width whose crest is in the centre, along the motion and, on a body at rest, across it, beside an independent
+/// Waves of 50 nm and half a half-width whose crest is in the centre, along the motion and, on a body at rest, across it, compared with an independent
 /// full-system finite-element computation of the same contacts: 213.4 and 120.6 nm without them, 172.5 and 114.2, 183.8 and 107.4. The central
-/// films of all three are 0.35 % lower there, so that their ratios to the smooth one are compared; what is left are the bars of both, 0.5 % each.
+/// films of all three are 0.35 % lower there, so their ratios to the smooth one are compared; the remaining difference is within the bars of both, 0.5 % each.
 #[test]
-fn waves_that_stand_still_beside_finite_elements() {
+fn stationary_waves_agree_with_finite_elements() {
     let smooth = films(&solved(ROLLING, COARSE));
     assert_relative_eq!(smooth[0], 213.4, max_relative = 1e-2);
     assert_relative_eq!(smooth[1], 120.6, max_relative = 2e-2);
@@ -111,9 +111,9 @@ fn a_map_of_waves_is_waves() {
     }
 }
 
-/// Too few unknowns for a relief are told, and so is where one that moves has no place.
+/// Too few unknowns for a relief are reported, and so is a moving relief without space.
 #[test]
-fn what_is_not_resolved_is_told() {
+fn unresolved_reliefs_are_reported() {
     let waves = |length: &str, most: &str| {
         format!(
             "[mesh]\ntarget_error = \"5 %\"\nmax_unknowns = {most}\n[[surface]]\nkind = \"waves\"\nbody = \"body_2\"\nwavelength = \"{length}\"\namplitude = \"5 nm\"\n\

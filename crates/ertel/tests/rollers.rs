@@ -227,9 +227,9 @@ fn a_narrow_crown_is_a_slender_ellipse() {
 }
 
 /// A crown that falls off by half of what the ends need: the contact runs over them, the film there comes out at or below zero on
-/// every mesh, and the solve ends with that.
+/// every mesh, and the solve fails.
 #[test]
-fn a_contact_that_runs_over_the_ends_is_told() {
+fn a_contact_that_runs_over_the_ends_is_reported() {
     let case = lundberg(0.004);
     let length = 0.004;
     let drop = case.contact.roller.as_ref().unwrap().height(0.5 * length)[0];
@@ -297,7 +297,7 @@ impl Observer for Count {
 
 /// A tilt that presses one end of a logarithmic profile in until its pressure falls to zero within half a half-width: the step from the
 /// diffusive start is too long, and is given up for a continuation in diffusion. 69 Newton iterations in all; where it was tried to the end,
-/// and then once more with a softer penalty, more than 94 were not enough.
+/// and then repeated with a softer penalty, more than 94 were not enough.
 #[test]
 fn a_tilted_logarithmic_roller_is_solved() {
     let text = include_str!("../../../cases/cylindrical-roller.toml");
@@ -321,7 +321,7 @@ fn a_tilted_logarithmic_roller_is_solved() {
     assert!(solution.figure(Figure::LoadPosition).unwrap().value > 0.0);
 }
 
-/// Heat under a tilted roller: what is made is carried off, and the film is warmer than what flows in.
+/// Heat under a tilted roller: generated heat is carried off, and the film is warmer than the inflow.
 #[test]
 fn heat_of_a_tilted_roller() {
     let [_, mut case] = crowned_by(2.0 * RADIUS, 2.5, 2e-4);

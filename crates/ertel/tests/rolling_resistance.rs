@@ -1,4 +1,4 @@
-//! What rolling costs, against the formulas of Biboulet and Houpert (2010).
+//! Rolling resistance, against the formulas of Biboulet and Houpert (2010).
 
 use crate::common;
 
@@ -32,7 +32,7 @@ fn films_resist_rolling_as_published() {
         let force = 0.5 * (t.coefficient_body_2.value - t.coefficient_body_1.value) * load;
         println!("{kind:?} M {}: {force} {published}", s.groups.moes_load);
         assert_relative_eq!(force, published, max_relative = 0.05);
-        // The surfaces drag the film in at u_m against this force of each; the bar holds what the dissipation lacks of it.
+        // The surfaces drag the film in at u_m against this force of each; the bar covers the shortfall of the dissipation.
         let power = s.traction.friction_power;
         let speed = case.motion.entrainment_speed;
         assert_relative_eq!(power.value, 2.0 * force * speed, max_relative = 1e-6);
@@ -44,7 +44,7 @@ fn films_resist_rolling_as_published() {
 }
 
 /// A long ellipse across the motion (axis ratio 3.9, M = 545, close to the asymptote 1.8 β^(−¼) (2b/R)(2U)^¾ E'R² of Biboulet and Houpert 2010, part 2, eq. 31). The
-/// resistance of an ellipse grows with the logarithm of the area that is reckoned with, whose edge the paper does not give: found
+/// resistance of an ellipse grows with the logarithm of the area included, whose edge the paper does not give: found
 /// -0.5, +5, +12, +18 and +22 % off with side edges at 2, 3, 5, 10 and 30 semi-axes. At 10 three quarters of it come from within the width of the
 /// dry contact, which is what the paper says. Here the edge is at 2.
 #[test]

@@ -47,13 +47,13 @@ fn expect_inputs(found: &Sensitivities, n_inputs: usize) {
     }
 }
 
-/// All inputs at once, each with a weight of its own: one pair of solves in place of one for each input, where solves take long.
+/// All inputs at once, each with a separate weight: one pair of solves instead of one for each input, where solves take long.
 fn along_directions(text: &str, n_inputs: usize, tolerance: f64) {
     let base = case(&format!("{text}\n[output]\nsensitivities = true\n"));
     let (solution, start) = solved(&base, None);
     let sensitivities = solution.sensitivities.as_ref().unwrap();
     expect_inputs(sensitivities, n_inputs);
-    // Weights between −1 and 1 that no sum of derivatives knows.
+    // Weights between −1 and 1 that match no sum of derivatives.
     let weight = |i: usize| 2.0 * ((i + 1) as f64 * 0.618_034).fract() - 1.0;
     let at = |step: f64| {
         let inputs = sensitivities.inputs.iter().enumerate();
@@ -130,7 +130,7 @@ fn against_differences(text: &str, n_inputs: usize, n_figures: usize) {
     assert!(worst < 1e-5, "{worst:e}");
 }
 
-/// What derivatives by finite elements neglect: oil behind the film moves with it, and oil around the contact area ends with the bodies. Seen in the traction: 1e-4 to 4e-3 of balls, 2e-3 of a
+/// Effects that derivatives by finite elements neglect: oil behind the film moves with it, and oil around the contact area ends with the bodies. Seen in the traction: 1e-4 to 4e-3 of balls, 2e-3 of a
 /// Newtonian line, 3e-2 of a line that an Eyring stress thins.
 fn neglected(figure: Figure) -> f64 {
     match figure {
@@ -195,7 +195,7 @@ fn shear_thinning_circle() {
     along_directions(&format!("{SHEAR_THINNING}{contact}"), 21, 1e-5);
 }
 
-/// A circle with heat by finite volumes against differences of whole solves on grids four times as fine, all inputs at once with weights of their own. The edges are given: those that follow from
+/// A circle with heat by finite volumes against differences of whole solves on grids four times as fine, all inputs at once with separate weights. The edges are given: those that follow from
 /// the film would move with the inputs, and rolling friction with them.
 #[test]
 fn heated_circle() {
@@ -215,8 +215,8 @@ fn heated_circle() {
         Figure::TractionCoefficientBody1,
         Figure::FrictionPower,
     ] {
-        let is_told = found.figures.iter().any(|own| own.figure == figure);
-        assert!(is_told, "{}", figure.name());
+        let is_given = found.figures.iter().any(|own| own.figure == figure);
+        assert!(is_given, "{}", figure.name());
     }
     // So narrow that the minimum stays at its node.
     let step = 1e-3;
@@ -337,7 +337,7 @@ fn heated_line() {
     }
 }
 
-/// A layer of 150 nm, as an input of its own.
+/// A layer of 150 nm, as a separate input.
 #[test]
 fn starved_circle() {
     let contact = "[contact]\nkind = \"circular\"\nradius = \"16 mm\"\nload = \"50 N\"\n";
@@ -396,7 +396,7 @@ fn scales_with_size_and_stress(text: &str, lengths: &[&str], tolerance: f64, of_
     }
 }
 
-/// Roelands' law has a pressure of its own; Barus' has none. No compressibility.
+/// Roelands' law contains a pressure constant; Barus' has none. No compressibility.
 fn scalable() -> String {
     (NEWTONIAN.replace("law = \"roelands\"", "law = \"barus\""))
         .replace(
@@ -425,10 +425,10 @@ fn rollers_scale() {
     scales_with_size_and_stress(&format!("{contact}{}", scalable()), &lengths, 1e-3, 1e-2);
 }
 
-/// A crown that carries no load near its ends knows nothing of the length beyond: the films do not change with it, though all is told in
-/// half-widths of a line contact of that length, in which load and pressures over the drawn-out mesh change by 1.5 per cent for one. By the
-/// load the films change by 0.07 and 0.09, so that a load integral that stays behind would be seen; the largest pressure and the traction,
-/// which goes with its exponential, are not told to that on this mesh.
+/// A crown that carries no load near its ends does not depend on the length beyond: the films do not change with it, though all is given in
+/// half-widths of a line contact of that length, in which load and pressures over the stretched mesh change by 1.5 per cent for one. By the
+/// load the films change by 0.07 and 0.09, so an error of the load integral would be seen; the largest pressure and the traction,
+/// which depends on its exponential, are not accurate to that on this mesh.
 #[test]
 fn a_roller_does_not_feel_length_that_carries_nothing() {
     let contact = "[contact]\nkind = \"roller\"\nradius = \"10 mm\"\nload = \"40 N\"\nlength = \"2 mm\"\n\

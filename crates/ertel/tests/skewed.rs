@@ -30,8 +30,8 @@ fn alike(a: ertel::solution::Estimate, b: ertel::solution::Estimate, what: &str)
     assert!((a.value - b.value).abs() <= bar, "{what}: {a:?} {b:?}");
 }
 
-/// Around a ball no direction of the sliding is another's better: 30 % across pulls across as 30 % along pulls along. (What rolling drags
-/// along differs, but not at mid-film.)
+/// Around a ball all directions of sliding are equivalent: 30 % across gives the traction across that 30 % along gives along. (The rolling
+/// part differs, but not at mid-film.)
 #[test]
 fn sliding_across_a_ball_is_sliding_along_it() {
     let mut along = contact(false);
@@ -55,12 +55,12 @@ fn sliding_across_a_ball_is_sliding_along_it() {
     let turned = across.traction.across.unwrap();
     alike(along.traction.coefficient, turned.coefficient, "traction");
     alike(along.traction.force, turned.force, "force");
-    // None along the motion, as far as its bar tells.
+    // None along the motion, within its bar.
     let rest = across.traction.coefficient;
     assert!(rest.value.abs() <= rest.error.unwrap(), "{rest:?}");
 }
 
-/// A Newtonian film of one temperature does not feel the sliding: τ = ηΔu/h at mid-film. The components are as those of the sliding.
+/// Sliding has no effect on a Newtonian film of one temperature: τ = ηΔu/h at mid-film. The components are as those of the sliding.
 #[test]
 fn newtonian_film_pulls_as_it_slides() {
     let mut case = contact(false);
@@ -113,7 +113,7 @@ fn mirrored_motion_mirrors_the_contact() {
     assert!(a.2 * b.2 < 0.0, "{} {}", a.2, b.2);
 }
 
-/// What the surfaces put in, heats the film: P = F·Δu + MΔω + what rolling costs, which the sliding changes little. And heat that is made
+/// The power of the surfaces heats the film: P = F·Δu + MΔω + rolling loss, which the sliding changes little. And generated heat
 /// is carried off, to within 1 %.
 #[test]
 fn friction_power_is_work_of_force_and_moment() {

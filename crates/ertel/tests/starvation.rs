@@ -1,4 +1,4 @@
-//! Contacts that get less oil than they take: against the closed form of the line contact, the limits of thick and thin layers, and
+//! Starved contacts: against the closed form of the line contact, the limits of thick and thin layers, and
 //! Reynolds' equation integrated upstream to the meniscus.
 
 use crate::common;
@@ -42,7 +42,7 @@ fn sample(solution: &Solution, x: f64) -> usize {
 ///
 /// Theory: Starved inlet.
 #[test]
-fn a_line_contact_passes_what_arrives() {
+fn a_line_contact_passes_the_arriving_oil() {
     for share in [0.1, 0.4, 0.8] {
         let (case, thickness) = layer(ContactKind::Line, share, 1e-3);
         let solution = solved(&case);
@@ -88,10 +88,10 @@ fn pressure_ends_at_the_meniscus() {
         }
         (p, i) = (before, i - 1);
     };
-    let told = solution.starvation.unwrap().meniscus_position.unwrap();
+    let meniscus = solution.starvation.unwrap().meniscus_position.unwrap();
     let a = solution.hertz.half_width;
-    assert!(told.value < -a, "{told:?}");
-    assert_relative_eq!(told.value, found, epsilon = 0.02 * a);
+    assert!(meniscus.value < -a, "{meniscus:?}");
+    assert_relative_eq!(meniscus.value, found, epsilon = 0.02 * a);
 }
 
 /// Of a thin layer hardly anything leaves at the sides; a thick one floods the contact; between them the film grows with the layer, and

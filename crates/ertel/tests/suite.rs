@@ -1,4 +1,4 @@
-//! All integration tests in one program: each program of its own would link the whole library once more, and run alone.
+//! All integration tests in one program: separate programs would each link the whole library, and run one after the other.
 
 mod arrows;
 mod behind_the_film;

@@ -1,5 +1,5 @@
-//! Temperatures and heat as results: made-up temperatures whose figures are known by hand, and real ones reckoned
-//! once more from what is written.
+//! Temperatures and heat as results: made-up temperatures whose figures are known by hand, and real ones computed
+//! again from the written fields.
 
 use crate::common;
 
@@ -110,7 +110,7 @@ fn figures_of_made_up_temperatures() {
         let size = measured.figures.get(figure).unwrap().size;
         assert_relative_eq!(size, value - 313.15, epsilon = 1e-9);
     }
-    // The Hertz zone is told by quadrature points: its ends err by a share of a cell, times 10 K.
+    // Quadrature points define the Hertz zone: its ends err by a share of a cell, times 10 K.
     for (mean, value) in [
         (found.film_mean.value, 358.0),
         (found.body_1_mean.value, 346.0),
@@ -222,7 +222,7 @@ fn carried(case: &Case, solution: &Solution, region: u8) -> f64 {
     capacity * speed * elements.sum::<f64>()
 }
 
-/// The heat made by shear is the friction power, reckoned by another rule; what is made is carried off; what the plane of
+/// The heat made by shear is the friction power, computed by another rule; generated heat is carried off; what the plane of
 /// glass carries off, it carries through the outlet section.
 #[test]
 fn heat_is_accounted_for() {
@@ -300,14 +300,14 @@ fn heat_of_a_circular_contact_counts_both_halves() {
 
 /// A film that leaves the range of the data says so, once; one that stays inside does not.
 #[test]
-fn temperatures_beyond_the_data_are_told() {
+fn temperatures_beyond_the_data_are_reported() {
     let mut case = case(ContactKind::Line, 8e4, 0.4);
     let (problem, solution, levels) = stages(&case);
     let scales = scales(&case);
     let params = case.thermal.clone().unwrap();
     let found = thermal_of(&solution, &problem, &levels, &params);
     let top = found.film_maximum.value;
-    let mut told = |lowest: f64, highest: f64| {
+    let mut warned = |lowest: f64, highest: f64| {
         case.lubricant.temperature_ranges = vec![TemperatureRange {
             lowest,
             highest,
@@ -322,14 +322,14 @@ fn temperatures_beyond_the_data_are_told() {
             [-4.5, 1.5, 3.0],
         )
     };
-    assert!(told(300.0, top + 0.1).is_empty());
+    assert!(warned(300.0, top + 0.1).is_empty());
     let end = celsius(top - 2.0);
     // Data of one temperature, that of the inlet, have no two ends.
     for (lowest, highest, words) in [
-        (300.0, top - 2.0, format!("hold from 26.85 °C to {end} (")),
-        (313.15, 313.15, "hold at 40 °C only (".to_owned()),
+        (300.0, top - 2.0, format!("valid from 26.85 °C to {end} (")),
+        (313.15, 313.15, "valid at 40 °C only (".to_owned()),
     ] {
-        let [warning] = &told(lowest, highest)[..] else {
+        let [warning] = &warned(lowest, highest)[..] else {
             panic!("one warning")
         };
         assert!(
@@ -341,9 +341,9 @@ fn temperatures_beyond_the_data_are_told() {
 }
 
 /// Oil of 60 °C between bodies of 75 °C: nothing cools it, the density does not change with the temperature, and so no film is colder than the oil, whatever the element of
-/// its polynomials. Heat conducted from hot to cold alone would keep to that exactly; 0.3 K, a fiftieth of the difference, is left for convection of the second order.
+/// its polynomials. Heat conducted from hot to cold alone would keep to that exactly; 0.3 K, a fiftieth of the difference, is allowed for convection of the second order.
 #[test]
-fn no_film_is_colder_than_what_comes_in() {
+fn no_film_is_colder_than_the_inflow() {
     for (kind, method) in [
         ("line", Method::FiniteElements),
         ("line", Method::FiniteVolumes),

@@ -37,7 +37,7 @@ fn all_but_round_is_a_ball_at_any_angle() {
             "",
         );
         println!("{degrees}: {turned:?}, {ball:?}");
-        // A rigid film goes with R^3 (Kapitza 1955): by a per mille of one of two radii it differs by 1.5 per mille.
+        // A rigid film is proportional to R^3 (Kapitza 1955): by a per mille of one of two radii it differs by 1.5 per mille.
         let bar = turned.error.unwrap() + ball.error.unwrap() + 1.5e-3 * ball.value;
         assert!((turned.value - ball.value).abs() < bar, "{degrees}");
     }

@@ -1,4 +1,4 @@
-//! Solutions of whole cases: what theory says they share.
+//! Solutions of whole cases: common properties from theory.
 
 use crate::common;
 
@@ -29,7 +29,7 @@ fn solved(case: &Case) -> Solution {
 
 /// Glass on steel, each body for itself and as one equivalent body (Habchi 2008, appendix A).
 ///
-/// On a half-space both deflect alike, everywhere in the body, for any pressure; the finite body
+/// On a half-space both deflect equally, everywhere in the body, for any pressure; the finite body
 /// shifts the surface as a whole, which H0 takes up, and discretisation errors of the elastic
 /// problem depend on Poisson's ratio: 1e-4 of the film leaves room for both. A wrong equivalent
 /// ratio of 0.3 instead of 0.23 changes the film by per cents.
@@ -57,7 +57,7 @@ fn equivalent_body_replaces_two_bodies() {
 
 /// Two contacts of unlike size, stiffness, speed and oil that share M, L and ν.
 ///
-/// With constant density and Barus's law the dimensionless equations know M and L alone (λ and
+/// With constant density and Barus's law the dimensionless equations depend on M and L alone (λ and
 /// α p_h follow from them), so the films in a²/R, and h/(R √(2U)) with them, are the same number.
 ///
 /// Habchi 2008, eq. 2.28.

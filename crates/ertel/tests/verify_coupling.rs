@@ -1,4 +1,4 @@
-//! Film and heat in turn: what is left of the error where their coupling stops.
+//! Film and heat in turn: the remaining error where their coupling stops.
 
 use crate::common;
 
@@ -32,11 +32,11 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// Against the same equations solved to a ten-thousandth of the tolerance, temperature rise, pressure and film are within the
-/// tolerance; the coupling says so by c q/(1 − q) of its last changes, and goes on for no more than a round beyond.
+/// tolerance; the coupling estimates this by c q/(1 − q) of its last changes, and continues for at most one round beyond.
 ///
 /// Theory: Film and heat together.
 #[test]
-fn the_error_left_is_within_the_tolerance() {
+fn the_remaining_error_is_within_the_tolerance() {
     for (speed, slide) in [(0.8, 0.4), (2.0, 0.5)] {
         let mut case = common::heated(common::case(ContactKind::Line, 8e4));
         case.motion.entrainment_speed = speed;
@@ -80,7 +80,7 @@ fn the_error_left_is_within_the_tolerance() {
     }
 }
 
-/// Rolling at 30 m/s: the inlet shears hot. At the pressures of the isothermal film the first temperatures rise by 211 K, where 46 K are left in
+/// Rolling at 30 m/s: the inlet shears hot. At the pressures of the isothermal film the first temperatures rise by 211 K, where 46 K remain in
 /// the end, the next pressures change by eight p_h, and so on in turn; at a held flow film and heat settle from the isothermal film. The film
 /// is reduced as the formula of Murch and Wilson has it, within a fifth, by which such formulas differ.
 #[test]
@@ -125,7 +125,7 @@ preset = "coarse"
     let formula = ThermalReduction::MurchWilson.factor(loading, 0.7 / 230.8, 0.0);
     println!("{left} {formula:?} {:?}", thermal.balance);
     assert_relative_eq!(left, formula.unwrap(), max_relative = 0.2);
-    // What is made leaves with bodies and lubricant, also where warm lubricant flows back out of the inlet.
+    // Generated heat leaves with bodies and lubricant, also where warm lubricant flows back out of the inlet.
     assert!(thermal.balance.by_film.value > 0.1 * thermal.balance.shear.value);
     assert!(thermal.balance.error.abs() < 0.01, "{:?}", thermal.balance);
 }

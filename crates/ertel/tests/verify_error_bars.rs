@@ -1,5 +1,5 @@
-//! Error bars against the same case on much finer meshes: the bar must hold the truth, and must not
-//! be so wide that it says nothing.
+//! Error bars against the same case on much finer meshes: the bar must cover the true value, and must not
+//! be too wide to be useful.
 
 use crate::common;
 
@@ -10,7 +10,7 @@ use ertel::run::solve;
 use ertel::solution::Estimate;
 use ertel::solve::NoObserver;
 
-/// Widest bars that still tell something: a coarse mesh is for a quick look.
+/// Widest useful bars: a coarse mesh is for a quick look.
 const WIDEST_COARSE: f64 = 0.1;
 const WIDEST_NORMAL: f64 = 0.04;
 

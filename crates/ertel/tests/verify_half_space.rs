@@ -168,7 +168,7 @@ fn deflection_under_the_hertz_pressure() {
     }
 }
 
-/// Pressures as smooth as the elements can tell: order k + 1 of the interpolation at least. Line: (1 − x²)^(7/2).
+/// Pressures as smooth as the elements can represent: order k + 1 of the interpolation at least. Line: (1 − x²)^(7/2).
 /// Circle: exp(−r²/s²), of which 1e-12 lies outside the mesh, deflects s√π exp(−z) I₀(z), z = r²/(2s²), times C.
 #[test]
 fn deflection_under_smooth_pressures() {
@@ -210,9 +210,9 @@ fn along_centreline(d: &Discretisation) -> Vec<f64> {
     [0.0, 0.5, 0.9, 1.2, -1.5].map(at).to_vec()
 }
 
-/// The finite-element body under the same pressure comes to the half-space as it grows: the deflection of a
-/// circular contact like 1/B (the far field of a point load), the shape of a line contact like 1/B². What is
-/// left when the size is extrapolated away are the elements of the body and the root at the edge.
+/// The finite-element body under the same pressure approaches the half-space as it grows: the deflection of a
+/// circular contact like 1/B (the far field of a point load), the shape of a line contact like 1/B². The error that
+/// remains after extrapolation of the size is from the elements of the body and the root at the edge.
 #[test]
 fn the_finite_body_grows_into_the_half_space() {
     for (kind, size, order, left) in [
@@ -375,7 +375,7 @@ fn loads_deflect_as_their_pressure() {
     }
 }
 
-/// The state that Newton's method ends with satisfies the film equations with the deflection of its own pressure:
+/// The state that Newton's method ends with satisfies the film equations with the deflection of its pressure:
 /// its residual is far below that of a pressure one part in ten thousand off.
 #[test]
 fn solutions_satisfy_the_equations() {
@@ -410,7 +410,7 @@ fn solutions_satisfy_the_equations() {
     }
 }
 
-/// Ball on disc on cells of the same sizes, above a half-space and above a body of 120 half-widths: what differs are
+/// Ball on disc on cells of the same sizes, above a half-space and above a body of 120 half-widths: the differences are
 /// the two meshes, the elements of the body and the part of its bottom that H0 does not take up.
 #[test]
 fn films_agree_with_those_of_a_large_body() {
@@ -440,7 +440,7 @@ fn films_agree_with_those_of_a_large_body() {
     }
 }
 
-/// An operator that was given back is made anew when it is asked for, with the same bits, by several threads at once, too.
+/// An operator that was given back is made again when requested, with the same bits, by several threads at once, too.
 #[test]
 fn released_operators_come_back() {
     for kind in KINDS {

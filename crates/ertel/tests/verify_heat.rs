@@ -491,7 +491,7 @@ fn heat_beyond_all_bounds_is_refused() {
 /// Lubricant that enters δ warmer brings ρc h u_m δ (1 − 2/(n + 1)) of heat along: next to the walls it has their temperature, by ∫(½ ± s)^n ds = 1/(n + 1) with polynomials of the
 /// order n = 6. The gap h at the inlet is known, and what the rows of prescribed temperatures would have taken up counts as conducted.
 #[test]
-fn what_flows_in_brings_its_heat_along() {
+fn the_inflow_carries_its_heat() {
     let case = heated_case(ContactKind::Line, 6);
     let problem = problem_without_expansion(&case);
     let heat = problem.heat.as_ref().unwrap();

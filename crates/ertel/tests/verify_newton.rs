@@ -183,10 +183,10 @@ fn pinned(case: &Case, expected: &[[usize; 3]]) {
     }
 }
 
-/// What other threads of the process do changes no bit of a result: sums are taken in a fixed
+/// Other threads of the process change no bit of a result: sums are taken in a fixed
 /// order, and the elimination order is drawn under a lock.
 #[test]
-fn results_repeat_beside_other_solves() {
+fn results_repeat_during_other_solves() {
     let case = on_a_body(common::case(ContactKind::Line, 3e5));
     let alone = solve(&case, &mut NoObserver).unwrap();
     let done = AtomicBool::new(false);

@@ -37,7 +37,7 @@ fn figures_and_fields_of_a_small_contact() {
     };
     let measured = measure(&problem, &solution, &levels);
     let summary = summarise(&solution, &measured, &model, scales);
-    // What enters, less what leaves at the side, passes the middle: the mesh is coarse.
+    // The inflow minus the side leakage passes the middle: the mesh is coarse.
     println!("film balance {:.1e}", summary.film_balance_error);
     assert!(summary.film_balance_error.abs() < 0.02);
     assert!(summary.load_balance_error < 1e-8);

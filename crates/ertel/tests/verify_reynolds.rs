@@ -12,7 +12,7 @@
 //! ```
 //! Surfaces move along x (ū = e_x), but those of ellipses slide at an angle and spin.
 //!
-//! Nothing of the product computes f: fluid, film and flux are written out here once more, and
+//! Nothing of the product computes f: fluid, film and flux are written out here again, and
 //! differentiated by dual numbers.
 
 use crate::common;
@@ -290,7 +290,7 @@ fn mesh(kind: ContactKind, size: f64) -> Arc<ContactSurface> {
     };
     let rigid = match kind {
         ContactKind::Line | ContactKind::Circular => Elasticity::finite_elements(2, &[]),
-        // What it would answer does not count: the deflection is prescribed.
+        // Its response does not count: the deflection is prescribed.
         ContactKind::Elliptical | ContactKind::Roller => {
             Elasticity::half_space(2, &[material(1.0, 0.3)])
         }

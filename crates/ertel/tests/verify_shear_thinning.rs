@@ -159,7 +159,7 @@ fn rolling_alone_has_the_traction_of_the_pressure_gradient() {
 /// ```text
 ///   τ = τ₀ asinh[μΔu/(hτ₀) · x/sinh x]
 /// ```
-/// at mid-film. Integrated over the profiles as they are written, beside the solver's traction; behind the film what leaves it fills a share of the gap.
+/// at mid-film. Integrated over the profiles as they are written, compared with the solver's traction; behind the film, the outflow fills a share of the gap.
 #[test]
 fn sliding_in_eyrings_fluid_has_the_traction_of_its_closed_form() {
     for (stress, srr) in [(2e6, 0.5), (5e6, 0.1), (5e6, 1.5)] {
@@ -189,16 +189,16 @@ fn sliding_in_eyrings_fluid_has_the_traction_of_its_closed_form() {
     }
 }
 
-/// What the surfaces put in becomes heat: power = F_2 u_2 − F_1 u_1.
+/// The power of the surfaces becomes heat: power = F_2 u_2 − F_1 u_1.
 ///
 /// The rest of the balance, −∫∇p·(ṁ/ρ) dA, vanishes: ∇p/ρ(p) is a gradient, ṁ is free of sources, and
-/// the pressure is zero around the contact area. What is left is the error of the mesh, which counts most where
+/// the pressure is zero around the contact area. The remaining difference is the error of the mesh, which counts most where
 /// nothing slides and all power goes into the pressure's work: lines take the finer one.
 ///
 /// Theory: Traction and heat.
 /// Habchi 2008, eq. 4.15.
 #[test]
-fn friction_is_what_the_surfaces_put_in() {
+fn friction_power_equals_the_power_of_the_surfaces() {
     for (kind, law, srr) in [
         (ContactKind::Line, carreau(0.2), 0.3),
         (ContactKind::Line, carreau(0.2), 0.0),

@@ -24,7 +24,7 @@ fn solved(case: &Case) -> Solution {
 }
 
 /// Where heat flows off without resistance nothing warms up: film and traction are those of the isothermal contact.
-/// What is left of the rise, 1e-7 K and less, changes nothing; the tolerance is that of the coupling.
+/// The remaining rise, 1e-7 K and less, has no effect; the tolerance is that of the coupling.
 #[test]
 fn perfect_conductors_are_isothermal() {
     let mut heated = case(ContactKind::Line, 0.4);

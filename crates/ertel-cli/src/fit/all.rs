@@ -8,10 +8,10 @@ use crate::args::FitLawArgs;
 use crate::failure::Failure;
 use crate::table::columns;
 
-/// What stands for all laws.
+/// Name for all laws.
 pub const NAME: &str = "all";
 
-/// Ranks the laws and goes on with the best one.
+/// Ranks the laws and fits the best one.
 ///
 /// # Errors
 ///
@@ -20,7 +20,7 @@ pub fn run(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
     for (option, given) in [("--hold", &arguments.hold), ("--free", &arguments.free)] {
         if let Some(text) = given.first() {
             return Err(Failure::Argument(format!(
-                "{option} {text}: constants belong to one law; name it in place of --law all"
+                "{option} {text}: constants belong to one law; name it instead of `all` in --law"
             )));
         }
     }

@@ -44,7 +44,7 @@ pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
     let contact = fit::contact_of_films_with(&text, &given.table);
     let form = FilmForm::named(&arguments.form, contact)
         .map_err(|error| Failure::Argument(format!("{file}: {error}")))?;
-    check_given(form, &arguments.beside)?;
+    check_given(form, &arguments.given_formulas)?;
     let mut fits = Vec::new();
     for kind in [FilmKind::Central, FilmKind::Minimum] {
         // The asymptotes are those of the central film.
@@ -65,16 +65,20 @@ pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
     if fits.is_empty() {
         let columns = match form {
             FilmForm::Blend(_) => {
-                "no column `film_central_m`, which the asymptotes of the blend are for"
+                "no column `film_central_m`, which the asymptotes of the blend need"
             }
             _ => "neither a column `film_central_m` nor `film_minimum_m`",
         };
         return Err(Failure::Argument(format!("{file}: there is {columns}")));
     }
     let fitted = |kind: FilmKind| fits.iter().any(|(_, films)| films.kind == kind);
-    if let Some((kind, _)) = arguments.beside.iter().find(|(kind, _)| !fitted(*kind)) {
+    if let Some((kind, _)) = arguments
+        .given_formulas
+        .iter()
+        .find(|(kind, _)| !fitted(*kind))
+    {
         return Err(Failure::Argument(format!(
-            "--beside: {file} has no {} films that the form {} is fitted to",
+            "--given: {file} has no {} films that the form {} is fitted to",
             kind.name(),
             arguments.form
         )));
@@ -86,7 +90,7 @@ pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
         .iter()
         .map(|(fit, films)| {
             report(fit, films, &file, contact, arguments.verbose)
-                + &beside(films, &arguments.beside)
+                + &deviations(films, &arguments.given_formulas)
         })
         .collect();
     print::stdout(&reports.join("\n"))
@@ -102,7 +106,7 @@ fn check_given(form: FilmForm, given: &[(FilmKind, Vec<f64>)]) -> Result<(), Fai
             let positive = names.iter().zip(signs).filter(|(_, positive)| **positive);
             let positive: Vec<&str> = positive.map(|(name, _)| *name).collect();
             return Err(Failure::Argument(format!(
-                "--beside: write {} constants, {}, of {}; {} above zero",
+                "--given: write {} constants, {}, of {}; {} above zero",
                 names.len(),
                 names.join(", "),
                 form.formula(),
@@ -113,8 +117,8 @@ fn check_given(form: FilmForm, given: &[(FilmKind, Vec<f64>)]) -> Result<(), Fai
     Ok(())
 }
 
-/// How far formulas with given constants are from the films.
-fn beside(films: &Films, formulas: &[(FilmKind, Vec<f64>)]) -> String {
+/// Deviations of formulas with given constants from the films.
+fn deviations(films: &Films, formulas: &[(FilmKind, Vec<f64>)]) -> String {
     let mut text = String::new();
     let names = films.form.constants();
     for (_, constants) in formulas.iter().filter(|(kind, _)| *kind == films.kind) {
@@ -131,7 +135,7 @@ fn beside(films: &Films, formulas: &[(FilmKind, Vec<f64>)]) -> String {
         let given = names.iter().zip(constants);
         let given: Vec<String> = given.map(|(name, c)| format!("{name} = {c}")).collect();
         text += &format!(
-            "\n  beside: {} deviates by {:+.2} to {:+.2} %, rms {} %\n",
+            "\n  given formula: {} deviates by {:+.2} to {:+.2} %, rms {} %\n",
             given.join(", "),
             100.0 * range[0],
             100.0 * range[1],

@@ -10,10 +10,10 @@ use crate::failure::Failure;
 
 /// Longest answer, bytes.
 const LONGEST_ANSWER: usize = 1_000;
-/// Answers to one question, none of them right, after which it is asked no more: no one types so many.
+/// Largest number of wrong answers to one question.
 const MOST_TRIES: usize = 100;
 
-/// Asks for what a case needs, of a template or of one to be chosen; returns the case file. `say` shows a line.
+/// Asks for the values of a case, of a given template or of one to be chosen; returns the case file. `say` shows a line.
 ///
 /// # Errors
 ///
@@ -78,7 +78,7 @@ fn choose(
     input: &mut dyn BufRead,
     say: &mut dyn FnMut(&str),
 ) -> Result<&'static Template, Failure> {
-    say("What is it?");
+    say("Kind of case:");
     for (i, template) in TEMPLATES.iter().enumerate() {
         say(&format!(
             "  {}  {:<15} {}",
@@ -143,7 +143,7 @@ mod tests {
         (result, said)
     }
 
-    /// Wrong answers are told and asked for again; a slip of a unit is asked about.
+    /// Wrong answers are reported and asked for again; a likely slip of a unit brings a question.
     #[test]
     fn answers_are_checked_at_once() {
         let number = TEMPLATES.iter().position(|t| t.name == "rig").unwrap() + 1;
@@ -162,7 +162,7 @@ mod tests {
             "needs a speed",
             "u = π d n/60",
             "diameter of the ball [19.05 mm]: ",
-            "warning: lubricant.viscosity.alpha = 0.02 1/GPa is far from what is usual, 0.5 to 60 1/GPa: is 20 1/GPa meant?",
+            "warning: lubricant.viscosity.alpha = 0.02 1/GPa is far from the usual range, 0.5 to 60 1/GPa: is 20 1/GPa meant?",
         ] {
             assert!(
                 said.iter().any(|line| line.contains(words)),
@@ -183,7 +183,7 @@ mod tests {
         );
     }
 
-    /// Devices, programs that answer for ever, and what is no text end the questions.
+    /// Devices, programs that answer for ever, and answers that are no text end the questions.
     #[test]
     fn answers_are_bounded() {
         let end = |input: &mut dyn BufRead| {

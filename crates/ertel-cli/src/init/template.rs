@@ -1,4 +1,4 @@
-//! The cases that one starts from: those that come with ertel.
+//! Templates of cases: the shipped cases.
 
 use std::path::Path;
 
@@ -11,21 +11,21 @@ use crate::failure::Failure;
 pub struct Template {
     /// Name on the command line.
     pub name: &'static str,
-    /// What it is.
+    /// Short description.
     pub about: &'static str,
     /// The shipped case.
     case: &'static str,
-    /// Keys to ask for, each with what it is called.
+    /// Keys to ask for, each with its name.
     questions: Questions,
     /// How it gives the oil.
     oil: Oil,
     /// Whether oil and bodies are known well enough for heat.
     heat: bool,
-    /// What a curve of it may vary, from where to where.
+    /// Quantity of a curve, and its range.
     curve: [&'static str; 3],
 }
 
-/// Key paths, each with what it is called.
+/// Key paths, each with its name.
 type Questions = &'static [(&'static str, &'static str)];
 
 /// How a template gives its oil.
@@ -74,7 +74,7 @@ const LAWS: Questions = &[
     ),
     (
         "lubricant.viscosity.beta",
-        "how fast it falls with temperature, ln(mu_1/mu_2)/(T_2 - T_1), 0.03 to 0.05 1/K for oils",
+        "temperature coefficient of the viscosity, ln(mu_1/mu_2)/(T_2 - T_1), 0.03 to 0.05 1/K for oils",
     ),
     (
         "lubricant.viscosity.alpha",
@@ -131,7 +131,7 @@ pub const TEMPLATES: &[Template] = &[
             ),
             (
                 "machine.outer_groove_curvature",
-                "the same of the outer groove",
+                "radius of the outer groove over the diameter of the balls",
             ),
             ("machine.contact_angle", "contact angle"),
             ("machine.inner_ring_speed", "speed of the inner ring"),
@@ -149,7 +149,10 @@ pub const TEMPLATES: &[Template] = &[
         questions: &[
             ("machine.ring", "ring, \"inner\" or \"outer\""),
             ("machine.roller_diameter", "diameter of the rollers"),
-            ("machine.roller_length", "length of a roller that carries"),
+            (
+                "machine.roller_length",
+                "effective (load-carrying) length of a roller",
+            ),
             ("machine.pitch_diameter", "pitch diameter of the bearing"),
             ("machine.inner_ring_speed", "speed of the inner ring"),
             ("machine.roller_load", "load of one roller"),
@@ -250,10 +253,7 @@ pub const TEMPLATES: &[Template] = &[
                 "torque of the pinion: 94.1, 135.3, 183.4, 239.3, 302 N.m at the load stages 5 to 9",
             ),
             ("machine.pinion_speed", "speed of the pinion"),
-            (
-                "machine.bulk_temperature",
-                "temperature of the teeth beside the contact",
-            ),
+            ("machine.bulk_temperature", "bulk temperature of the teeth"),
         ],
         oil: Oil::DataSheet,
         heat: true,
@@ -270,7 +270,7 @@ pub const TEMPLATES: &[Template] = &[
             ("machine.width", "width of the contact"),
             ("machine.spring_rate", "rate of the spring"),
             ("machine.preload", "force of the spring without lift"),
-            ("machine.moving_mass", "mass that moves with the lift"),
+            ("machine.moving_mass", "moving mass of the follower"),
         ],
         oil: Oil::DataSheet,
         heat: true,
@@ -363,7 +363,7 @@ pub const TEMPLATES: &[Template] = &[
     },
 ];
 
-/// What stands above every template.
+/// Text above every template.
 const HEAD: &str = "\
 # Numbers have units, inside quotes; a ± gives an uncertainty: \"30 N ± 2 %\". All keys: docs/reference/case-file.md.
 #
@@ -373,7 +373,7 @@ const HEAD: &str = "\
 #
 ";
 
-/// What stands below: sections that a case may have, without effect until the `# ` before them is removed; those that a case has are left out.
+/// Optional sections below a template, as comments; those that the case has are omitted.
 const OPTIONS: [(&str, &str); 6] = [
     (
         "surface_roughness",
@@ -434,7 +434,7 @@ const OPTIONS: [(&str, &str); 6] = [
     ),
 ];
 
-/// The section of which not every template has the data.
+/// The section whose data not every template has.
 const THERMAL: &str = "thermal";
 
 impl Template {
@@ -463,14 +463,14 @@ impl Template {
         })
     }
 
-    /// Keys to ask for, each with what it is called.
+    /// Keys to ask for, each with its name.
     pub fn questions(&self) -> impl Iterator<Item = &'static (&'static str, &'static str)> {
         (self.questions.iter())
             .chain(COMMON)
             .chain(self.oil.questions())
     }
 
-    /// The case with values in place of its own.
+    /// The case with replaced values.
     ///
     /// # Errors
     ///
@@ -519,8 +519,8 @@ mod tests {
         case.unwrap_or_else(|e| panic!("{}: {e}\n{text}", template.name))
     }
 
-    /// A data sheet has no viscosity under pressure: that the pressure lies beyond what is known is said of each such oil. A flat follower moves
-    /// against the cam on a part of the turn.
+    /// Expected warnings: a data sheet has no viscosity under pressure, and a flat follower moves against the cam on a part
+    /// of the turn.
     fn is_known(template: &Template, warning: &Warning) -> bool {
         match warning.kind {
             WarningKind::LawRange => matches!(template.oil, Oil::DataSheet),
@@ -529,13 +529,19 @@ mod tests {
         }
     }
 
-    /// As it stands, with each section that may be added, and with all of them.
+    /// Unchanged, with each optional section, and with all of them.
     #[test]
     fn every_template_is_a_good_case() {
         for template in TEMPLATES {
             let case = read(template, &template.text());
-            let told = case.warnings.iter().filter(|w| !is_known(template, w));
-            assert_eq!(told.count(), 0, "{}: {:?}", template.name, case.warnings);
+            let unexpected = case.warnings.iter().filter(|w| !is_known(template, w));
+            assert_eq!(
+                unexpected.count(),
+                0,
+                "{}: {:?}",
+                template.name,
+                case.warnings
+            );
             let mut all = template.case.to_owned();
             for (name, option) in template.options() {
                 let option = uncommented(&option);

@@ -1,4 +1,4 @@
-//! Cases that must be refused, as `cases.txt` beside this file describes them.
+//! Cases that must be refused, as `cases.txt` in this folder describes them.
 
 /// A case that must be refused.
 pub struct BadCase {
@@ -6,7 +6,7 @@ pub struct BadCase {
     pub name: String,
     /// The case file.
     pub text: String,
-    /// What the message says.
+    /// Words of the message.
     pub expected: Vec<String>,
 }
 

@@ -106,7 +106,7 @@ describe("axes", () => {
   });
 });
 
-// What columns are of: of the unit in a title nothing is left in the words.
+// Names of columns: without the unit of the title.
 describe("columns", () => {
   const read = (name) => readFileSync(join(ASSETS, name), "utf8");
   const { describeColumn, unitOf } = new Function(`${read("units.js")}${read("table.js")}; return { describeColumn, unitOf };`)();

@@ -89,7 +89,7 @@ export async function checkPlots(page, what, { scattered = false } = {}) {
       }
       return { colours: colours.size, share: painted / (data.length / 4), isDifference: e.textContent.includes("Difference") };
     });
-    // Differences may be zero, which is white, and stand only where both films are thin. Maps side by side have the window of the larger contact.
+    // Differences may be zero, which is white, and are shown only where both films are thin. Maps side by side have the window of the larger contact.
     const least = maps.length > 1 ? 0.2 : 0.5;
     assert.ok(ink.isDifference ? ink.share > 0.03 : ink.colours > 50 && ink.share > least, `${name}: ${JSON.stringify(ink)}`);
   }

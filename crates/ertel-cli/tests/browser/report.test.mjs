@@ -61,14 +61,14 @@ function close(actual, expected, tolerance, what) {
   assert.ok(Math.abs(actual / expected - 1) < tolerance, `${what}: ${actual} is not ${expected}`);
 }
 
-// What the cursor reads where a figure is, and the card of the figure.
+// Values at the cursor, and the card of the figure.
 async function reads(page, figure, field, value, tolerance) {
   await page.click(`button[data-figure="${figure}"]`);
   const read = await page.$eval("#reading", (e) => JSON.parse(e.dataset.values)[0]);
   close(read[field], value, tolerance, `${figure} under the cursor`);
 }
 
-// The ellipse as shipped stands at an angle and takes minutes.
+// The shipped ellipse is at an angle and takes minutes.
 const COARSE = ["mesh.target_error=2 %", "mesh.pressure_error=20 %", "contact.entrainment_angle=0 deg"];
 for (const [name, kind, settings] of [["ball-on-disc", "circular", []], ["ball-in-groove", "elliptical", COARSE], ["squalane-thermal", "thermal"]]) {
   describe(kind, () => {

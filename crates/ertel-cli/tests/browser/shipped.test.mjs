@@ -31,7 +31,7 @@ function kindOf(text) {
   return /^(designation|position = "path"|angle = "turn")/m.test(text) ? "machine" : "contact";
 }
 
-// What of the coarse settings a case takes, or the base of a study: an axis over one of them has its own, and a mesh by a preset has no target.
+// The coarse settings that a case, or the base of a study, accepts: an axis over one of them has its own, and a mesh by a preset has no target.
 function coarse(own) {
   const base = /^case = "([^"]+)"/m.exec(own);
   const text = base ? `${own}\n${readFileSync(join(cases, base[1]), "utf8")}` : own;

@@ -1,13 +1,13 @@
-//! Sentences of the theory pages with numbers, and the constants that these numbers are.
+//! Sentences of the theory pages with numbers, and the constants with these values.
 //!
-//! Not held by a row: numbers in words that are no count (`a mesh twice as coarse`, `more than half`, `exceeds twice the entrained flow`,
-//! `a ridge of 5 %`, `half of 4θE of the other film`); limits that the pages tell as the difference from one (`0.95 μ₁`, `1.05 μ₂`); what
-//! follows from constants (`24 e-folds`, `32 cells` for `PER_BINADE_LOG2 = 5`, `a factor of 5` for `LEAST_SHRINKING = 0.2`, Eyring's
-//! `27, 16, 9, ...`); coefficients of formulas that stand in the code term by term (Walther's, Larsson's); and results of measurements.
+//! Not covered: numbers in words that are no count (`a mesh twice as coarse`, `more than half`, `exceeds twice the entrained flow`,
+//! `a ridge of 5 %`, `half of 4θE of the other film`); limits that the pages give as the difference from one (`0.95 μ₁`, `1.05 μ₂`); numbers
+//! that follow from constants (`24 e-folds`, `32 cells` for `PER_BINADE_LOG2 = 5`, `a factor of 5` for `LEAST_SHRINKING = 0.2`, Eyring's
+//! `27, 16, 9, ...`); coefficients of formulas that are in the code term by term (Walther's, Larsson's); and results of measurements.
 
-/// A sentence of a page with `{}` where a number stands, and the constants that these numbers are: file, name, which of its numbers,
-/// and the factor by which the page tells it (100 of a share in per cent). A file is one of the solver's, or its path from `crates`; in
-/// place of a name, code with `{}` where numbers stand finds those that have none.
+/// A sentence of a page with `{}` for each number, and the constants with these values: file, name, which of its numbers,
+/// and the factor by which the page gives it (100 of a share in per cent). A file is one of the solver's, or its path from `crates`;
+/// instead of a name, code with `{}` for numbers finds those without a name.
 pub type Row = (
     &'static str,
     &'static str,
@@ -88,7 +88,7 @@ pub const ROWS: &[Row] = &[
     (
         ISOTHERMAL,
         "The prediction is u₂(u₂/u₁)^{}, which",
-        &[(TUNING_NEWTON, "FORESEEN_ORDER", 0, 1.0)],
+        &[(TUNING_NEWTON, "PREDICTED_ORDER", 0, 1.0)],
     ),
     (
         ISOTHERMAL,
@@ -161,7 +161,7 @@ pub const ROWS: &[Row] = &[
     ),
     (
         ISOTHERMAL,
-        "more than the estimates tell: {} (point) or {} (line contacts)",
+        "larger effect than the estimates: {} (point) or {} (line contacts)",
         &[
             (TUNING_ERRORS, "UNRESOLVED", 1, 1.0),
             (TUNING_ERRORS, "UNRESOLVED", 0, 1.0),
@@ -196,7 +196,7 @@ pub const ROWS: &[Row] = &[
     (
         ISOTHERMAL,
         "From error bars of {} times the target on",
-        &[(TUNING_REFINEMENT, "NEARLY", 0, 1.0)],
+        &[(TUNING_REFINEMENT, "NEAR_TARGET", 0, 1.0)],
     ),
     (
         ISOTHERMAL,
@@ -381,7 +381,7 @@ pub const ROWS: &[Row] = &[
     (
         ISOTHERMAL,
         "off the target of the cells, down to {} of it",
-        &[(TUNING_REFINEMENT, "LEAST_LEFT_BY_EDGES", 0, 1.0)],
+        &[(TUNING_REFINEMENT, "MIN_SHARE_OF_CELLS", 0, 1.0)],
     ),
     (
         ISOTHERMAL,
@@ -725,7 +725,7 @@ pub const ROWS: &[Row] = &[
     ),
     (
         RHEOLOGY,
-        "mineral oils with {} in place of {}",
+        "mineral oils with {} instead of {}",
         &[
             (OILS, "SLOPES_OF_LOW_INDEX", 0, 1.0),
             (OILS, "SLOPES_OVER_FORMULA", 0, 1.0),
@@ -924,8 +924,8 @@ pub const ROWS: &[Row] = &[
     ),
     (
         VOLUMES,
-        "μ̄/K levels off below e^−{}, far below what a solution has",
-        &[("volumes/thinning.rs", "GONE", 0, 1.0)],
+        "μ̄/K levels off below e^−{}, far below the values of a solution",
+        &[("volumes/thinning.rs", "MAX_LN_THINNING", 0, 1.0)],
     ),
     (
         VOLUMES,

@@ -1,5 +1,5 @@
 //! The keywords of JSON Schema, draft 7, that `ertel schema` uses; any other one panics. The crate `jsonschema` as a dependency of the
-//! tests would change features of `num-rational` and `serde_json`, and so compile the whole solver once more; it, taplo and Python's
+//! tests would change features of `num-rational` and `serde_json`, and so compile the whole solver again; it, taplo and Python's
 //! `jsonschema` agree on the shipped files.
 
 use serde_json::Value;
@@ -7,7 +7,7 @@ use serde_json::Value;
 /// Quantities: the one pattern there is.
 const PATTERN: &str = r"^\s*(\[\s*)?[+-]?(\d|\.\d)";
 
-/// What does not fit, each with the place in the value; empty for a value that fits.
+/// Mismatches, each with the place in the value; empty for a value that fits.
 pub fn errors(schema: &Value, value: &Value) -> Vec<String> {
     let mut found = Vec::new();
     validate(schema, value, "", &mut found);

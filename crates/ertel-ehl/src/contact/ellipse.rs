@@ -29,7 +29,7 @@ fn integrals(one_less_m: f64) -> [f64; 2] {
     [e - one_less_m * d, d]
 }
 
-/// ln κ at the most: no radii of double precision give more.
+/// Largest ln κ: no radii in double precision give more.
 const LARGEST: f64 = 20.0;
 
 impl Ellipse {
@@ -72,7 +72,7 @@ impl Ellipse {
         }
     }
 
-    /// By how much the bodies approach each other under a load (N) for the reduced modulus E' (Pa), δ, m.
+    /// Approach of the bodies under a load (N) for the reduced modulus E' (Pa), δ, m.
     pub fn approach(&self, load: f64, reduced_modulus: f64) -> f64 {
         let [x, y] = self.semi_axes(load, reduced_modulus);
         let one_less_m = self.axis_ratio.powi(-2);

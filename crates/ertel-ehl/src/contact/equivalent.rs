@@ -40,7 +40,7 @@ mod tests {
         assert_relative_eq!(body.poissons_ratio, 0.3, max_relative = 1e-14);
     }
 
-    /// Closed form of Habchi 2008, eq. A.8, evaluated by itself.
+    /// Closed form of Habchi 2008, eq. A.8, evaluated independently.
     #[test]
     fn glass_on_steel_matches_closed_form() {
         let (ep, vp, es, vs) = (81e9_f64, 0.208_f64, 210e9_f64, 0.3_f64);

@@ -66,7 +66,7 @@ impl Hertz {
         }
     }
 
-    /// Load under which a contact has the given Hertz pressure (Pa), of rollers that of the line contact: N, or N/m for a line. The load of `contact` is not read.
+    /// Load under which a contact has the given Hertz pressure (Pa), of rollers that of the line contact: N, or N/m for a line. The load of `contact` is not used.
     pub fn load_for_pressure(contact: &Contact, reduced_modulus: f64, pressure: f64) -> f64 {
         let radius = contact.radius;
         match contact.kind {

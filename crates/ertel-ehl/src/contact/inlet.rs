@@ -6,11 +6,11 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum Supply {
-    /// More than can pass: the gap is full as far as it matters.
+    /// More than can pass: fully flooded.
     #[default]
     Flooded,
-    /// A layer of this thickness, m, on both surfaces together: what comes along with the entrainment speed, per width and at ambient
-    /// density.
+    /// A layer of this thickness, m, on both surfaces together: the oil supply per width at ambient density, over the entrainment
+    /// speed.
     OilLayer {
         /// Its thickness, m.
         thickness: f64,
@@ -23,7 +23,7 @@ pub enum Supply {
 }
 
 impl Supply {
-    /// Whether less oil may reach the contact than could pass.
+    /// Whether the contact may be starved.
     pub fn is_limited(&self) -> bool {
         *self != Supply::Flooded
     }
@@ -38,7 +38,7 @@ pub struct OilLayer {
     pub lambda: f64,
 }
 
-/// The same as the solver sees it.
+/// The oil supply for the solver.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Inlet {
     /// The gap is full, and the inlet edge of the contact area far away.
@@ -46,7 +46,7 @@ pub enum Inlet {
     Flooded,
     /// The gap is full, and the inlet edge of the contact area the meniscus.
     Meniscus,
-    /// The gap is filled by what arrives.
+    /// The gap is filled by the arriving layer.
     Layer(OilLayer),
 }
 

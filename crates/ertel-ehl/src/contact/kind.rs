@@ -1,6 +1,6 @@
-//! Kinds of contacts as users name them, and what follows from a kind.
+//! Kinds of contacts as users name them, and their properties.
 //!
-//! The solver does not ask for it: what it needs of the geometry stands in [`Shape`](super::Shape).
+//! The solver does not use the kind: the geometry that it needs is in [`Shape`](super::Shape).
 
 use serde::Serialize;
 
@@ -23,7 +23,7 @@ pub enum ContactKind {
 pub enum Family {
     /// Balls and ellipsoids.
     Point,
-    /// Cylinders, under the load per length where they end.
+    /// Cylinders; rollers under their load per length.
     Cylinder,
 }
 

@@ -63,7 +63,7 @@ pub struct Contact {
     pub body_curvatures: Option<[Curvatures; 2]>,
 }
 
-/// Whether a number has no place in a file.
+/// Whether a number cannot be written to a file.
 fn is_infinite(value: &f64) -> bool {
     value.is_infinite()
 }

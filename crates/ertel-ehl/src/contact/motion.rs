@@ -33,7 +33,7 @@ fn are_zero(values: &[f64; 2]) -> bool {
     *values == [0.0; 2]
 }
 
-/// Slide-to-roll ratio, and angle in rad, below which there is none: a million times what rounding leaves, a thousandth of what matters.
+/// Slide-to-roll ratio, and angle in rad, that count as zero: a million times the rounding error, a thousandth of a relevant value.
 pub const ROUNDING: f64 = 1e-12;
 
 impl Motion {
@@ -57,11 +57,11 @@ impl Motion {
         self.entrainment_speed * (1.0 - 0.5 * self.slide_to_roll_ratio)
     }
 
-    /// The same without what rounding leaves of a sliding or a spin that vanishes, as at the pitch point of gears: surfaces that only
-    /// roll are solved, and told, as such.
+    /// The same with sliding and spin set to zero where they are only rounding errors, as at the pitch point of gears: pure rolling
+    /// is solved and reported as such.
     pub fn without_rounding(self) -> Motion {
         let ratio = |s: f64| if s.abs() < ROUNDING { 0.0 } else { s };
-        // Of a spin, what it slides a millimetre from the centre.
+        // A spin is judged by its sliding one millimetre from the centre.
         let spin = |w: f64| match (1e-3 * w).abs() < ROUNDING * self.entrainment_speed.abs() {
             true => 0.0,
             false => w,
@@ -128,7 +128,7 @@ impl Motion {
     }
 }
 
-/// A rigid motion in the plane: v(X, Y) = v_0 + ω(−Y, X), in the units of whoever fills it.
+/// A rigid motion in the plane: v(X, Y) = v_0 + ω(−Y, X), in the units of its creator.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Planar {
     /// Velocity at the centre.

@@ -1,4 +1,4 @@
-//! Where a motion in the plane has brought a body.
+//! Place and direction of a body after a motion in the plane.
 //!
 //! ```text
 //!   x = D + R(θ) x_0,   R(θ) from x towards y        x_0: where the point lay at the start
@@ -7,7 +7,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Place and direction of a body that has moved in the plane, in the units of whoever fills it.
+/// Place and direction of a body that has moved in the plane, in the units of its creator.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Pose {
     /// D.

@@ -1,4 +1,4 @@
-//! The one place where SI meets the dimensionless variables of the solver.
+//! Scales between SI units and the dimensionless variables of the solver.
 
 use serde::Serialize;
 
@@ -57,8 +57,8 @@ impl Scales {
             / (12.0 * self.viscosity * radius * radius)
     }
 
-    /// By which an integral over the part of the contact area that is solved, in half-widths squared or half-widths,
-    /// becomes one over all of it, m² or m.
+    /// Factor from an integral over the solved part of the contact area, in half-widths squared or half-widths,
+    /// to one over all of it, m² or m.
     pub fn area(&self, shape: &Shape) -> f64 {
         let part = match shape.is_line() {
             true => self.length,

@@ -1,4 +1,4 @@
-//! What the solver knows of a contact's geometry.
+//! Geometry of a contact as the solver uses it.
 
 use std::sync::Arc;
 
@@ -13,12 +13,12 @@ use super::{
 pub enum Symmetry {
     /// All of it.
     Full,
-    /// The half y ≤ 0, which stands for both.
+    /// The half y ≤ 0, which represents both.
     Half,
 }
 
 impl Symmetry {
-    /// How often the part that is solved makes up the contact.
+    /// Number of solved parts that make up the contact.
     pub fn multiplicity(self) -> f64 {
         match self {
             Symmetry::Full => 1.0,
@@ -30,7 +30,7 @@ impl Symmetry {
 /// Geometry of a contact and of its oil, dimensionless; X along the entrainment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// Dimension of the contact area: 1 where all is the same along y and loads are per length, else 2.
+    /// Dimension of the contact area: 1 for line contacts, with loads per length, else 2.
     pub dim: usize,
     /// The undeformed gap.
     pub gap: Gap,
@@ -103,7 +103,7 @@ impl Shape {
         }
     }
 
-    /// Of a contact with its Hertz theory, in some motion: all of it is solved where nothing makes its halves alike.
+    /// Of a contact with its Hertz theory, in some motion: all of it is solved unless its halves are equal.
     ///
     /// # Panics
     /// For rollers without a length.
@@ -164,12 +164,12 @@ impl Shape {
             && (c - d).abs() + (s - t).abs() < 1e-12
     }
 
-    /// Whether all is the same along y.
+    /// Whether it is a line contact.
     pub fn is_line(&self) -> bool {
         self.dim == 1
     }
 
-    /// What the dry contact looks like.
+    /// Shape of the dry contact.
     pub fn outline(&self) -> Outline<'_> {
         match &self.zone.roller {
             Some(roller) => Outline::Roller(roller),

@@ -1,10 +1,10 @@
-//! The film of a starved contact, about.
+//! Approximate film of a starved contact.
 //!
 //! ```text
 //!   ∫_1^M g/(g + H)³ dX = ∫_1^∞ g/(g + H_f)³ dX        g: the gap before the dry contact
 //! ```
-//! Ertel's and Grubin's inlet, as long as it takes for the lubricant to become solid, cut off at the meniscus M: H for the flooded H_f.
-//! Good enough to lay down a mesh and to start from.
+//! Inlet of Ertel and Grubin, up to the solidification of the lubricant, cut off at the meniscus M: H for the flooded H_f.
+//! Accurate enough for the mesh and the start of the solve.
 
 use super::{Family, Supply, hertz};
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::roller::RollerZone;
 use super::{Turn, hertz};
 
-/// A circle, an ellipse, a strip across the motion, or what a roller has; in half-widths a, the semi-axis along the first principal direction.
+/// A circle, an ellipse, a strip across the motion, or the zone of a roller; in half-widths a, the semi-axis along the first principal direction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HertzZone {
     /// Semi-axis along the second principal direction over that along the first; 1 for circles, strips and rollers.
@@ -48,7 +48,7 @@ impl HertzZone {
         [x, y / self.axis_ratio]
     }
 
-    /// From what the motion becomes where the zone is the unit circle to what its axes become.
+    /// From the image of the motion to that of the axes, in the plane where the zone is the unit circle.
     fn heading(&self) -> Turn {
         let [x, y] = self.circle([1.0, 0.0]);
         Turn::by(y.atan2(x))
@@ -82,7 +82,7 @@ impl HertzZone {
         gradient.map(|g| g / norm)
     }
 
-    /// How much longer along the second principal direction than along the first a cell is at a place that is not so where it was made.
+    /// Aspect ratio, second over first principal direction, of a cell at a place that is square in the plane of the mesh.
     #[inline(always)]
     pub fn stretch(&self, at: [f64; 2]) -> f64 {
         match &self.roller {
@@ -150,7 +150,7 @@ impl HertzZone {
         let along = self.stretch_along_motion();
         let share = |semi_axis: f64| (semi_axis / along).powi(2).min(1.0);
         let [d1, d2] = [share(1.0), share(self.stretch(at))];
-        // All but rounding.
+        // Except for rounding.
         if d1.min(d2) > 1.0 - 1e-9 {
             return None;
         }
@@ -222,7 +222,7 @@ mod tests {
 
     /// Unit circle and zone map onto each other, lines along the motion onto such lines; the widest points of an ellipse turned by 30 degrees, by a scan of its rim.
     #[test]
-    fn the_zone_is_the_unit_circle_drawn_out() {
+    fn the_zone_is_a_stretched_unit_circle() {
         let zone = HertzZone {
             axis_ratio: 2.5,
             turn: Turn::by(std::f64::consts::FRAC_PI_6),

@@ -280,7 +280,7 @@ pub enum FiniteBodyError {
     Elastic(#[from] CholeskyError),
 }
 
-/// A meshed body below the contact area, with its condensed answers.
+/// A meshed body below the contact area, with its condensed responses.
 pub struct FiniteBody {
     /// The body with its boundary facets.
     pub mesh: BodyMesh,
@@ -291,7 +291,7 @@ pub struct FiniteBody {
 }
 
 impl FiniteBody {
-    /// Meshes a body; `size` is the longest edge wanted at a point.
+    /// Meshes a body; `size` is the longest edge allowed at a point.
     ///
     /// # Errors
     /// Those of the mesh.
@@ -329,7 +329,7 @@ impl FiniteBody {
         })
     }
 
-    /// Condensed answers of bodies of the given constants, with the number of displacement unknowns.
+    /// Condensed responses of bodies of the given constants, with the number of displacement unknowns.
     ///
     /// # Errors
     /// When a factorisation fails, or `stop` says so.

@@ -19,8 +19,8 @@ use super::near::symbol_stiffness;
 use super::{SurfaceResponse, Trace, compliance};
 use crate::contact::{Material, Shape, Symmetry};
 
-/// Distance, in half-widths, at which a line load deflects nothing: the depth of the finite-element body that stands for a
-/// half-space in Habchi's thesis. It shifts the separation alone.
+/// Distance, in half-widths, at which the deflection by a line load is zero: the depth of the finite-element body that represents a
+/// half-space in Habchi's thesis. It shifts only the separation.
 pub const LINE_REFERENCE: f64 = 60.0;
 
 /// Half-spaces under one load.
@@ -31,11 +31,11 @@ pub struct HalfSpace {
     space: Space,
     /// Σ(1 − ν²)/E.
     compliance: f64,
-    /// Whether the pressure goes on beyond y = 0.
+    /// Whether the pressure continues beyond y = 0.
     mirrored: bool,
     /// Deflection over potential.
     factor: f64,
-    /// ∫N of each deflection node, times what the reference distance adds to the deflection.
+    /// ∫N of each deflection node, times the contribution of the reference distance to the deflection.
     lift: Option<Vec<f64>>,
     near: Vec<f64>,
 }
@@ -84,7 +84,7 @@ impl HalfSpace {
         if let Some(kept) = &*self.kept() {
             return Arc::clone(kept);
         }
-        // Not under the lock: a thread that waits for others may turn to a task that asks for it, too.
+        // Outside the lock: a thread that waits for others may start a task that needs it, too.
         let made = Arc::new(potential(&self.mesh, &self.space, self.mirrored));
         Arc::clone(self.kept().get_or_insert(made))
     }

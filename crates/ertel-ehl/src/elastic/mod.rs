@@ -1,10 +1,10 @@
-//! What elastic bodies answer to the film: the deflection of the contact surface.
+//! Deflection of the contact surface by the film pressure.
 //!
 //! - [`HalfSpace`]: closed-form integrals and a fast summation, for homogeneous bodies (the default);
 //! - [`FiniteBodies`]: finite-element bodies condensed to their surface, as in Habchi's thesis;
 //! - [`Series`]: several of them under one load, whose deflections add up.
 //!
-//! All speak of nodal pressures and of deflections at the nodes of a [`Trace`]; none knows the film.
+//! All use nodal pressures and deflections at the nodes of a [`Trace`], and do not depend on the film.
 
 mod finite_elements;
 mod half_space;
@@ -24,7 +24,7 @@ pub use trace::Trace;
 
 use crate::contact::Material;
 
-/// Answers of elastic bodies, dimensionless. Values stand at the nodes of the trace's spaces, pressures at all nodes, edge included.
+/// Response of elastic bodies, dimensionless. Values are nodal values of the trace's spaces, pressures at all nodes, edge included.
 pub trait SurfaceResponse: Send + Sync {
     /// Deflection at the deflection nodes under nodal pressures.
     fn deflect(&self, trace: &Trace, pressure: &[f64], accuracy: Accuracy) -> Vec<f64>;
@@ -35,13 +35,13 @@ pub trait SurfaceResponse: Send + Sync {
     /// Deflection under loads ∫p N of the deflection nodes.
     fn respond(&self, trace: &Trace, loads: &[f64]) -> Vec<f64>;
 
-    /// Stiffness between near deflection nodes, in the order of [`near_pairs`]: what a preconditioner sees.
+    /// Stiffness between near deflection nodes, in the order of [`near_pairs`], for a preconditioner.
     fn near_stiffness(&self) -> Vec<f64>;
 
-    /// Σ(1 − ν²)/E as short waves see it.
+    /// Σ(1 − ν²)/E for short waves.
     fn compliance(&self) -> f64;
 
-    /// Gives back memory of what can be made anew when it is asked for again.
+    /// Frees memory of data that can be computed again on demand.
     fn release(&self) {}
 }
 

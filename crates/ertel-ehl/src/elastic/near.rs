@@ -1,4 +1,4 @@
-//! The stiffness of the surface between near nodes: all that a preconditioner needs of the bodies.
+//! The stiffness of the surface between near nodes, for the preconditioner.
 
 use ertel_fem::assembly::NodeGraph;
 use ertel_fem::mesh::SimplexMesh;

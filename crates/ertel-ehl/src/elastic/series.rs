@@ -2,7 +2,7 @@
 
 use super::{Accuracy, SurfaceResponse, Trace};
 
-/// Several answers to one load.
+/// Several responses to one load.
 pub struct Series {
     parts: Vec<Box<dyn SurfaceResponse>>,
 }

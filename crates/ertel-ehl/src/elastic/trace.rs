@@ -1,4 +1,4 @@
-//! The spaces in which film and bodies meet.
+//! The spaces of pressure and deflection on the contact area.
 
 use ertel_fem::kernel;
 use ertel_fem::linear::dense::vectorised;
@@ -6,7 +6,7 @@ use ertel_fem::mesh::SimplexMesh;
 use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::{Affine, Space};
 
-/// Pressure and deflection on one mesh of the contact area, and what leads from one to the other.
+/// Pressure and deflection on one mesh of the contact area, and the maps between them.
 #[derive(Clone, Debug)]
 pub struct Trace {
     /// Deflection nodes.
@@ -235,7 +235,7 @@ impl Trace {
     }
 }
 
-/// Relative error of [`Trace::density`]: enough to weigh errors by.
+/// Relative error of [`Trace::density`]: enough to weight errors.
 const MASS_TOLERANCE: f64 = 1e-6;
 /// The mass matrix is well conditioned once scaled by its diagonal.
 const MASS_ITERATIONS: usize = 100;

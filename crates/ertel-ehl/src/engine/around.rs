@@ -1,10 +1,10 @@
-//! Oil between the edge of the contact area and the end of the bodies: sheared by what slides, without pressure.
+//! Oil between the edge of the contact area and the end of the bodies: sheared by the sliding surfaces, without pressure.
 //!
 //! ```text
 //!   H = H_0 + G,   θ = 1 before the contact, (H_0 + G at the closest place)/H behind it
 //! ```
 //! Around a point contact the force of sliding grows with the logarithm of the distance, the moment of spin with its square: where the contact area ends before the bodies, its edge
-//! must not decide on them. Before a line the force grows with 1/x from the edge on, behind it with 1/x³. Streams that have passed the contact are those of [`crate::volumes::behind`].
+//! must not determine them. Before a line the force grows with 1/x from the edge on, behind it with 1/x³. Oil streams behind the contact are those of [`crate::volumes::behind`].
 //!
 //! Theory: Traction and heat.
 
@@ -64,7 +64,7 @@ fn edge(film: &impl Film, place: impl Fn(f64) -> [f64; 2]) -> f64 {
     inside
 }
 
-/// Distances from an edge to the end, 1, with the lengths that they stand for.
+/// Distances from an edge to the end, 1, with the lengths that they represent.
 fn beyond(edge: f64) -> impl Iterator<Item = (f64, f64)> {
     let step = -edge.max(f64::MIN_POSITIVE).ln() / POINTS as f64;
     (0..POINTS).filter(move |_| step > 0.0).map(move |n| {
@@ -92,7 +92,7 @@ fn rays<Plan>(problem: &Problem<Plan>, film: &impl Film) -> Vec<Point> {
             move |r: f64| (shape.gap.turn).to_motion([r * ends[0] * cos, r * ends[1] * sin]);
         beyond(edge(film, place)).filter_map(move |(r, length)| {
             let fields = sheared(problem, place(r), separation);
-            // Next to a thin film the deflection, which counts for nothing here, still opens the gap.
+            // Next to a thin film the deflection, neglected here, still opens the gap.
             (fields.film > 0.0).then(|| Point {
                 area: ends[0] * ends[1] * r * length * turn,
                 within: [1.0, inside(&shorter, fields.place)],
@@ -110,7 +110,7 @@ fn inside(region: &Region, place: [f64; 2]) -> f64 {
     f64::from(u8::from(x.hypot(y) <= 1.0))
 }
 
-/// Before and behind a line or a strip of a roller at y: the surfaces go on from the edges as parabolas, and behind the film flows what leaves the contact area.
+/// Before and behind a line or a strip of a roller at y: the surfaces continue from the edges as parabolas, and the oil behind the film is that which leaves the contact area.
 fn strip<Plan>(problem: &Problem<Plan>, film: &impl Film, y: f64, width: f64) -> Vec<Point> {
     let (shape, end) = (&problem.shape, problem.shape.ends[0]);
     let shorter = Region::of(shape).shorter(shape);

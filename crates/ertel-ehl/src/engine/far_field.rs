@@ -15,15 +15,15 @@ pub fn far_field(gap: &Gap) -> [f64; 2] {
     gap.turn.to_motion([first * along, second * across])
 }
 
-/// What rolling drags along between the edges r_0 of the contact area and the distance r_1 to which it would go without being set by hand, where the
-/// surfaces are parabolas and rigid:
+/// Rolling resistance between the edges r_0 of the contact area and its default distance r_1, for rigid parabolic
+/// surfaces:
 ///
 /// ```text
 ///   P = −c λ X/H²,  X < 0:   ∫½H ∂P/∂X dA = πcλ ln(r_1/r_0),  H = r²/2,  c = 1/5    around a sphere
 ///                                         = 3cλ (1/r_0 − 1/r_1),  H = X²/2,  c = 1/3    along a cylinder
 /// ```
-/// (Kapitza 1955), by both walls against the motion; `reach` is r_1 at the inlet and at the side, in half-widths, `stress_scale` a p_h/R in Pa. Around a sphere it
-/// grows without end with r_1.
+/// (Kapitza 1955), the sum of both walls against the motion; `reach` is r_1 at the inlet and at the side, in half-widths, `stress_scale` a p_h/R in Pa. Around a sphere it
+/// grows without bound with r_1.
 pub fn beyond_edges(
     shape: &Shape,
     extents: &Extents,
@@ -32,7 +32,7 @@ pub fn beyond_edges(
     scales: &Scales,
 ) -> BeyondEdges {
     let edge = extents.inlet.abs();
-    // Nothing is dragged along beyond the bodies.
+    // No entrainment beyond the bodies.
     let reach = [
         reach[0].min(shape.ends[0]),
         reach[1].min(shape.ends[1] / shape.zone.axis_ratio),

@@ -1,11 +1,11 @@
-//! Figures that any engine reads off a film in the same way.
+//! Figures that are computed from a film in the same way for all engines.
 
 use super::friction::{friction, is_skewed};
 use super::{Film, Meniscus, Problem, Profile};
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures, Reading, Sizes};
 
-/// Sizes of a contact beside which a figure is told from rounding.
+/// Sizes of a contact relative to which a figure counts as rounding error.
 pub fn sizes<Plan>(problem: &Problem<Plan>) -> Sizes {
     let scales = &problem.scales;
     Sizes {
@@ -18,13 +18,13 @@ pub fn sizes<Plan>(problem: &Problem<Plan>) -> Sizes {
     }
 }
 
-/// What of the largest pressure in the middle, in p_h, goes with the film: a heavily loaded contact differs from the dry one by about its film
+/// The part of the central pressure, in p_h, that depends on the film: a heavily loaded contact differs from the dry one by about its film
 /// thickness in units of the approach, `film`.
 pub fn share_of_film(pressure: f64, film: f64) -> f64 {
     (pressure - 1.0).abs().max(film.abs()).min(pressure.abs())
 }
 
-/// The mean film, and what is read off the centreline, where the film breaks at X = `outlet` and a layer of oil fills the gap from `meniscus` on.
+/// The mean film, and the figures of the centreline, where the film breaks at X = `outlet` and a layer of oil fills the gap from `meniscus` on.
 pub fn note_film<Plan>(
     figures: &mut Figures,
     problem: &Problem<Plan>,
@@ -73,7 +73,7 @@ pub fn note_friction<Plan>(
     let [near_mid, near_body_1, near_body_2] = near.coefficients;
     let wall = sums.wall_misfit().abs();
     let (shape, skewed) = (&problem.shape, is_skewed(&problem.shape, fluid));
-    // Where both components count, one that happens to vanish is as uncertain as the whole.
+    // If both components matter, one that happens to vanish is as uncertain as the whole.
     let component = |vector: [f64; 2], near: [f64; 2], i: usize| Reading {
         size: match skewed {
             true => vector[0].hypot(vector[1]),

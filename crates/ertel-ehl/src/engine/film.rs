@@ -1,9 +1,9 @@
-//! A film as whatever is read off it sees it: fields at the points of a quadrature, and at any place.
+//! The interface of a film for post-processing: fields at the points of a quadrature, and at any place.
 
 use crate::film::TemperatureProfile;
 use crate::forms::energy::FilmPlace;
 
-/// A film that was found.
+/// The film of a solution.
 pub trait Film: Sync {
     /// Fields at the points over which the contact area is summed.
     fn points(&self) -> &PointTable;
@@ -11,7 +11,7 @@ pub trait Film: Sync {
     /// Fields at (X, Y); `None` outside the contact area.
     fn at(&self, place: [f64; 2]) -> Option<PointFields>;
 
-    /// Whether the points stand for a place, too.
+    /// Whether the points represent a place, too.
     fn covers(&self, place: [f64; 2]) -> bool {
         self.at(place).is_some()
     }
@@ -32,7 +32,7 @@ pub struct PointFields {
     pub deflection: f64,
     /// H.
     pub film: f64,
-    /// F, what the gap lacks where oil does not fill it: before a starved contact and behind the film (see [`crate::forms::oil_layer`]).
+    /// F, the missing oil of a partly filled gap: before a starved contact and behind the film (see [`crate::forms::oil_layer`]).
     pub missing: f64,
     /// Temperature across the film, where it varies.
     pub temperature: Option<Box<TemperatureProfile>>,
@@ -44,7 +44,7 @@ impl PointFields {
         1.0 - self.missing / self.film
     }
 
-    /// What the energy equation sees of the film, its flow not held.
+    /// Quantities of the film for the energy equation, its flow not held fixed.
     pub fn film_place(&self) -> FilmPlace {
         let profile = self.temperature.as_deref().copied().unwrap_or_default();
         FilmPlace {
@@ -60,10 +60,10 @@ impl PointFields {
     }
 }
 
-/// One row of the table: what a quadrature point stands for.
+/// One row of the table: a quadrature point.
 #[derive(Clone, Debug)]
 pub struct Point {
-    /// Weight of the point: the area that it stands for, or the length in line contacts, in half-widths.
+    /// Weight of the point: the area that it represents, or the length in line contacts, in half-widths.
     pub area: f64,
     /// Shares of that within the reach of the bodies, and within the shorter distance of
     /// [`Region::shorter`](super::region::Region::shorter).
@@ -91,7 +91,7 @@ impl PointTable {
         &self.groups
     }
 
-    /// Means over the Hertz zone. Where the film is so thick that no element is as small as the zone, what is nearest its centre; not a number
+    /// Means over the Hertz zone. If no element is as small as the zone (thick films), the values nearest its centre; NaN
     /// where no point has the values.
     pub fn mean_in_zone<const N: usize>(
         &self,

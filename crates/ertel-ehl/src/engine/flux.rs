@@ -8,7 +8,7 @@ use crate::film::cross_film::CrossFilm;
 /// Mass flow per width at a point, over ρ_R u_m a²/R:
 ///
 /// ```text
-///   m = ρ̄(H − F)ū − 12ρ̄H²/(μ̄λ) q(G, Ω)      F what the gap lacks, q the flow of the closure
+///   m = ρ̄(H − F)ū − 12ρ̄H²/(μ̄λ) q(G, Ω)      F the missing oil of the gap, q the flow of the closure
 /// ```
 pub fn mass_flux(
     fluid: &FilmFluid,

@@ -11,7 +11,7 @@
 //!
 //! ```text
 //!   work = dissipation + ∮ g m·n dl,  g = ∫dp/ρ         ∇·m = 0 of the mass flow m; round the end of the sum, where p is not zero
-//!   ∫ h ∂p/∂x dA = −∫ p ∂h_0/∂x dA                      round all of the film: a half-space presses itself nowhere, ∫ p ∂δ/∂x dA = 0
+//!   ∫ h ∂p/∂x dA = −∫ p ∂h_0/∂x dA                      round all of the film: a half-space exerts no net force on itself, ∫ p ∂δ/∂x dA = 0
 //! ```
 //!
 //! Theory: Traction and heat.
@@ -39,7 +39,7 @@ pub struct Friction {
     pub moment: [f64; 2],
     /// Work of the surfaces on the film, W or W/m.
     pub work: f64,
-    /// What shear dissipates, W or W/m.
+    /// Dissipation by shear, W or W/m.
     pub dissipation: f64,
     /// Traction coefficient at body 2 less that at body 1, along the motion.
     pub rolling: f64,
@@ -50,15 +50,15 @@ pub struct Friction {
     pub beyond: [Option<f64>; 2],
 }
 
-/// The same over parts of the contact area, and what they should be.
+/// The same over parts of the contact area, and over all of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frictions {
     /// As far as the bodies reach.
     pub here: Friction,
-    /// Over a shorter distance: what lies between tells how much the end counts. The same again around lines and rollers that end before the
+    /// Over a shorter distance: the difference shows the influence of the end. Equal to `here` for lines and rollers that end before the
     /// bodies do.
     pub shorter: Friction,
-    /// Over all of the contact area and what lies around it.
+    /// Over all of the contact area and its surroundings.
     pub whole: Friction,
     /// Whether the bodies end on the contact area.
     pub is_cut: bool,
@@ -73,7 +73,7 @@ pub struct Frictions {
 }
 
 impl Frictions {
-    /// Work of the surfaces less all that becomes of it, W or W/m; of isothermal films.
+    /// Error of the work balance of the surfaces, W or W/m; of isothermal films.
     pub fn power_misfit(&self) -> f64 {
         self.here.work - self.here.dissipation - self.through_end
     }
@@ -115,14 +115,14 @@ impl Sums {
     }
 }
 
-/// Whether anything may pull across the motion: not where both halves of a contact are alike, nor along a cylinder whose surface does
+/// Whether there may be traction across the motion: not in contacts with equal halves, nor along a cylinder whose surface does
 /// not slide there.
 pub fn is_skewed(shape: &Shape, fluid: &FilmFluid) -> bool {
     let halves_differ = !shape.is_line() && shape.symmetry == Symmetry::Full;
     halves_differ || !fluid.slide().is_along_x()
 }
 
-/// What a point adds to the sums.
+/// Contribution of a point to the sums.
 struct Part<'a> {
     fields: &'a PointFields,
     shear: &'a PointShear,
@@ -135,14 +135,14 @@ struct Part<'a> {
 }
 
 impl Sums {
-    /// Adds a point that stands for an area, whose gap may not be full.
+    /// Adds a point that represents an area, whose gap may be partly filled.
     fn add(&mut self, area: f64, point: &Part) {
         if area == 0.0 {
             return;
         }
         let s = point.shear;
         self.offset += area * point.offset;
-        // Oil that does not fill the gap shears on the share of the area that it wets.
+        // Oil in a partly filled gap is sheared on the share of the area that it wets.
         let area = area * point.fields.filling();
         let sums = self.force.iter_mut().flatten();
         for (sum, stress) in sums.zip(s.stress.into_iter().flatten()) {

@@ -1,6 +1,6 @@
 //! Hills of values that have neighbours, and the passes between them.
 
-/// Height of a peak over the pass to a higher one, in p_h, from which it is one of its own.
+/// Height of a peak over the pass to a higher one, in p_h, from which it counts as a separate peak.
 pub const PROMINENCE: f64 = 0.02;
 
 /// Elements at the tops of hills.
@@ -12,8 +12,8 @@ pub struct Hills {
     pub others: Vec<usize>,
 }
 
-/// The hills of values: where two meet as the water falls, the lower one ends, and counts if its top stands out of the pass by
-/// [`PROMINENCE`]; else it is a part of the higher one.
+/// The hills of values: where two meet at a pass, the lower one ends, and counts if its top is above the pass by
+/// [`PROMINENCE`]; otherwise it is a part of the higher one.
 pub fn hills(values: &[f64], neighbours: &[Vec<u32>], centre: usize) -> Hills {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|a, b| values[*b].total_cmp(&values[*a]).then(a.cmp(b)));
@@ -57,7 +57,7 @@ pub fn hills(values: &[f64], neighbours: &[Vec<u32>], centre: usize) -> Hills {
     }
 }
 
-/// Where an element leads to in the end; shortens the way.
+/// The top to which an element leads; shortens the path.
 pub(crate) fn root(towards: &mut [usize], mut c: usize) -> usize {
     while towards[c] != c {
         towards[c] = towards[towards[c]];
@@ -86,7 +86,7 @@ mod tests {
     /// By hand: the centre stands on the slope of the hill 1.0; behind the pass 0.5 is a ridge of two beads of which the higher counts
     /// once the lower one's own pass, 0.85, is too near; a ridge that exceeds the middle leaves it its own top.
     #[test]
-    fn the_middle_and_the_ridge_are_told_apart() {
+    fn the_middle_and_the_ridge_are_distinguished() {
         let beads = [0.0, 0.8, 0.99, 1.0, 0.9, 0.5, 0.86, 0.85, 0.9, 0.1];
         assert_eq!(row(&beads, 2), (3, vec![8]));
         let higher = [0.0, 0.8, 0.99, 1.0, 0.9, 0.5, 1.15, 0.85, 0.9, 0.1];

@@ -1,10 +1,10 @@
-//! The interface between those who ask for the solution of a contact and the method that finds it.
+//! The interface between the users of a contact solution and the numerical methods.
 //!
 //! ```text
-//!   Problem (the contact, dimensionless) + plan (how an engine goes about it)  →  Engine  →  Solved: film, figures, error bars, effort
+//!   Problem (the contact, dimensionless) + plan (meshes, tolerances, strategy)  →  Engine  →  Solved: film, figures, error bars, effort
 //! ```
-//! An engine is a way of solving: finite elements ([`crate::solve`]). What is read off a film after the solve asks for a [`Film`], which
-//! any engine can give: the fields at its quadrature points and at any place.
+//! An engine is a numerical method: finite elements ([`crate::solve`]) or finite volumes ([`crate::volumes`]). Post-processing uses a
+//! [`Film`], which any engine provides: the fields at its quadrature points and at any place.
 
 pub mod around;
 pub mod far_field;
@@ -27,15 +27,15 @@ pub use profile::{Meniscus, Profile};
 
 use crate::solution::{LevelStats, Measured};
 
-/// A way of solving contacts.
+/// A numerical method for contacts.
 pub trait Engine {
-    /// How it goes about a problem: its meshes, tolerances and strategies.
+    /// Its meshes, tolerances and strategies.
     type Plan;
-    /// What it finds.
+    /// Its solution.
     type Solution: Solved<Plan = Self::Plan>;
-    /// What it can start from: what it found for a similar problem.
+    /// A start: the solution of a similar problem.
     type Start;
-    /// Why it finds nothing.
+    /// Its errors.
     type Error: std::error::Error;
 
     /// Solves a problem from the dry contact.
@@ -48,7 +48,7 @@ pub trait Engine {
         observer: &mut dyn Observer,
     ) -> Result<Self::Solution, Self::Error>;
 
-    /// Solves a problem from the solution of a similar one; `None` where that does not lead there.
+    /// Solves a problem from the solution of a similar one; `None` where it does not converge from there.
     ///
     /// # Errors
     /// When the user wants to stop.
@@ -60,12 +60,12 @@ pub trait Engine {
     ) -> Result<Option<Self::Solution>, Self::Error>;
 }
 
-/// What an engine found.
+/// A solution of an engine.
 pub trait Solved {
-    /// How the engine went about it.
+    /// Settings of the engine.
     type Plan;
 
-    /// The film, of which anything can be read.
+    /// The film, for post-processing.
     fn film(&self, problem: &Problem<Self::Plan>) -> impl Film;
 
     /// Figures with error bars, SI.

@@ -1,4 +1,4 @@
-//! Who follows a solve.
+//! Observers of a solve.
 
 use crate::solution::IterationRecord;
 

@@ -32,7 +32,7 @@ impl Extents {
         ]
     }
 
-    /// Those that hold others, too.
+    /// The smallest extents that contain both.
     #[must_use]
     pub fn around(&self, other: &Extents) -> Extents {
         Extents {
@@ -45,19 +45,19 @@ impl Extents {
     }
 }
 
-/// A contact to be solved, and how an engine goes about it.
+/// A contact to be solved, with the settings of an engine.
 pub struct Problem<Plan> {
     /// Geometry of the contact and of its oil.
     pub shape: Shape,
     /// Contact area and body.
     pub extents: Extents,
-    /// Distances of inlet and side, in half-widths, to which the contact area goes where they are not set by hand.
+    /// Default distances of inlet and side of the contact area, in half-widths.
     pub reach: [f64; 2],
     /// Elastic bodies.
     pub elasticity: Elasticity,
     /// Fluid, with the sliding of the surfaces.
     pub fluid: FilmFluid,
-    /// The same fluid with the law by which friction goes, where the film is solved without that law.
+    /// The same fluid with the law for friction, where the film is solved without that law.
     pub friction: Option<FilmFluid>,
     /// ū, the mean velocity of the surfaces over the entrainment speed.
     pub entrainment: Planar,
@@ -65,21 +65,21 @@ pub struct Problem<Plan> {
     pub load: f64,
     /// Central film of the start.
     pub start_film: f64,
-    /// Heat of film and bodies, where it counts.
+    /// Heat of film and bodies, in thermal contacts.
     pub heat: Option<Heat>,
     /// Scales of its variables.
     pub scales: Scales,
-    /// How the engine goes about it.
+    /// Settings of the engine.
     pub plan: Plan,
 }
 
 impl<Plan> Problem<Plan> {
-    /// The fluid by which friction goes.
+    /// The fluid for friction.
     pub fn friction_fluid(&self) -> &FilmFluid {
         self.friction.as_ref().unwrap_or(&self.fluid)
     }
 
-    /// The same contact for an engine that goes about it in another way.
+    /// The same contact with the settings of another engine.
     pub fn with_plan<Other>(self, plan: Other) -> Problem<Other> {
         Problem {
             shape: self.shape,

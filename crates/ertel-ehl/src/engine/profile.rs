@@ -1,4 +1,4 @@
-//! The centreline y = 0 and what is read off it, dimensionless.
+//! The centreline y = 0 and its figures, dimensionless.
 
 use super::PointFields;
 
@@ -16,7 +16,7 @@ pub struct Profile {
 pub struct Meniscus {
     /// X from which on it is full.
     pub place: f64,
-    /// How far that may be off on its grid, beside what finer grids tell.
+    /// Error of `place` on its grid, in addition to the error shown by finer grids.
     pub misfit: f64,
 }
 
@@ -48,8 +48,8 @@ impl Profile {
         self.x.last().copied().unwrap_or(f64::NAN)
     }
 
-    /// Where the gap is fully flooded from that a layer of oil does not fill upstream: the pressure in front of the place where it fills up
-    /// falls off as it would to zero from the meniscus, where it has filled up by 1/e. `None` where it is full everywhere.
+    /// Start of the filled gap behind a layer of oil: the pressure in front of the place where the gap fills up
+    /// decays as it would to zero from the meniscus, where the gap is filled by 1/e. `None` where it is full everywhere.
     pub fn meniscus(&self, layer: f64) -> Option<Meniscus> {
         let full = 1.0 - (-1.0_f64).exp();
         let i = self.last_lacking(layer, full)?;
@@ -60,8 +60,8 @@ impl Profile {
         })
     }
 
-    /// The same where the content of each node follows from balances: what the last node before the meniscus lacks is the share of the distance to
-    /// the next one that is empty. Known to half of that distance.
+    /// The same where the content of each node follows from balances: the missing oil of the last node before the meniscus is the empty share of the
+    /// distance to the next one. Accurate to half of that distance.
     pub fn meniscus_of_contents(&self, layer: f64) -> Option<Meniscus> {
         let i = self.last_lacking(layer, 0.0)?;
         let distance = self.x[i + 1] - self.x[i];
@@ -71,13 +71,13 @@ impl Profile {
         })
     }
 
-    /// The last sample before the centre that lacks more than a share of what it lacks under the layer alone.
+    /// The last sample before the centre whose missing oil exceeds a share of that under the layer alone.
     fn last_lacking(&self, layer: f64, share: f64) -> Option<usize> {
         let centre = self.x.iter().position(|x| *x >= 0.0)?;
         (0..centre).rev().find(|i| self.lacking(layer, *i) > share)
     }
 
-    /// What a sample lacks over what it lacks under the layer alone.
+    /// Missing oil of a sample, over that under the layer alone.
     fn lacking(&self, layer: f64, i: usize) -> f64 {
         let f = &self.fields[i];
         match f.film > layer {

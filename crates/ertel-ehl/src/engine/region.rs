@@ -1,4 +1,4 @@
-//! Where the surfaces face each other: what is summed over the contact area ends with the bodies.
+//! The region where the surfaces face each other: sums over the contact area end with the bodies.
 //!
 //! ```text
 //!   (x/l_1)² + (y/l_2)² < 1      l how far the bodies reach along the principal directions
@@ -22,7 +22,7 @@ impl Region {
         }
     }
 
-    /// Half as far, but twice as far as the Hertz zone at least, where that is nearer: what lies between tells how much the end counts.
+    /// Half as far, but twice as far as the Hertz zone at least, where that is nearer: the difference shows the influence of the end.
     pub fn shorter(&self, shape: &Shape) -> Region {
         let zone = [1.0, shape.zone.axis_ratio];
         Region {

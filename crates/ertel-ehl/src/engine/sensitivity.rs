@@ -1,13 +1,13 @@
-//! Derivatives of figures by inputs, as any engine gives them.
+//! Derivatives of figures by inputs, for any engine.
 
 use super::Problem;
 use crate::solution::Figure;
 
-/// What keeps an input's derivatives from being known.
+/// The reason why derivatives by an input are unavailable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoDerivative {
-    /// It changes the answer of a finite-element body.
-    #[error("it changes how bodies of finite elements deflect; with half-spaces it is known")]
+    /// It changes the response of a finite-element body.
+    #[error("it changes the compliance of finite-element bodies; available for half-spaces")]
     FiniteElements,
     /// It moves the edge of the contact area.
     #[error("it moves the edge of the contact area")]
@@ -30,7 +30,7 @@ pub struct Perturbed<Plan> {
     pub above: f64,
 }
 
-/// A solution that tells its derivatives.
+/// A solution that provides its derivatives.
 pub trait Derivatives<Plan> {
     /// The figures that derivatives are of.
     fn figures(&self) -> Vec<Figure>;

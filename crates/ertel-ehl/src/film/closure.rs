@@ -8,7 +8,7 @@
 //!   f = μ₁/η the relative fluidity, Ω = μ₁Δu/h; stresses in units of a p_h/R
 //! ```
 //! The momentum balance of a thin film makes the stress linear across it (Habchi 2008, eq. 4.4); f
-//! depends on the stress, so that what is left is this small problem at each point of the contact, solved
+//! depends on the stress, so a small problem remains at each point of the contact, solved
 //! to round-off. It is convex: τ is the minimum of ∫ W(|t|²) ds − Ω·τ, W' = f/2. First and second
 //! derivatives of q by y = (G_x, G_y, Ω_x, Ω_y, P) follow by implicit differentiation.
 //!
@@ -71,7 +71,7 @@ pub fn mid_stress(
     if y == 0.0 {
         return mid_stress_along(law, g, x, rule);
     }
-    // The fluid knows no direction: the same along the sliding, turned back.
+    // The fluid is isotropic: solved along the sliding and turned back.
     let size = x.hypot(y);
     let [c, s] = [x / size, y / size];
     let turned = [c * g[0] + s * g[1], c * g[1] - s * g[0]];
@@ -106,7 +106,7 @@ fn mid_stress_along(
     let mut now = rate(law, rule, tau, g, slide);
     let negligible = match law.is_symmetric() {
         true => NEGLIGIBLE,
-        false => NEGLIGIBLE_ASKEW,
+        false => NEGLIGIBLE_ASYMMETRIC,
     };
     for _ in 0..MOST_ITERATIONS {
         if now.excess == [0.0; 2] {
@@ -180,10 +180,10 @@ const MOST_TRIALS: usize = 60;
 const CLOSE: f64 = 1e-8;
 /// Mid-plane stress, over the stress of the pressure, that no longer matters.
 const NEGLIGIBLE: f64 = 1e-6;
-/// The same in films that are not symmetric: there it is the difference of what the halves want.
-const NEGLIGIBLE_ASKEW: f64 = 1e-3;
+/// The same in asymmetric films, where it is the difference between the halves.
+const NEGLIGIBLE_ASYMMETRIC: f64 = 1e-3;
 
-/// What the solution knows of a limiting stress: shear rates that grow e-fold by a small share of it.
+/// Resolution of a limiting stress: shear rates that grow e-fold by a small share of it.
 struct Limit {
     /// Stress by which the fluidity grows e-fold beyond the limit.
     fold: f64,
@@ -232,10 +232,11 @@ impl Limit {
         for s in [-0.5, 0.5] {
             let t = [0, 1].map(|i| tau[i] + s * g[i]);
             // |t + share·step|² = ceiling²
-            let left = self.ceiling * self.ceiling - dot(t, t);
-            if left > 0.0 {
+            let remaining = self.ceiling * self.ceiling - dot(t, t);
+            if remaining > 0.0 {
                 let along = dot(t, step);
-                let most = left / (along + (along * along + left * length * length).sqrt());
+                let most =
+                    remaining / (along + (along * along + remaining * length * length).sqrt());
                 share = share.min(most);
             }
         }
@@ -271,7 +272,7 @@ fn without_pressure(law: &impl Fluidity, scales: &StressScales, slide: f64) -> f
         }
         let next = tau * (-step).exp();
         if step.abs() < 1e-3 {
-            // Taken without a look at the bracket: a step as small as rounding stays on its edge, and bisection would halve the stress.
+            // Accepted without checking the bracket: a step as small as rounding stays on its edge, and bisection would halve the stress.
             tau = next;
             break;
         }
@@ -513,10 +514,10 @@ fn first_order<const ACROSS: bool>(tau: [f64; 2], m: &Moments) -> Closure {
     closure
 }
 
-/// What a law makes of the same demands as one close to it, whose mid-plane stress is τ and whose points are in `rule`: one Newton step
+/// Closure of a law for the demands of a similar law, whose mid-plane stress is τ and whose points are in `rule`: one Newton step
 /// from there, and first derivatives only.
 #[inline(always)]
-pub fn close_beside<const ACROSS: bool>(
+pub fn close_nearby<const ACROSS: bool>(
     law: &impl UniformFluidity,
     tau: [f64; 2],
     pressure_stress: [f64; 2],

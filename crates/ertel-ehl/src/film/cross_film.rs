@@ -5,7 +5,7 @@
 //!   |t|² = |G|²[(s − s₀)² + s_⊥²],        s₀ = −τ·G/|G|²,  s_⊥ = |τ × G|/|G|²
 //! ```
 //! A shear-thinning fluidity, as a function of s, has its singularities at |t|² = −κ², κ the stress of
-//! its knee: s = s₀ ± iw, w² = s_⊥² + κ²/|G|², and powers of |t| have a corner at s₀ besides. Gauss points
+//! its knee: s = s₀ ± iw, w² = s_⊥² + κ²/|G|², and powers of |t| also have a corner at s₀. Gauss points
 //! spread evenly over the film would miss both where w is small. The substitution s − s₀ ∝ x², or x³
 //! where w is very small, crowds the points there, without a transcendental function.
 //!
@@ -34,7 +34,7 @@ pub struct CrossFilm {
     around: Option<[f64; 2]>,
     /// Number of points, if they were laid evenly.
     even: Option<usize>,
-    /// What the law has at each point, and at how many it is known.
+    /// The law at each point, and the number of points where it is known.
     factors: [f64; CAPACITY],
     n_factors: usize,
 }
@@ -62,9 +62,9 @@ const _: () = assert!(CAPACITY.is_multiple_of(WIDTH));
 /// Shift of s₀, in w, and change of w, relative, up to which points may stay where they are.
 const STALE: f64 = 0.1;
 
-/// Stress that walls have left to the limit, over the pressure stress, below which panels are laid.
+/// Distance of the wall stress to the limit, over the pressure stress, below which panels are used.
 const NEAR_LIMIT: f64 = 0.25;
-/// Stress differences across the film, over the stress of an e-fold beyond the limit, that any rule resolves.
+/// Stress difference across the film, over the stress of an e-fold beyond the limit, that any rule resolves.
 const NEGLIGIBLE: f64 = 1e-2;
 
 impl CrossFilm {
@@ -88,7 +88,7 @@ impl CrossFilm {
         self.even = None;
     }
 
-    /// Factors of a law at the points, unless those that were filled in last still hold.
+    /// Factors of a law at the points, unless the last ones are still valid.
     #[inline(always)]
     pub(super) fn fill_in(&mut self, law: &impl Fluidity) {
         if self.n_factors == self.n {

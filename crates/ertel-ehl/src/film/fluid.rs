@@ -1,4 +1,4 @@
-//! Density and viscosity of the film as the dimensionless equations need them.
+//! Density and viscosity of the film for the dimensionless equations.
 
 use std::sync::Arc;
 
@@ -74,8 +74,8 @@ impl FilmFluid {
         }
     }
 
-    /// A fluid with laws that may be this one's, in scales near by: what was tabulated of equal laws is shared.
-    pub fn beside(
+    /// A fluid with the same or other laws, in similar scales: tables of equal laws are shared.
+    pub fn nearby(
         &self,
         density: &DensityLaw,
         viscosity: &ViscosityLaw,
@@ -136,7 +136,7 @@ impl FilmFluid {
         }
     }
 
-    /// Whether stress leaves the viscosity alone.
+    /// Whether the fluid is Newtonian.
     pub fn is_newtonian(&self) -> bool {
         self.shear_thinning.is_none()
     }
@@ -187,7 +187,7 @@ impl FilmFluid {
         }
     }
 
-    /// What the fluid makes of ρ̄ and ln μ̄ at P, or at P = 0 for pressures below.
+    /// ρ̄ and ln μ̄ of the fluid at P, or at P = 0 for pressures below.
     #[inline(always)]
     fn in_force(&self, pressure: f64, [mut rho, mut ln_mu]: [Jet2; 2]) -> [Jet2; 2] {
         if self.viscosity_exponent != 1.0 || ln_mu.value > SOLID {
@@ -270,7 +270,7 @@ impl FilmFluid {
         (self.shear_thinning.as_ref()).map_or([None; 2], |t| t.law.newtonian_limits(pressure))
     }
 
-    /// Whether these limits differ from pressure to pressure.
+    /// Whether these limits depend on the pressure.
     pub fn limits_depend_on_pressure(&self) -> bool {
         (self.shear_thinning.as_ref()).is_some_and(|t| t.law.depends_on_pressure())
     }
@@ -286,12 +286,12 @@ impl FilmFluid {
         self.shear_thinning.as_ref()
     }
 
-    /// What a quadrature across the film must resolve at P; `None` where the fluid is Newtonian.
+    /// Requirements on a quadrature across the film at P; `None` where the fluid is Newtonian.
     pub(super) fn stress_scales(&self, pressure: f64) -> Option<StressScales> {
         Some(self.thinning_at(pressure)?.scales())
     }
 
-    /// Stresses, in units of a p_h/R, far below which nothing thins at P, and where the fluidity has grown by a number of e-folds if it grows
+    /// Stresses, in units of a p_h/R, far below which there is no shear thinning at P, and where the fluidity has grown by a number of e-folds if it grows
     /// exponentially; `None` where the fluid is Newtonian.
     pub fn stresses_between(&self, pressure: f64, folds: f64) -> Option<[f64; 2]> {
         let scales = self.stress_scales(pressure)?;
@@ -341,7 +341,7 @@ impl FilmFluid {
         }
     }
 
-    /// The same fluid with a power of its relative viscosity, μ̄^θ: with θ < 1 an easier one, on the way to the fluid itself.
+    /// The same fluid with a power of its relative viscosity, μ̄^θ: with θ < 1 an easier one, for continuation.
     pub fn with_viscosity_exponent(&self, exponent: f64) -> FilmFluid {
         FilmFluid {
             viscosity_exponent: exponent,
@@ -350,7 +350,7 @@ impl FilmFluid {
     }
 
     /// The same fluid with shear rates that grow less with the stress where they grow exponentially, by a factor `softness` ≥ 1
-    /// ([`Thinning::softened`]): an easier one, on the way to the fluid itself.
+    /// ([`Thinning::softened`]): an easier one, for continuation.
     pub fn with_softness(&self, softness: f64) -> FilmFluid {
         match &self.shear_thinning {
             Some(law) if softness != 1.0 => FilmFluid {
@@ -504,8 +504,8 @@ fn jet(v: Dual2_64) -> [f64; 3] {
     [v.re, v.v1, v.v2]
 }
 
-/// ln μ̄ above which the lubricant is a solid for every purpose, and laws would overflow: e²⁰⁰ times
-/// the ambient viscosity. Pressures on the way to a solution can get there.
+/// ln μ̄ above which the lubricant is effectively solid, and laws would overflow: e²⁰⁰ times
+/// the ambient viscosity. Early iterates can reach it.
 const SOLID: f64 = 200.0;
 
 /// Levels off above [`SOLID`], with continuous slope: at most half of it more.
@@ -517,7 +517,7 @@ fn saturate<D: Scalar>(ln_viscosity: D) -> D {
     excess / (excess * (2.0 / SOLID) + 1.0) + SOLID
 }
 
-/// How far properties go beyond their ambient values: 5 % of density, and of viscosity.
+/// Largest change of properties below ambient pressure: 5 % of density, and of viscosity.
 const DEPTH: f64 = 0.05;
 
 /// v₀ + v₁p/(1 − |v₁|p/d) for p < 0: value and slope of v at p = 0, never d below v₀.

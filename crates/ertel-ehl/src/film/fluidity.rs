@@ -1,4 +1,4 @@
-//! The fluidity of a fluid that stress thins, at one pressure, with its derivatives.
+//! The fluidity of a shear-thinning fluid at one pressure, with its derivatives.
 //!
 //! ```text
 //!   f(x, P) = A(S²x) B(k(P) x),  k = S²/τ_L²        x = |t|², stresses in units of S
@@ -48,7 +48,7 @@ pub trait Fluidity {
     fn factor(&self, s: f64) -> f64 {
         self.factors(Lanes::all(s)).0[0]
     }
-    /// What a quadrature across the film must resolve.
+    /// Requirements on a quadrature across the film.
     fn scales(&self) -> StressScales;
     /// Whether f is the same above and below mid-film.
     fn is_symmetric(&self) -> bool {

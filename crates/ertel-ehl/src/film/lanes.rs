@@ -27,7 +27,7 @@ impl Lanes {
 /// eˣ, to round-off for results that are neither huge nor tiny: 2ᵏeʳ, |r| ≤ ½ ln 2, by its power series.
 #[inline(always)]
 pub fn exp(x: Lanes) -> Lanes {
-    /// Adding it rounds to an integer, which is left in the last bits.
+    /// Adding it rounds to an integer in the last bits.
     const ROUND: f64 = 1.5 * (1_u64 << 52) as f64;
     /// ln 2 in two parts, the first with zeros at the end.
     const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];

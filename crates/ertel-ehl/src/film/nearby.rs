@@ -2,7 +2,7 @@
 //!
 //! A closure depends on its fluid by the demands P and Ω, on the unit of stress a p_h/R, on that of pressure p_h if there is a limiting stress, and on
 //! the constants of the thinning law. The change by each of these is found once at a point, by one Newton step from the stress of the
-//! fluid itself to either side, and serves all fluids beside it.
+//! fluid itself to either side, and serves all similar fluids.
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use ertel_fem::kernel;
 use ertel_fem::linear::dense::vectorised;
 use ertel_rheology::shear::ShearThinning;
 
-use super::closure::{Closure, N_DEMANDS, close_beside};
+use super::closure::{Closure, N_DEMANDS, close_nearby};
 use super::cross_film::CrossFilm;
 use super::fluid::FilmFluid;
 use super::fluidity::{PointThinning, Thinning};
@@ -51,14 +51,14 @@ struct Change {
 /// The changes of a closure at a point by each of the numbers that differ, with its place among them.
 pub struct Changes(Vec<(usize, Change)>);
 
-/// Numbers that closures of a fluid depend on, beside P and Ω: units of stress and pressure, and the constants of its law; none of a
+/// Numbers other than P and Ω on which closures of a fluid depend: units of stress and pressure, and the constants of its law; none of a
 /// Newtonian one.
 pub fn numbers(fluid: &FilmFluid) -> Vec<f64> {
     fluid.thinning().map_or_else(Vec::new, |thinning| {
         let mut constants = thinning.law.constants();
         let mut units = [fluid.stress_scale(), fluid.pressure_scale()];
         if thinning.law.limit.is_none() {
-            // No unit of pressure counts, and that of stress over the stress of the law, which is its first constant.
+            // The unit of pressure has no effect, and that of stress only over the stress of the law, its first constant.
             units = [units[0] / constants[0], 1.0];
             constants[0] = 1.0;
         }
@@ -104,8 +104,8 @@ impl<'a> Nearby<'a> {
                     let demands = [tau, pressure_stress, sliding_stress];
                     let (law, rule) = (&law, &*rule);
                     match across {
-                        true => vectorised(CloseBeside::<true> { law, demands, rule }),
-                        false => vectorised(CloseBeside::<false> { law, demands, rule }),
+                        true => vectorised(CloseNearby::<true> { law, demands, rule }),
+                        false => vectorised(CloseNearby::<false> { law, demands, rule }),
                     }
                 });
                 (
@@ -146,7 +146,7 @@ impl Parameter {
             thinning: thinning.clone(),
             units: own,
         };
-        // At the end of what a law may have, the difference is to one side.
+        // At the limit of a constant's range, the difference is one-sided.
         let (below, above) = (varied(-step), varied(step));
         let distance = match below.is_some() && above.is_some() {
             true => 2.0 * step,
@@ -161,13 +161,13 @@ impl Parameter {
 }
 
 kernel! {
-    CloseBeside ['a, const ACROSS: bool] ['a, ACROSS] (
+    CloseNearby ['a, const ACROSS: bool] ['a, ACROSS] (
         law: &'a PointThinning<'a>,
         demands: [[f64; 2]; 3],
         rule: &'a CrossFilm,
     ) -> Closure {
         let [tau, pressure_stress, sliding_stress] = demands;
-        close_beside::<ACROSS>(law, tau, pressure_stress, sliding_stress, rule)
+        close_nearby::<ACROSS>(law, tau, pressure_stress, sliding_stress, rule)
     }
 }
 

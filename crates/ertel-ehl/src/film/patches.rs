@@ -3,8 +3,8 @@
 //! ```text
 //!   v(P, T) ≈ Σ c_kl xᵏ yˡ,   x, y ∈ [−1, 1] the coordinates of a patch
 //! ```
-//! interpolates the laws at Chebyshev points. A patch is made when it is first asked for; the laws themselves
-//! answer where it would not be accurate, and beyond the grid.
+//! interpolates the laws at Chebyshev points. A patch is computed on first use; the laws themselves
+//! are evaluated where it would not be accurate, and beyond the grid.
 
 use std::sync::OnceLock;
 
@@ -24,7 +24,7 @@ const NP: usize = 10;
 const NT: usize = 8;
 
 /// Errors of value, of slopes and of curvatures, by units of P and by patches of T, that a patch may have at its
-/// corners and its middle. Those of the curvatures, of which only the Jacobian hears, are mostly round-off.
+/// corners and its middle. Those of the curvatures, which only the Jacobian uses, are mostly round-off.
 const ERRORS: [f64; 3] = [1e-12, 1e-9, 1e-6];
 
 type Coefficients = [[f64; NT]; NP];
@@ -94,7 +94,7 @@ impl Patches {
             let pressure = (p as f64 + 0.5 + 0.5 * x) / PER_UNIT;
             (pressure, self.lowest + (t as f64 + 0.5 + 0.5 * y) * SIZE)
         };
-        // What is interpolated is the change from the middle: powers cancel, and round-off with them.
+        // The change from the middle is interpolated: powers cancel, and round-off with them.
         let (pressure, temperature) = place(0.0, 0.0);
         let middle = laws.values(pressure, temperature);
         let mut patch = Patch([[[0.0; NT]; NP]; 2]);
@@ -191,7 +191,7 @@ pub(super) struct Isobar<'a, L> {
     table: &'a Patches,
     laws: &'a L,
     pressure: f64,
-    /// Patch by T that was asked for last, and its polynomials there.
+    /// Patch by T that was used last, and its polynomials there.
     index: usize,
     by_temperature: Option<[[[f64; NT]; 3]; 2]>,
 }

@@ -1,7 +1,7 @@
 //! Polynomials across the film, through their values at its nodes.
 //!
 //! Nodes are those of Gauss and Lobatto: both walls are among them. A quantity that varies smoothly across
-//! the film is known by its values there to spectral accuracy.
+//! the film is interpolated from its values there with spectral accuracy.
 
 use ertel_fem::quadrature::Quadrature;
 use nalgebra::DMatrix;

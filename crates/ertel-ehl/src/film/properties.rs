@@ -33,14 +33,14 @@ pub(super) struct Properties {
     patches: Patches,
 }
 
-/// Cells over pressure; `None` where the law itself is asked.
+/// Cells over pressure; `None` where the law itself is evaluated.
 type Table = Vec<Option<[Quintic; 2]>>;
 
 /// Cells to each p_h, and how far the table reaches, in p_h.
 const PER_UNIT: f64 = 512.0;
 const REACH: f64 = 1.5;
 
-/// Error of a cell at its middle from which the law itself is asked instead.
+/// Error of a cell at its middle above which the law itself is evaluated instead.
 const INTERPOLATION_ERROR: f64 = 1e-13;
 
 impl Properties {
@@ -50,7 +50,7 @@ impl Properties {
         temperature: f64,
         [pressure_scale, density_scale, viscosity_scale]: [f64; 3],
     ) -> Properties {
-        // Tables of data have corners of their own.
+        // Tables of data have corners.
         let smooth = density.tabulated_range().is_none() && viscosity.tabulated_range().is_none();
         let mut properties = Properties {
             density: density.clone(),

@@ -13,7 +13,7 @@ pub struct StressScales {
     pub variation: Option<f64>,
 }
 
-/// A limiting stress as a quadrature sees it.
+/// A limiting stress for a quadrature.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LimitScale {
     /// The limit τ_L.

@@ -123,7 +123,7 @@ impl ThermalFluid {
         ThermalFluid::sampled::<true>(nodes, profile, properties)
     }
 
-    /// The same with nothing but the values of E and e: derivatives by P and along X and Y are left out.
+    /// The same with only the values of E and e, without derivatives by P and along X and Y.
     #[inline(always)]
     pub fn values(
         nodes: &FilmNodes,

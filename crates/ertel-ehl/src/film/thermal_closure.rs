@@ -10,7 +10,7 @@
 //!   S = F_tt[t_d, t_g] + F_td t_g + F_tg t_d + F_dg,   K = ∫eF_t ds (∫F_t ds)⁻¹
 //! ```
 //! As [`super::closure`], with E and e of [`super::thermal`]; d and g stand for G_x, G_y, Ω_x, Ω_y, P and for X, Y, along
-//! which the temperature changes. Of the latter only what a divergence needs is kept.
+//! which the temperature changes. Of the latter only the terms of the divergence are kept.
 //!
 //! Theory: The film when its temperature varies.
 
@@ -58,7 +58,7 @@ struct Heights {
 }
 
 impl Heights {
-    /// Heights (s, weight), at most [`WIDTH`], with e^E at each. Lanes that are left over weigh nothing.
+    /// Heights (s, weight), at most [`WIDTH`], with e^E at each. Unused lanes have zero weight.
     #[inline(always)]
     fn new(
         law: &ThermalLaw,

@@ -1,8 +1,8 @@
-//! Numbers that carry their derivatives by the quantities that the Reynolds equation sees at a point.
+//! Numbers with derivatives by the variables of the Reynolds equation at a point.
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// What an integrand is written for: `f64`, or [`Dual`] for its derivatives.
+/// Number type of an integrand: `f64`, or [`Dual`] for its derivatives.
 pub trait Number:
     Copy
     + From<f64>

@@ -1,4 +1,4 @@
-//! The energy equation at a point of the contact: what flows, conducts and heats at each height of the film, and
+//! The energy equation at a point of the contact: convection, conduction and heating at each height of the film, and
 //! in the bodies.
 //!
 //! ```text
@@ -7,9 +7,9 @@
 //!            Q_shear = τ·∂u/∂z,   Q_comp = −(T/ρ) ∂ρ/∂T (∂p/∂t + u ∂p/∂x + v ∂p/∂y)
 //!   bodies:  ρc (u ∂T/∂X + v ∂T/∂Y) − k/a (∂²T/∂X² + ∂²T/∂Y² + ∂²T/∂Z²) = 0,   Z = z/a                 W/m²
 //! ```
-//! Habchi 2008, eqs. 5.11, 5.13, 5.14, and ω, which is left out there: heat flows at a fixed share s of the film's thickness, and
-//! lubricant crosses from one to another. Conduction along the film is left out. Fluxes meet at the walls, z being measured in
-//! each layer's own way. T is the absolute temperature in K.
+//! Habchi 2008, eqs. 5.11, 5.13, 5.14, and ω, which is neglected there: heat flows at a fixed share s of the film's thickness, and
+//! lubricant crosses from one to another. Conduction along the film is neglected. Fluxes are continuous at the walls; each layer has
+//! its own coordinate z. T is the absolute temperature in K.
 
 mod held_flow;
 
@@ -25,7 +25,7 @@ use crate::film::cross_film::CrossFilm;
 use crate::film::fluidity::Fluidity;
 use crate::film::{FilmFluid, FilmNodes, MOST_NODES, Nodal};
 
-/// A body as heat sees it.
+/// A body in the energy equation.
 #[derive(Clone, Debug)]
 pub struct BodyHeat {
     /// Density, kg/m³.
@@ -85,8 +85,8 @@ impl Heat {
         first.plus(&second).times(0.5)
     }
 
-    /// Temperature at a height where lubricant enters, K: its own, near the walls theirs. A jump there would make polynomials across the film swing below all that comes in;
-    /// those of an order fall without a swing by Bernstein's, over about 1/order of the gap.
+    /// Inlet temperature at a height, K: that of the lubricant, near the walls that of the bodies. A jump there would make polynomials across the film undershoot all inlet temperatures;
+    /// Bernstein polynomials fall monotonically, over about 1/order of the gap.
     ///
     /// ```text
     ///   T = T_inlet + (T_1 − T_inlet)(½ − s)^n + (T_2 − T_inlet)(½ + s)^n
@@ -132,7 +132,7 @@ pub type Source<'a> = Option<&'a (dyn Fn([f64; 2], Layer) -> f64 + Sync)>;
 /// Heights at which the film is heated: Gauss points, and the shape functions of the film's nodes there.
 #[derive(Clone, Debug)]
 pub struct Heights {
-    /// The points, as nodes of their own.
+    /// The points, as nodes.
     points: FilmNodes,
     /// Shape functions of the film's nodes at each height.
     pub shapes: Vec<Nodal>,
@@ -192,7 +192,7 @@ impl Heights {
     }
 }
 
-/// What heats and cools the film at one height.
+/// Heating and cooling of the film at one height.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FilmHeat {
     /// Velocity over the entrainment speed.
@@ -207,7 +207,7 @@ pub struct FilmHeat {
     pub shear: f64,
     /// h Q_comp, W/m².
     pub compression: f64,
-    /// H∫ρ̄u over the film below less its share of the whole, (s + ½)H∫ρ̄u: what its divergence brings up across the film.
+    /// H∫ρ̄u over the film below less its share of the whole, (s + ½)H∫ρ̄u: its divergence is the flow across the film.
     pub mass_below: [f64; 2],
     /// Times the divergence of that and ∂T/∂s, the convection across the film, W/(m²·K).
     pub lift_capacity: f64,
@@ -264,7 +264,7 @@ pub struct FilmPlace {
     pub filling: f64,
     /// Temperature at the nodes, K.
     pub temperature: Nodal,
-    /// Conductance Ψ of the film whose flow is held (see the module `held_flow`); `None`: the pressure gradient is as it stands.
+    /// Conductance Ψ of the film whose flow is held (see the module `held_flow`); `None`: the pressure gradient is used as it is.
     pub held_conductance: Option<f64>,
 }
 

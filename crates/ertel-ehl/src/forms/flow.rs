@@ -5,7 +5,7 @@
 //!   generalized:          Q = 12ρ̄H²/(μ̄λ) q(G, Ω, P),  G = H∇P,  Ω = σμ̄/H      q from the closure
 //!   sliding:              σ = λ Δu/(12 u_m) = σ_0 + ς(−Y, X)                      ς of the spin
 //! ```
-//! Mass flows by ρ̄H ū − Q, ū the mean velocity of the surfaces, e_x where nothing spins. A generalized-Newtonian film has one viscosity at each height; its Q,
+//! Mass flows by ρ̄H ū − Q, ū the mean velocity of the surfaces, e_x without spin. A generalized-Newtonian film has one viscosity at each height; its Q,
 //! from the stress across the film, contains what sliding does to the flow (Habchi 2008, eqs. 4.9 and
 //! 4.11, where the same is written with integrals of 1/η). With q = G/12 it is the Newtonian one. Where the
 //! temperature varies, ρ̄ is the mean over the film and μ̄ the geometric mean of the viscosity (see [`crate::film::thermal`]).
@@ -17,7 +17,7 @@ use crate::film::thermal_closure::ThermalClosure;
 use crate::film::{Closure, PointFluid};
 use crate::forms::dual::Number;
 
-/// What the equation sees at a point; derivatives are taken by these numbers.
+/// Variables of the equation at a point; derivatives are taken by these numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct PointState<D> {
     /// Pressure P.
@@ -30,7 +30,7 @@ pub struct PointState<D> {
     pub film: D,
     /// ∇H.
     pub film_gradient: [D; 2],
-    /// κP, the share of P that the deflection does not see.
+    /// κP, the part of P that the deflection cannot represent.
     pub pressure_unresolved: D,
 }
 
@@ -110,7 +110,7 @@ pub fn sliding_stress<D: Number>(s: &PointState<D>, m: &Properties<D>, slide: [f
     slide.map(|slide| m.viscosity * slide / s.film)
 }
 
-/// How the surfaces slide at a point.
+/// Sliding of the surfaces at a point.
 #[derive(Clone, Copy, Debug)]
 pub struct PointSliding {
     /// σ.

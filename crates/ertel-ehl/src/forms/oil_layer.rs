@@ -6,16 +6,16 @@
 //!   ∇·(ρ̄ θH ū) = ∇·(ε∇P)
 //! ```
 //! Where there is no pressure, the gap carries the layer that arrives, H_oil; where there is, it is full. Between them is the
-//! meniscus: oil that arrives flows on at once or is held back by pressure, (H − H_oil) u = ε ∂P/∂X there, as mass conservation asks
-//! for (Jakobsson and Floberg 1957; Elrod, J. Lubr. Technol. 103 (1981) 350-354). Here the gap fills up over a length l: P grows
-//! e-fold over l, at first, until θ = 1. Pressures just below zero, where the film has broken, stand for less oil than the layer. What flows in is ρ̄H_oil whatever l is, so that a line contact is the same downstream of it.
+//! meniscus: arriving oil flows on or is held back by pressure, (H − H_oil) u = ε ∂P/∂X there, as mass conservation
+//! requires (Jakobsson and Floberg 1957; Elrod, J. Lubr. Technol. 103 (1981) 350-354). Here the gap fills up over a length l: P grows
+//! e-fold over l, at first, until θ = 1. Pressures just below zero, where the film has cavitated, represent less oil than the layer. The inflow is ρ̄H_oil for any l, so a line contact does not depend on l downstream.
 //!
 //! Theory: Starved inlet.
 
 use super::dual::Number;
 use crate::contact::OilLayer;
 
-/// What a gap lacks, and how that changes.
+/// Missing oil of a gap, and its derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct Missing<D> {
     /// F.
@@ -26,7 +26,7 @@ pub struct Missing<D> {
     pub by_film: D,
 }
 
-/// What a gap H lacks at the pressure P where it fills up over the length l; `None` where it is full.
+/// Missing oil of a gap H at the pressure P where it fills up over the length l; `None` where it is filled.
 #[inline(always)]
 pub fn missing<D: Number>(
     layer: &OilLayer,
@@ -54,8 +54,8 @@ fn share<D: Number>(t: D) -> Option<[D; 2]> {
     if t.re() >= 1.0 {
         None
     } else if t.re() >= 0.0 {
-        let left = -t + 1.0;
-        Some([left * left * (t + 1.0), -left * (t * 3.0 + 1.0)])
+        let empty = -t + 1.0;
+        Some([empty * empty * (t + 1.0), -empty * (t * 3.0 + 1.0)])
     } else {
         let r = (-t + 1.0).recip();
         Some([-t * r + 1.0, -r * r])

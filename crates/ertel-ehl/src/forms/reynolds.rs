@@ -15,22 +15,22 @@
 //! ```
 //! h_e is the length of a cell along the motion, and r ≥ 1 the ratio of that to its length across, where it is shorter across. Without
 //! r, τ there is r² times what the diffusion allows (of the order of h²/ε for the shortest length h), GLS is no longer stable, and a slender contact
-//! along its longer axis starts with a residual of 38 times the entrained flow in place of 1.2 (axis ratio 10).
+//! along its longer axis starts with a residual of 38 times the entrained flow instead of 1.2 (axis ratio 10).
 //!
 //! ū is the mean velocity of the surfaces over the entrainment speed, free of divergence: e_x + ω̄(−Y, X), with the mean spin ω̄.
 //! Where a layer of oil arrives that does not fill the gap, ρ̄H in the wedge is ρ̄θH and β = ∂(ρ̄θH)/∂P (see [`super::oil_layer`]).
 //! In generalized-Newtonian films Q comes from the closure and ε is ∂Q_x/∂P_x (see [`super::flow`]).
 //!
-//! The wedge ū·∇(ρ̄H) answers to pressure in two ways: by the density, H ∂ρ̄/∂P, which alone is the β
+//! The wedge ū·∇(ρ̄H) depends on pressure in two ways: by the density, H ∂ρ̄/∂P, which alone is the β
 //! of the source, and by the deflection, ρ̄ ∂H/∂P, which at the scale of an element is ρ̄ h_e times a
-//! number and, in thin films, a hundred times more. Where the fluid is all but solid (ε → 0), nothing
-//! else is left in the equation; then a pressure of higher order than the deflection has shapes in
-//! which it deflects nothing. Nothing holds these but the last term; on smooth pressures it vanishes
-//! with the order of the deflection. Both can be switched off (`elastic_stabilisation`).
+//! number and, in thin films, a hundred times more. Where the fluid is nearly solid (ε → 0), no other
+//! term remains in the equation; then a pressure of higher order than the deflection has modes without
+//! deflection. Only the last term controls these; on smooth pressures it vanishes with the order of the
+//! deflection. Both can be switched off (`elastic_stabilisation`).
 //!
 //! Before the outlet the pressure has a ridge that falls off within a thousandth of the contact. On elements that do not resolve it,
-//! pressures of high order overshoot there, and Newton's method wanders; there alone, ρ_r > 0 (see `solve::ridge`). It goes with
-//! h_e², and what it does to the films is a part of their error estimates.
+//! pressures of high order overshoot there, and Newton's method does not converge; there alone, ρ_r > 0 (see `solve::ridge`). It is
+//! proportional to h_e², and its effect on the films is part of their error estimates.
 //!
 //! Habchi 2008, eqs. 2.29, 3.8, 3.9, 3.13 to 3.18, 4.12; f = 0 but for manufactured solutions. The
 //! convection term is integrated by parts, so that the discrete equation conserves mass.
@@ -66,7 +66,7 @@ pub struct ElementConstants {
     pub diffusion_tensor: Option<[f64; 3]>,
     /// r².
     pub slenderness: f64,
-    /// Whether β and κ reckon with the deflection; only in SUPG and GLS.
+    /// Whether β and κ include the deflection; only in SUPG and GLS.
     pub elastic_stabilisation: bool,
     /// The layer of oil that arrives; `None`: the gap is full.
     pub oil_layer: Option<OilLayer>,
@@ -98,7 +98,7 @@ pub struct TestCoefficients<D> {
     pub laplacian: D,
     /// d.
     pub unresolved: D,
-    /// τ(R − f): about what the elements miss of the pressure.
+    /// τ(R − f): approximately the part of the pressure that the elements do not resolve.
     pub missed: D,
 }
 
@@ -106,7 +106,7 @@ pub struct TestCoefficients<D> {
 /// wave of length 4 h_e deflects by 2/π h_e. Measured on line contacts, L up to 20: from 0.1 to 1 the films agree to 3e-4.
 const DEFLECTION_SHARE: f64 = 0.3;
 
-/// Weight of the term that holds the unresolved pressure. Measured: from 1 to 10 the central
+/// Weight of the term that controls the unresolved pressure. Measured: from 1 to 10 the central
 /// film agrees to 2e-4, the minimum film to 1e-3 (M = 200, L = 15);
 /// at 0.1 incompressible contacts stop converging.
 const UNSEEN_WEIGHT: f64 = 1.0;
@@ -181,7 +181,7 @@ pub fn reynolds_point<D: Number>(
     test.gradient[0] += weight * beta * u;
     test.gradient[1] += weight * beta * v;
     if e.formulation == Formulation::Gls {
-        // ∇ε, as if stress did not change it: any weight leaves the equation consistent.
+        // ∇ε without the effect of stress: the equation is consistent with any weight.
         let by_p = epsilon * m.log_slope();
         let by_h = epsilon * 3.0 / h;
         test.gradient[0] -= weight * (by_p * px + by_h * hx);

@@ -11,9 +11,9 @@ use crate::solution::ElementFields;
 /// Degree of the rule on each piece of an element.
 const DEGREE: usize = 7;
 
-/// Share of the whole load by which an element's may change when it is cut: the integral is right to about 1e-6.
+/// Share of the whole load by which that of an element may change when it is cut: the integral is accurate to about 1e-6.
 pub const TOLERANCE: f64 = 1e-8;
-/// An element is cut so many times at the most.
+/// Most cuts of an element.
 const MOST_CUTS: usize = 8;
 
 /// Normal and tangential forces of asperities: N, in line contacts N/m.
@@ -55,8 +55,8 @@ impl AsperityForces {
 /// Integrates an asperity pressure p_a(h/σ), Pa, over the film of a solution; each element is cut until its load changes by no more than
 /// `tolerance` of the whole load.
 ///
-/// `rms_height` is σ in m, `sliding` the velocity of body 2 less that of body 1 at places in m, `symmetry` tells whether the map is half of the
-/// contact. The film is multiplied by `film_factor` first, which shows what its error does.
+/// `rms_height` is σ in m, `sliding` the velocity of body 2 less that of body 1 at places in m, `symmetry` states whether the map is half of the
+/// contact. The film is multiplied by `film_factor` first, to show the effect of its error.
 pub fn asperity_forces(
     elements: &ElementFields,
     symmetry: Symmetry,
@@ -78,7 +78,7 @@ pub fn asperity_forces(
         sliding,
         pressure: &of_height,
     };
-    // A polynomial may dip below its nodes, but not to half of them where it is that thick.
+    // A polynomial may undershoot its nodes, but not by half in a film that thick.
     let is_near = |cell: &usize| {
         let mut heights = map.film_of(*cell).iter();
         heights.any(|h| scale * h < 2.0 * NOTHING_FROM)
@@ -138,7 +138,7 @@ impl Map<'_> {
         }
     }
 
-    /// A piece as fine as it needs.
+    /// Integrates a piece, refined as needed.
     fn refined(
         &self,
         cell: usize,

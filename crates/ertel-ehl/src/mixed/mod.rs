@@ -11,9 +11,9 @@
 //! is that of Greenwood and Tripp (1970, The contact of two nominally flat rough surfaces, Proc. IMechE 185, 625-633): elastic
 //! asperities of one tip radius on both surfaces, Gaussian heights, no interaction of neighbours.
 //!
-//! Film and traction are those of smooth surfaces under the whole load. What the asperities carry would lower the pressure of the
-//! film and thicken it; the model leaves that out, and holds while the share is small ([`SMALL_SHARE`]). A film has no negative
-//! thickness, so that p_a is at most p_a(0), tens to some hundred MPa with usual asperities: under higher Hertz pressures the share
+//! Film and traction are those of smooth surfaces under the whole load. The load on the asperities would lower the pressure of the
+//! film and thicken it; the model neglects that, and is valid while the share is small ([`SMALL_SHARE`]). A film has no negative
+//! thickness, so p_a is at most p_a(0), tens to some hundred MPa with usual asperities: under higher Hertz pressures the share
 //! stays below one however thin the film.
 
 mod load;
@@ -26,9 +26,9 @@ use serde::Serialize;
 pub use load::{AsperityForces, TOLERANCE, asperity_forces};
 pub use statistics::{NOTHING_FROM, five_halves_integral};
 
-/// Share of the load on asperities from which the film of smooth surfaces is not theirs. With a tenth of the load gone from it, the film
+/// Asperity load share above which the film of smooth surfaces is not accurate. With a tenth of its load removed, the film
 /// is 0.8 to 1.4 % thicker (h ∝ W^−0.073, Hamrock and Dowson 1977, to W^−0.13, Dowson and Higginson 1977), and the asperity pressure
-/// falls by several times that (−d ln F_{5/2}/d ln u is 6.1 at u = 2): the share is off by 5 to 8 % of itself. A choice of ours, not of
+/// falls by several times that (−d ln F_{5/2}/d ln u is 6.1 at u = 2): the share errs by 5 to 8 % of its value. Our choice, not from
 /// a paper.
 pub const SMALL_SHARE: f64 = 0.1;
 
@@ -59,7 +59,7 @@ impl Asperities {
     }
 
     /// Share of a load (N, or N/m of lines) that they carry where the mean planes of both surfaces meet all over the dry contact
-    /// (m², or m), the gap around it left out.
+    /// (m², or m), without the gap around it.
     pub fn share_at_contact(&self, reduced_modulus: f64, area: f64, load: f64) -> f64 {
         self.pressure(0.0, reduced_modulus) * area / load
     }

@@ -1,14 +1,14 @@
-//! Heights of asperities that are distributed as Gauss' law says.
+//! Asperity heights with a Gaussian distribution.
 
 use std::f64::consts::PI;
 
 /// Width of a step of the trapezoidal rule over that of the integrand.
 const STEP: f64 = 0.15;
 
-/// Terms so many times smaller than their sum are left out.
+/// Terms smaller than their sum by this factor are neglected.
 const NEGLIGIBLE: f64 = 1e-18;
 
-/// Separation over rms height from which exp(−u²/2), and F with it, is no number that a double holds.
+/// Separation over rms height above which exp(−u²/2), and with it F, underflows.
 pub const NOTHING_FROM: f64 = 39.0;
 
 /// The integral F_{5/2} of Greenwood and Tripp (1970, Proc. IMechE 185, 625-633) at the separation over rms height u ≥ 0.

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// Heat in film and bodies: discretisation, coupling, bulk temperatures and what is written.
+/// Heat in film and bodies: discretisation, coupling, bulk temperatures and output.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ThermalParams {
     /// Depth to which both bodies are heated, in Hertz half-widths a (Habchi 2008, section 5.3: D = 3.15).

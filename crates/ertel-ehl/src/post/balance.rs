@@ -12,9 +12,9 @@ use crate::solve::system::{FilmConstants, System};
 /// Relative mass balance upstream of the section along the second axis of the Hertz zone, X = 0 where the motion is along the first:
 /// (inflow − side leakage − flow through the section)/inflow.
 ///
-/// Inflow and leakage are the fluxes that the edge nodes take up in the weak form; the flow
+/// Inflow and leakage are the reactions of the edge nodes in the weak form; the flow
 /// through the section is integrated from the discrete gradients, m_x = ρ̄θH − Q_x, which the
-/// weak form never asks for there. Side nodes count upstream of it.
+/// weak form does not use there. Side nodes count upstream of it.
 pub fn film_balance_error(solution: &StageSolution, model: &FilmModel) -> f64 {
     let (d, state) = (&solution.discretisation, &solution.state);
     let edge_flux = System::edge_flux(d, &model.fluid, &model.constants, state);

@@ -1,4 +1,4 @@
-//! Balances that a solution should keep, and where its sums end.
+//! Balances that a solution should satisfy, and the limits of its integrals.
 
 use crate::contact::Shape;
 use crate::engine::friction::friction;
@@ -7,7 +7,7 @@ use crate::solution::{Balance, Checks, Summary, SummedTo, Thermal};
 use crate::warning::{Warning, WarningKind};
 use crate::words::digits;
 
-/// The balances of a solution, and where its shear is summed.
+/// The balances of a solution, and the range over which its shear is integrated.
 pub fn checks<Plan>(
     problem: &Problem<Plan>,
     film: &impl Film,
@@ -38,7 +38,7 @@ pub fn checks<Plan>(
     (checks, summed)
 }
 
-/// Says so where the contact area reaches farther than the bodies; `half_width` a in m.
+/// Warns where the contact area extends beyond the bodies; `half_width` a in m.
 pub fn warning(shape: &Shape, e: &Extents, half_width: f64) -> Option<Warning> {
     let along = e.inlet.abs().max(e.outlet) / shape.ends[0];
     let across = match shape.is_line() {

@@ -31,7 +31,7 @@ pub fn centreline(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) 
     centreline_of(&profile, &d.contact.shape, fluid, scales)
 }
 
-/// A profile in SI, with what follows of its fields.
+/// A profile in SI, with derived fields.
 pub fn centreline_of(
     profile: &Profile,
     shape: &Shape,
@@ -56,7 +56,7 @@ pub fn centreline_of(
     line
 }
 
-/// Fields at points in SI, with what follows of them; places and cells are left to the caller.
+/// Fields at points in SI, with derived fields; the caller sets places and cells.
 pub fn surface_of(
     points: &[PointFields],
     shape: &Shape,
@@ -136,7 +136,7 @@ pub(super) fn sub_cells(space: &Space) -> Vec<[u32; 3]> {
 
 /// Displacement of the first body (the equivalent one, or body 1); `None` above a half-space.
 ///
-/// The solve knows the surface alone: the body is factorised once more.
+/// The solve keeps only the surface, so the body is factorised again.
 ///
 /// # Errors
 /// When the factorisation fails.

@@ -11,7 +11,7 @@ pub const CONTINUUM_FILM: f64 = 5e-9;
 /// Film of one or two molecules, m.
 const MOLECULES: f64 = 1e-9;
 
-/// Says so if the film thickness, m, is below 10 nm, below ten molecular layers, or below a nanometre. `film` names it,
+/// Warns if the film thickness, m, is below 10 nm, below ten molecular layers, or below a nanometre. `film` names it,
 /// such as "the minimum film thickness".
 pub fn thin_film_warning(film: &str, thickness: f64) -> Option<Warning> {
     let nm = thickness * 1e9;

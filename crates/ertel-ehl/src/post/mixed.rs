@@ -147,7 +147,7 @@ fn friction(
     }
 }
 
-/// Says so if the film does not separate the surfaces, and if asperities carry so much that the film of smooth surfaces is not theirs.
+/// Warns if the film does not separate the surfaces, and if asperities carry so much that the smooth-surface film no longer applies.
 pub fn warnings(mixed: &MixedLubrication, summary: &Summary, rms_height: f64) -> Vec<Warning> {
     let minimum = summary.film_minimum.value;
     let lambda = roughness_warning("the minimum film thickness", minimum, rms_height);
@@ -161,7 +161,7 @@ pub fn warnings(mixed: &MixedLubrication, summary: &Summary, rms_height: f64) ->
 /// Lambda ratio below which asperities are expected to touch (Zhu and Wang 2012, abstract: little or no contact above 0.6 to 1.2).
 const TOUCHING: f64 = 1.0;
 
-/// Says so if asperities touch but could not carry the load however thin the film; `limit` is their largest share.
+/// Warns if asperities touch but could not carry the load however thin the film; `limit` is their largest share.
 pub fn limit_warning(lambda: f64, limit: f64) -> Option<Warning> {
     let text = format!(
         "these asperities carry at most {} % of this load, even without any film: friction of thin films \
@@ -172,7 +172,7 @@ pub fn limit_warning(lambda: f64, limit: f64) -> Option<Warning> {
         .then(|| Warning::beyond(WarningKind::AsperityLimit, -limit, text))
 }
 
-/// Says so if a share of the load on asperities is beyond what the film of smooth surfaces bears.
+/// Warns if the asperity load share is too large for the smooth-surface film.
 pub fn share_warning(share: f64) -> Option<Warning> {
     let text = if share > 1.0 {
         format!(

@@ -1,4 +1,4 @@
-//! The figures of a solution, and what the user should know about them.
+//! The figures of a solution, and warnings about them.
 
 use super::balance::film_balance_error;
 use super::limits::thin_film_warning;
@@ -34,7 +34,7 @@ pub fn summarise(
     }
 }
 
-/// The figures of a solve; balances and separation, which its engine tells, are zero.
+/// The figures of a solve; balances and separation, which the engine supplies, are zero.
 pub fn summary_of(measured: &Measured) -> Summary {
     Summary {
         film_central: measured.estimate(Figure::FilmCentral),
@@ -80,7 +80,7 @@ fn across(measured: &Measured) -> Option<TractionAcross> {
 
 /// Films with and without shear thinning, where both were found on the same mesh.
 pub fn film_reduction(levels: &[LevelStats], measured: &Measured) -> Option<FilmReduction> {
-    let [thinned, newtonian] = beside(levels, Role::Comparison)?;
+    let [thinned, newtonian] = comparison_pair(levels, Role::Comparison)?;
     let of = |figure| reduction(figure, thinned, newtonian, measured);
     Some(FilmReduction {
         central: of(Figure::FilmCentral)?,
@@ -88,13 +88,13 @@ pub fn film_reduction(levels: &[LevelStats], measured: &Measured) -> Option<Film
     })
 }
 
-/// A stage that only compares, second, and the one on its mesh that it is compared with.
-pub(super) fn beside(levels: &[LevelStats], role: Role) -> Option<[&LevelStats; 2]> {
+/// The stage of the full problem and, on the same mesh, the last comparison stage with `role`.
+pub(super) fn comparison_pair(levels: &[LevelStats], role: Role) -> Option<[&LevelStats; 2]> {
     let at = levels.iter().rposition(|l| l.role == role && l.converged)?;
     let simpler = &levels[at];
     let full = levels[at + 1..]
         .iter()
-        .find(|l| l.converged && !l.role.leads() && l.is_beside(simpler))?;
+        .find(|l| l.converged && !l.role.leads() && l.has_mesh_of(simpler))?;
     Some([full, simpler])
 }
 
@@ -114,12 +114,12 @@ fn refinement_ended(end: Option<RefinementEnd>) -> String {
         Some(RefinementEnd::Refinements(n)) => {
             format!("refinement ended after {n} refinements, as many as a mesh may have")
         }
-        Some(RefinementEnd::Pressure) => "the cells suffice for it, but not for the pressure, whose error counts in the bar: a \
+        Some(RefinementEnd::Pressure) => "the cells resolve the film, but the pressure error widens the bar: a \
                                           smaller [mesh] pressure_error, without refine_for = \"films\", lowers it"
             .to_owned(),
         // Bars of another kind were wide before.
         Some(RefinementEnd::Reached | RefinementEnd::NothingToHalve) => {
-            "the estimate of the errors asks for no smaller cell; a smaller [mesh] target_error lowers the error bar"
+            "the error estimate requires no smaller cells; a smaller [mesh] target_error lowers the error bar"
                 .to_owned()
         }
         Some(RefinementEnd::NoEstimate) => {
@@ -217,7 +217,7 @@ pub fn warnings(
         // Measured on a roller: 3 and 4 of the differences that the bars are made of.
         warnings.push(Warning::new(
             WarningKind::FirstOrder,
-            "first-order elements err by more than their error bars: use [mesh] pressure_order 2 or \
+            "the errors of first-order elements exceed their error bars: use [mesh] pressure_order 2 or \
              more and elastic_order 2",
         ));
     }
@@ -232,7 +232,7 @@ pub fn warnings(
     warnings
 }
 
-/// What tells whether the edges of a contact area are far enough.
+/// Films that show whether the edges of a contact area are far enough out.
 #[derive(Clone, Copy, Debug)]
 pub struct EdgeFilms {
     /// X where the film breaks on the centreline.
@@ -243,7 +243,7 @@ pub struct EdgeFilms {
     pub centre: f64,
 }
 
-/// Warnings about edges that are too near.
+/// Warnings about edges that are too close.
 pub fn edge_warnings(e: &Extents, shape: &Shape, films: EdgeFilms) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let side_key = if shape.is_line() { "" } else { ", side" };

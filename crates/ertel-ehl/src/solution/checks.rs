@@ -1,4 +1,4 @@
-//! Balances that a solution should keep, each an error of its own.
+//! Balances that a solution should satisfy, each as a separate error.
 
 use serde::Serialize;
 
@@ -32,7 +32,7 @@ impl Balance {
 /// Balances of a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Checks {
-    /// Work of the surfaces, W (W/m), and what becomes of it: what shear dissipates and what the pressure does where the bodies end; in
+    /// Work of the surfaces, W (W/m), against its sinks: the dissipation of shear and the work of the pressure where the bodies end; in
     /// thermal contacts the heat made by shear and compression, over all of the contact area.
     pub power: Balance,
     /// Traction coefficient at body 2 less that at body 1, and −∫p ∂h_0/∂x dA over the load, for the undeformed gap h_0: over all of the
@@ -50,7 +50,7 @@ pub struct Checks {
     pub heat: Option<f64>,
 }
 
-/// Where shear is summed: traction, moment and friction power.
+/// Range of the integrals of shear: traction, moment and friction power.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SummedTo {
     /// How far the bodies face each other along the principal direction of the contact nearest to the motion, m.
@@ -58,6 +58,6 @@ pub struct SummedTo {
     /// The same along the other one; `None` of lines and rollers, whose film ends with them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub body_end_y: Option<f64>,
-    /// Whether the sums end there; else with the contact area.
+    /// Whether the integrals end there; else with the contact area.
     pub ends_with_bodies: bool,
 }

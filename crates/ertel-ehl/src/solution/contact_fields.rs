@@ -136,7 +136,7 @@ impl ContactFields {
     }
 }
 
-/// Barycentric coordinate below zero up to which a point lies on an edge, for all that rounding does.
+/// Barycentric coordinate below zero up to which a point counts as on an edge: a tolerance for rounding.
 const ON_AN_EDGE: f64 = 1e-12;
 
 fn barycentric([a, b, c]: &[[f64; 2]; 3], p: [f64; 2]) -> [f64; 3] {
@@ -183,7 +183,7 @@ pub fn mirror(points: &[[f64; 2]], cells: &[[u32; 3]]) -> Mirrored {
     whole
 }
 
-/// Whether a number among others counts as zero, for all that rounding does.
+/// Whether a number is zero compared with others, within rounding.
 pub fn near_zero(all: impl Iterator<Item = f64>) -> impl Fn(f64) -> bool {
     let reach = all.fold(0.0, |r: f64, v| r.max(v.abs()));
     move |v| v.abs() <= 1e-9 * reach

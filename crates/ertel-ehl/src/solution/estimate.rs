@@ -29,7 +29,7 @@ impl Estimate {
         (self.error).is_none_or(|error| error <= WIDEST * self.value.abs())
     }
 
-    /// with/without of two solutions, each of which errs on its own.
+    /// with/without of two solutions with independent errors.
     pub fn ratio(with: Estimate, without: Estimate) -> Estimate {
         let ratio = with.value / without.value;
         let relative = |e: Estimate| Some(e.error? / e.value.abs());
@@ -41,7 +41,7 @@ impl Estimate {
         }
     }
 
-    /// 1 − with/without of two solutions, each of which errs on its own.
+    /// 1 − with/without of two solutions with independent errors.
     pub fn reduction(with: Estimate, without: Estimate) -> Estimate {
         let ratio = Estimate::ratio(with, without);
         Estimate {

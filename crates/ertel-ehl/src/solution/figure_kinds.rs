@@ -1,11 +1,11 @@
-//! What the registry of figures says of each: its quantity, its section, and what bounds its error.
+//! Attributes of figures: quantity, section of the report, and lower bound of the error bar.
 
 /// Physical quantity of a figure: its unit, and how it is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A film thickness, m.
     Length,
-    /// A place along the motion, m; told in half-widths.
+    /// A place along the motion, m; shown in half-widths.
     Position,
     /// A distance from the middle of a roller, m.
     Offset,
@@ -15,7 +15,7 @@ pub enum Kind {
     Stress,
     /// A force over the load.
     Coefficient,
-    /// A share; told in per cent.
+    /// A share; shown in per cent.
     Share,
     /// A force, N; in line contacts N/m.
     Force,
@@ -44,7 +44,7 @@ impl Kind {
     }
 }
 
-/// Part of the report in which a figure is told.
+/// Section of the report that shows a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Section {
     /// Film thicknesses.
@@ -61,14 +61,14 @@ pub enum Section {
     Shear,
     /// Temperatures.
     Temperature,
-    /// Where heat comes from and goes to.
+    /// Sources and sinks of heat.
     Heat,
 }
 
-/// By what the error bar of a figure is bounded from below, beside the difference of two meshes.
+/// Lower bound of the error bar of a figure, in addition to the difference of two meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ErrorClass {
-    /// It has an error estimate of its own, by adjoints.
+    /// By its own adjoint error estimate.
     Film,
     /// By the errors of the films.
     FilmOnCentreline,
@@ -84,21 +84,21 @@ pub enum ErrorClass {
     EdgePressureLeft,
     /// Likewise at the end y > 0.
     EdgePressureRight,
-    /// By the largest pressure, and the slopes of the pressure.
+    /// By the largest pressure, and the pressure gradients.
     ShearStress,
     /// By films and pressure, for the place where the film breaks.
     Outlet,
-    /// By the films, for the place from which the gap is full.
+    /// By the films, for the place from which the gap is filled.
     Meniscus,
     /// An integral over the contact: by the errors of films and pressure.
     Integral,
-    /// Such an integral with the slopes of the pressure in it, and with what lies beyond edges set by hand.
+    /// Such an integral with pressure gradients in it, and with the part beyond edges set by hand.
     WallTraction,
     /// The same for the power of the surfaces.
     FrictionPower,
     /// The same for the heat of shear, to which an unresolved spike adds.
     HeatShear,
-    /// An integral, with what enters and leaves through edges set by hand.
+    /// An integral, with the flow through edges set by hand.
     HeatCompression,
     /// The same, with the heat that is made and not carried off.
     HeatCarried,

@@ -1,4 +1,4 @@
-//! The figures that a solve is asked for, mesh by mesh, and their error bars.
+//! The figures of a solve, mesh by mesh, and their error bars.
 
 use serde::ser::{SerializeMap, Serializer};
 use serde::{Deserialize, Serialize};
@@ -8,7 +8,7 @@ use super::{Estimate, Located};
 use super::figure_kinds::Scope;
 pub use super::figure_kinds::{ErrorClass, Kind, Section};
 
-/// Declares the figures, each in one row: all that the report, the page, the tables, the documents and Python tell of it.
+/// Declares the figures, each in one row: the attributes used by the report, the page, the tables, the documents and Python.
 macro_rules! figures {
     ($($(#[$doc:meta])* $variant:ident, $name:literal, $symbol:literal, $words:literal, $kind:ident, $section:ident, $class:ident, $place:ident;)*) => {
         /// A figure that carries an error bar.
@@ -18,7 +18,7 @@ macro_rules! figures {
         }
 
         impl Figure {
-            /// Every figure, in the order in which they are told.
+            /// Every figure, in the order of the report.
             pub const ALL: [Figure; [$($name),*].len()] = [$(Figure::$variant),*];
 
             /// Name in results, tables and Python.
@@ -35,28 +35,28 @@ macro_rules! figures {
                 }
             }
 
-            /// What it is, in words.
+            /// Description, as in the report.
             pub fn words(self) -> &'static str {
                 match self {
                     $(Figure::$variant => $words,)*
                 }
             }
 
-            /// Which physical quantity it is: its unit, and how it is written.
+            /// Physical quantity, which sets unit and number format.
             pub fn kind(self) -> Kind {
                 match self {
                     $(Figure::$variant => Kind::$kind,)*
                 }
             }
 
-            /// Part of the report in which it is told.
+            /// Section of the report.
             pub fn section(self) -> Section {
                 match self {
                     $(Figure::$variant => Section::$section,)*
                 }
             }
 
-            /// By what its error bar is bounded from below.
+            /// Lower bound of its error bar.
             pub fn error_class(self) -> ErrorClass {
                 match self {
                     $(Figure::$variant => ErrorClass::$class,)*
@@ -87,7 +87,7 @@ figures! {
     PressureMaximum, "pressure_maximum", "p_max", "largest pressure", PeakPressure, Pressure, LargestPressure, Place;
     /// Top of the smooth hill of the pressure on which the centre of the contact lies.
     PressureCentral, "pressure_central", "p_c", "smooth pressure maximum", PeakPressure, Pressure, CentralPressure, Place;
-    /// Largest pressure of the ridge before the outlet of a point contact, or of another hill beside the central one.
+    /// Largest pressure of the ridge before the outlet of a point contact, or of another pressure hill next to the central one.
     PressureRidge, "pressure_ridge", "", "pressure ridge at the outlet", PeakPressure, Pressure, PressureRidge, Place;
     /// Largest pressure over the quarter of a roller at its end y < 0.
     EdgePressureLeft, "edge_pressure_left", "", "largest pressure, end y < 0", PeakPressure, Roller, EdgePressureLeft, Place;
@@ -179,10 +179,10 @@ impl Figure {
     }
 }
 
-/// Share of a figure, of its size, that its error bar may reach for the figure to be told as a number.
+/// Largest error bar, over the size of the figure, with which the figure is shown as a number.
 pub const WIDEST: f64 = 0.5;
 
-/// The same of a largest pressure: a mesh that does not draw a peak cuts it off, and its value is no more than a lower bound.
+/// The same of a largest pressure: a mesh too coarse for a peak cuts it off, and the value is only a lower bound.
 const WIDEST_OF_PEAK: f64 = 0.1;
 
 /// Widest bar of a place, over the half-width of the contact.
@@ -194,7 +194,7 @@ impl Figure {
         self.kind() == Kind::PeakPressure
     }
 
-    /// Widest error bar with which it is told as a number, over its size.
+    /// Largest error bar with which it is shown as a number, over its size.
     pub fn widest_bar(self) -> f64 {
         match self.is_peak() {
             true => WIDEST_OF_PEAK,
@@ -203,7 +203,7 @@ impl Figure {
     }
 }
 
-/// Sizes of a contact beside which its figures vanish.
+/// Scales of a contact, relative to which figures count as zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Sizes {
     /// Load, N or N/m.
@@ -216,11 +216,11 @@ pub struct Sizes {
     pub speed: f64,
 }
 
-/// Share of the sizes of a contact below which a figure is rounding, and told as zero.
+/// Share of the scales of a contact below which a figure is rounding error, shown as zero.
 pub const ROUNDING: f64 = 1e-9;
 
 impl Figure {
-    /// Below what a figure is zero, SI.
+    /// Size below which a figure is shown as zero, SI.
     pub fn zero_below(self, sizes: &Sizes) -> f64 {
         let size = match self.kind() {
             Kind::Length | Kind::Temperature => 0.0,
@@ -235,7 +235,7 @@ impl Figure {
     }
 }
 
-/// Something about each figure that there is.
+/// One entry for each figure that exists.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PerFigure<T>([Option<T>; Figure::ALL.len()]);
 
@@ -250,13 +250,13 @@ pub type Bars = PerFigure<Bar>;
 pub struct Reading {
     /// The figure.
     pub value: f64,
-    /// What relative errors are relative to: its size, of temperatures that of the rise.
+    /// Reference of relative errors: the size of the figure; for temperatures that of the rise.
     pub size: f64,
     /// Where it is, m.
     pub place: Option<[f64; 2]>,
-    /// What it changes by where the sum that it is ends nearer to the centre, to be added to its error bar.
+    /// Change when the integral is truncated at half the distance, to be added to the error bar.
     pub cut: f64,
-    /// What an identity says that it errs by, which its error bar must cover.
+    /// Violation of an exact identity, which the error bar must cover.
     pub misfit: f64,
 }
 
@@ -275,10 +275,10 @@ pub struct Measured {
     /// The figures.
     #[serde(with = "in_order")]
     pub figures: Figures,
-    /// The bars that could be told.
+    /// The error bars that could be estimated.
     #[serde(with = "in_order")]
     pub bars: Bars,
-    /// Half-width of the contact, m, beside which places are told or not.
+    /// Half-width of the contact, m, which decides whether a place is resolved.
     pub half_width: f64,
 }
 
@@ -313,12 +313,12 @@ impl<T> Default for PerFigure<T> {
 }
 
 impl<T: Copy> PerFigure<T> {
-    /// What there is about a figure.
+    /// The entry of a figure.
     pub fn get(&self, figure: Figure) -> Option<T> {
         self.0[figure as usize]
     }
 
-    /// Says something about a figure.
+    /// Sets the entry of a figure.
     pub fn set(&mut self, figure: Figure, about: T) {
         self.0[figure as usize] = Some(about);
     }
@@ -375,7 +375,7 @@ impl Serialize for Figure {
     }
 }
 
-/// By name, with the places beside as `<name>_at`.
+/// By name, with places as `<name>_at`.
 impl Serialize for Figures {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
@@ -393,7 +393,7 @@ impl Serialize for Figures {
 }
 
 impl Measured {
-    /// The same with zeros where figures and bars are rounding.
+    /// The same with zeros where figures and bars are rounding errors.
     pub fn without_rounding(mut self, sizes: &Sizes) -> Measured {
         for figure in Figure::ALL {
             let Some(reading) = self.figures.get(figure) else {
@@ -427,11 +427,11 @@ impl Measured {
         self.located(figure).estimate()
     }
 
-    /// Whether its bar, if it has one, is narrow enough for it to be told as a number.
+    /// Whether its error bar, if any, is narrow enough to show the figure as a number.
     pub fn is_resolved(&self, figure: Figure) -> bool {
         let pair = self.figures.get(figure).zip(self.bars.get(figure));
         pair.is_none_or(|(reading, bar)| {
-            // Of temperatures the rise, of at least one kelvin. Of all others the value, also of one component that vanishes beside the other.
+            // Temperatures: the rise, at least one kelvin. All others: the value, also that of a component much smaller than the other.
             let size = match figure.kind() {
                 Kind::Temperature => reading.size.max(LEAST_RISE),
                 _ => reading.value.abs(),
@@ -455,7 +455,7 @@ impl Measured {
             x,
             y,
             place_error,
-            // A higher one may stand elsewhere.
+            // There may be a higher one elsewhere.
             place_resolved: near && (resolved || figure != Figure::PressureMaximum),
         })
     }
@@ -491,7 +491,7 @@ mod tests {
             pressure: 1e9,
             speed: 1.0,
         };
-        let told = |figure, value: f64, bar: f64| {
+        let shown = |figure, value: f64, bar: f64| {
             let mut measured = Measured::default();
             measured.figures.note(figure, Reading::new(value));
             measured.bars.set(
@@ -504,15 +504,15 @@ mod tests {
             let found = measured.without_rounding(&sizes).estimate(figure);
             (found.value, found.error.unwrap())
         };
-        assert_eq!(told(Figure::TractionCoefficient, 3e-10, 1e-11), (0.0, 0.0));
+        assert_eq!(shown(Figure::TractionCoefficient, 3e-10, 1e-11), (0.0, 0.0));
         assert_eq!(
-            told(Figure::TractionCoefficient, -3e-9, 1e-11),
+            shown(Figure::TractionCoefficient, -3e-9, 1e-11),
             (-3e-9, 1e-11)
         );
-        assert_eq!(told(Figure::TractionCoefficient, 3e-10, 0.01), (0.0, 0.01));
-        assert_eq!(told(Figure::FrictionPower, 9e-8, 1e-9), (0.0, 0.0));
-        assert_eq!(told(Figure::FrictionPower, 1e-3, 1e-9), (1e-3, 1e-9));
-        assert_eq!(told(Figure::FilmCentral, 1e-13, 1e-15), (1e-13, 1e-15));
+        assert_eq!(shown(Figure::TractionCoefficient, 3e-10, 0.01), (0.0, 0.01));
+        assert_eq!(shown(Figure::FrictionPower, 9e-8, 1e-9), (0.0, 0.0));
+        assert_eq!(shown(Figure::FrictionPower, 1e-3, 1e-9), (1e-3, 1e-9));
+        assert_eq!(shown(Figure::FilmCentral, 1e-13, 1e-15), (1e-13, 1e-15));
     }
 
     /// A bar of half of a figure leaves a number, one of more does not; a peak is a number with a tenth, and a temperature by its rise.
@@ -532,7 +532,7 @@ mod tests {
         };
         let film = Reading::new(2e-7);
         assert!(resolved(Figure::FilmMinimum, film, 0.9e-7));
-        // One of two components, whose errors are relative to both: told by its own value.
+        // One of two components, whose errors are relative to both: judged by its own value.
         let component = Reading {
             size: 0.01,
             ..Reading::new(-3e-6)

@@ -23,7 +23,7 @@ pub struct IterationRecord {
     pub krylov_iterations: usize,
     /// Central film thickness after the step, m.
     pub film_central: f64,
-    /// The round of film and heat that this step ended.
+    /// The round of the film-temperature coupling that this step ended.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heat: Option<HeatRound>,
 }

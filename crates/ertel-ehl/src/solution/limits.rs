@@ -1,4 +1,4 @@
-//! Limits of physics. A figure beyond its own is no result: its error bar covers its whole value, so that it is not resolved, and neither is what is
+//! Physical limits. A figure beyond its limit is no result: its error bar covers its whole value, so that it is not resolved, and neither is what is
 //! computed from it.
 //!
 //! | figure | limit | source |
@@ -19,7 +19,7 @@ pub const STRESS_RATIO: f64 = 1.0;
 /// Temperature at which the bodies melt, K.
 pub const TEMPERATURE: f64 = 1811.0;
 
-/// Whether a figure of a contact of these sizes is beyond its own limit.
+/// Whether a figure of a contact of these sizes is beyond its limit.
 fn is_beyond(figure: Figure, value: f64, sizes: &Sizes) -> bool {
     match figure.kind() {
         Kind::Coefficient => value.abs() > TRACTION,
@@ -60,7 +60,7 @@ mod tests {
     use super::super::Reading;
     use super::*;
 
-    /// At 1 GPa: a coefficient of 4e122 takes the power with it and leaves the film; a stress of 1.1 GPa and 1900 K are none by themselves. Values just below stay.
+    /// At 1 GPa: a coefficient of 4e122 invalidates the power but not the film; a stress of 1.1 GPa and 1900 K are invalid by themselves. Values just below stay.
     #[test]
     fn figures_beyond_physics_are_not_resolved() {
         let sizes = Sizes {

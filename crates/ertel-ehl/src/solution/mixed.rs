@@ -1,4 +1,4 @@
-//! What rough surfaces make of a film, SI.
+//! Mixed lubrication of rough surfaces, SI.
 
 use serde::Serialize;
 
@@ -11,7 +11,7 @@ pub struct MixedLubrication {
     pub lambda_minimum: Estimate,
     /// h_c/σ.
     pub lambda_central: Estimate,
-    /// What the first of them is called.
+    /// Lubrication regime by the lambda ratio of the minimum film.
     pub separation: Separation,
     /// Load of the asperities, where the case describes them.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -26,7 +26,7 @@ pub struct AsperityFigures {
     /// L = W_a/W, likewise.
     pub asperity_load_share: Estimate,
     /// L if the film were thinner by its central thickness everywhere, but not below nothing: about the gap of the dry contact, and more than L
-    /// can become. Where it is below one, the model knows no boundary lubrication.
+    /// can become. Where it is below one, the model has no boundary lubrication.
     pub asperity_load_share_limit: f64,
     /// Asperity pressure where the film is thinnest, Pa.
     pub asperity_pressure_maximum: f64,

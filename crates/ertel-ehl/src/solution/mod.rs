@@ -1,4 +1,4 @@
-//! What a solve returns: plain data in SI, ready for output.
+//! Result of a solve: plain data in SI, ready for output.
 
 mod checks;
 mod contact_fields;
@@ -8,9 +8,9 @@ mod field;
 mod figure_kinds;
 mod figures;
 mod history;
-mod left_out;
 pub mod limits;
 mod mixed;
+mod neglected;
 mod other_films;
 mod point_fields;
 mod role;
@@ -39,8 +39,8 @@ pub use figures::{
     Reading, Section, Sizes, WIDEST, WIDEST_OF_PLACE,
 };
 pub use history::{HeatRound, IterationRecord};
-pub use left_out::{Neglected, NeglectedHeat};
 pub use mixed::{AsperityFigures, MixedFriction, MixedLubrication};
+pub use neglected::{Neglected, NeglectedHeat};
 pub use other_films::{FilmReduction, FormulaFilm};
 pub use point_fields::{BodyField, Centreline, ShearFields, SurfaceField};
 pub use role::Role;
@@ -81,26 +81,26 @@ pub struct Solution {
     pub extents: [f64; 3],
     /// Every figure with its error bar.
     pub measured: Measured,
-    /// The figures that are asked for first.
+    /// The main figures.
     pub summary: Summary,
-    /// What a lack of oil does to the film; `None` where there is enough by itself.
+    /// Effect of starvation on the film; `None` for a flooded contact.
     pub starvation: Option<Starvation>,
-    /// What roughness makes of the film; `None` where the case gives none.
+    /// Mixed lubrication; `None` where the case gives no roughness.
     pub mixed: Option<MixedLubrication>,
     /// Traction and friction.
     pub traction: Traction,
-    /// Where they are summed.
+    /// Range of their integrals.
     pub summed_to: SummedTo,
-    /// Balances that the solution should keep.
+    /// Balances that the solution should satisfy.
     pub checks: Checks,
     /// Effect of shear thinning on the film; `None` for Newtonian fluids, or where the film of the
     /// Newtonian fluid was not found.
     pub film_reduction: Option<FilmReduction>,
     /// Temperatures and heat; `None` for an isothermal contact.
     pub thermal: Option<Thermal>,
-    /// How much each input counts, where that was asked for and can be computed.
+    /// Sensitivities to the inputs, where requested and computable.
     pub sensitivities: Option<Sensitivities>,
-    /// What the uncertainty of the inputs comes to; `None` where they have none.
+    /// Uncertainty of the figures from that of the inputs; `None` where inputs have none.
     pub uncertainty: Option<Uncertainties>,
     /// Film-thickness formulas for the same case.
     pub formulas: Vec<FormulaFilm>,
@@ -110,17 +110,17 @@ pub struct Solution {
     pub surface: SurfaceField,
     /// The same fields as polynomials, for pictures.
     pub elements: ElementFields,
-    /// Displacement of the body, if asked for.
+    /// Displacement of the body, if requested.
     pub body: Option<BodyField>,
     /// Every Newton iteration.
     pub history: Vec<IterationRecord>,
     /// Effort.
     pub stats: Stats,
-    /// What the model leaves out.
+    /// Effects that the model neglects.
     pub left_out: Neglected,
-    /// Figures that the case is solved for and that the mesh does not resolve.
+    /// Requested figures that the mesh does not resolve.
     pub unresolved: Vec<Unresolved>,
-    /// What the user should know: ranges left, films below a nanometre, contact area too small.
+    /// Warnings: data ranges exceeded, films below a nanometre, contact area too small.
     pub warnings: Vec<Warning>,
 }
 

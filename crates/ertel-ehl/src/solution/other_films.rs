@@ -19,7 +19,7 @@ pub struct FormulaFilm {
     pub source: &'static str,
 }
 
-/// What shear thinning does to the film: both films on one and the same mesh.
+/// Effect of shear thinning on the film: both films on the same mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct FilmReduction {
     /// 1 − h_c/(h_c of the Newtonian fluid).

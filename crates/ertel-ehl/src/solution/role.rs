@@ -1,8 +1,8 @@
-//! What the stages of a solve are for.
+//! Purpose of the stages of a solve.
 
 use serde::Serialize;
 
-/// What a stage is for.
+/// Purpose of a stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Role {

@@ -3,7 +3,7 @@
 use super::{Bar, Figure, Measured, Reading};
 
 impl Measured {
-    /// Adds the figures of the other half of a roller of which one half was solved: it is the mirror image, and the load stands in the middle.
+    /// Adds the figures of the other half of a roller of which one half was solved: it is the mirror image, and the load acts in the middle.
     pub fn with_mirrored_end(mut self) -> Measured {
         let Some(left) = self.figures.get(Figure::EdgePressureLeft) else {
             return self;

@@ -43,7 +43,7 @@ impl SensitivityMethod {
 /// An input.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensitivityInput {
-    /// Key path in the case file; of what a name stands for, below the key of the name.
+    /// Key path in the case file; for data behind a name, below the key of the name.
     pub key: String,
     /// Its value, SI.
     pub value: f64,
@@ -102,7 +102,7 @@ impl Sensitivities {
 }
 
 impl SensitivityInput {
-    /// Whether it is a temperature, of which effects are told per kelvin: per cent of one mean nothing.
+    /// Whether it is a temperature, whose effects are given per kelvin: per cent of a temperature has no meaning.
     pub fn is_temperature(&self) -> bool {
         self.unit == "K"
     }

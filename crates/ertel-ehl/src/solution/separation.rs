@@ -1,4 +1,4 @@
-//! What lubrication is called by its lambda ratio.
+//! Lubrication regime by the lambda ratio.
 
 use serde::Serialize;
 
@@ -7,7 +7,7 @@ use crate::warning::{Warning, WarningKind};
 /// Lambda ratio below which lubrication is called boundary lubrication. Zhu and Wang (2012, Proc. IMechE Part J 226, 1010-1022,
 /// doi 10.1177/1350650112461867, abstract) find from measurements and deterministic computations that mixed lubrication begins at
 /// 0.01 to 0.05: at 0.05 to 0.1 films still carry more than 10 to 15 % of the load. The older bound, 0.5 to 1, comes from stochastic
-/// models that leave out how asperities flatten. The upper end of the range is taken, since λ is reckoned here with the minimum film
+/// models that neglect the flattening of asperities. The upper end of the range is taken, since λ is based here on the minimum film
 /// and there with the mean one.
 pub const BOUNDARY_BELOW: f64 = 0.05;
 

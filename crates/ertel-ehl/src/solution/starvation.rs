@@ -1,11 +1,11 @@
-//! What a lack of oil does to the film, SI.
+//! Effect of starvation on the film, SI.
 
 use serde::Serialize;
 
 use super::{Estimate, Figure, Measured, Solution};
 use crate::contact::Supply;
 
-/// The film beside that of the same contact with more oil than it takes.
+/// The film compared with that of the same contact when flooded.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Starvation {
     /// How much oil reaches the contact.
@@ -20,12 +20,12 @@ pub struct Starvation {
     /// The same of the minimum films.
     #[serde(rename = "starved_ratio_minimum")]
     pub ratio_minimum: Option<Estimate>,
-    /// Where the gap is fully flooded from, on the centreline, x < 0, m; `None` where a layer of oil fills it as far as the contact area goes.
+    /// Where the gap is fully flooded from, on the centreline, x < 0, m; `None` where a layer of oil fills it to the edge of the contact area.
     pub meniscus_position: Option<Estimate>,
 }
 
 impl Starvation {
-    /// Of a solution for a supply, without the flooded films; `None` where the contact is flooded by itself.
+    /// Of a solution for a supply, without the flooded films; `None` where the contact is flooded anyway.
     pub fn of(measured: &Measured, supply: &Supply) -> Option<Starvation> {
         match supply {
             Supply::Flooded => return None,
@@ -56,8 +56,8 @@ impl Measured {
 }
 
 impl Solution {
-    /// Sets the films beside those of the flooded contact.
-    pub fn beside_flooded(&mut self, flooded: &Solution) {
+    /// Sets the comparison with the flooded contact.
+    pub fn compare_with_flooded(&mut self, flooded: &Solution) {
         let (own, full) = (&self.summary, &flooded.summary);
         let Some(starvation) = &mut self.starvation else {
             return;

@@ -22,7 +22,7 @@ pub struct LevelStats {
     pub n_contact_dofs: usize,
     /// Lagrange order of the pressure.
     pub pressure_order: usize,
-    /// What it was for.
+    /// Purpose.
     pub role: Role,
     /// Newton iterations.
     pub newton_iterations: usize,
@@ -46,12 +46,12 @@ pub struct LevelStats {
 pub struct ErrorEstimate {
     /// Relative errors of central and minimum film from the cells.
     pub films: [f64; 2],
-    /// What the diffusion at ridges changes both films by, relative.
+    /// Relative change of both films by the diffusion at ridges.
     #[serde(skip_serializing_if = "are_zero")]
     pub ridge: [f64; 2],
     /// The same from the edges of the contact area, and from pressures below zero behind the film.
     pub edges: [f64; 2],
-    /// What pressures that the cells do not resolve may do to both films, relative.
+    /// Relative error of both films from pressures that the cells do not resolve.
     pub unresolved: f64,
     /// Root-mean-square error of the pressure over the dry contact, over p_h.
     pub pressure: f64,
@@ -70,7 +70,7 @@ pub struct ErrorEstimate {
     pub shear_stress: f64,
     /// Share of the Hertz zone that its boundary is uncertain by for the points at which the film is evaluated.
     pub share_of_point: f64,
-    /// What rolling drags along beyond the edges of the contact area.
+    /// Rolling friction beyond the edges of the contact area.
     pub beyond_edges: BeyondEdges,
     /// Errors of the temperatures; zero where there are none, and where they are not of linear elements.
     pub temperatures: TemperatureErrors,
@@ -81,7 +81,7 @@ fn are_zero(values: &[f64; 2]) -> bool {
     *values == [0.0; 2]
 }
 
-/// Share of the rolling friction that lies between edges of the contact area that are set by hand and those that it would have otherwise.
+/// Share of the rolling friction between edges of the contact area that are set by hand and the default ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct BeyondEdges {
     /// Traction coefficient at each wall.
@@ -146,12 +146,12 @@ pub struct Stats {
     pub levels: Vec<LevelStats>,
     /// Wall time of the solve, s.
     pub wall_seconds: f64,
-    /// Peak resident memory of the process, bytes; `None` where the system does not tell.
+    /// Peak resident memory of the process, bytes; `None` where the system does not report it.
     pub peak_memory: Option<u64>,
 }
 
 impl Stats {
-    /// The level of the solution; what was tried after it in vain stands behind it.
+    /// The level of the solution; failed attempts after it follow it.
     pub fn solved(&self) -> Option<&LevelStats> {
         solved(&self.levels)
     }
@@ -164,8 +164,8 @@ impl LevelStats {
         [film(Figure::FilmCentral), film(Figure::FilmMinimum)]
     }
 
-    /// Whether it has the mesh and the elements of another.
-    pub(crate) fn is_beside(&self, other: &LevelStats) -> bool {
+    /// Whether it has the same mesh and elements as another.
+    pub(crate) fn has_mesh_of(&self, other: &LevelStats) -> bool {
         self.n_contact_elements == other.n_contact_elements
             && self.pressure_order == other.pressure_order
     }

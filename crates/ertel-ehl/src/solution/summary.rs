@@ -1,4 +1,4 @@
-//! The figures that are asked for first, SI.
+//! The main figures, SI.
 
 use serde::Serialize;
 

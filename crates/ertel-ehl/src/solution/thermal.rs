@@ -7,7 +7,7 @@ use super::{Estimate, Field, Located};
 /// Temperatures and heat.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Thermal {
-    /// Temperature with which the lubricant enters, K.
+    /// Inflow temperature of the lubricant, K.
     pub inlet_temperature: f64,
     /// Largest temperature of the film, K.
     #[serde(rename = "film_temperature_maximum")]
@@ -30,11 +30,11 @@ pub struct Thermal {
     /// Mean temperature of the surface of body 2 over the Hertz zone, K.
     #[serde(rename = "temperature_body_2_mean")]
     pub body_2_mean: Estimate,
-    /// Where the heat comes from and goes to.
+    /// Sources and sinks of heat.
     pub balance: HeatBalance,
-    /// What heat does to film and traction; `None` where the isothermal film was not found.
+    /// Effect of heat on film and traction; `None` where the isothermal film was not found.
     pub reduction: Option<ThermalReduction>,
-    /// How film and heat came to rest.
+    /// Convergence of the film-temperature coupling.
     pub coupling: Coupling,
     /// Temperatures at the points of [`super::Centreline`].
     #[serde(skip)]
@@ -45,7 +45,7 @@ pub struct Thermal {
     /// Profiles across the film.
     #[serde(skip)]
     pub profiles: Vec<CrossProfile>,
-    /// Temperature of film and bodies, if asked for.
+    /// Temperature of film and bodies, if requested.
     #[serde(skip)]
     pub field: Option<TemperatureField>,
 }
@@ -73,7 +73,7 @@ pub struct HeatBalance {
     pub error: f64,
 }
 
-/// What heat does: one and the same mesh with and without it.
+/// Effect of heat: the same mesh with and without it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ThermalReduction {
     /// 1 − h_c/(h_c without heat).
@@ -90,7 +90,7 @@ pub struct ThermalReduction {
     pub isothermal_traction: Estimate,
 }
 
-/// How film and heat came to rest together.
+/// Convergence of the film-temperature coupling.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Coupling {
     /// Rounds on the last mesh.

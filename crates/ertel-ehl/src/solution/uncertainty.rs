@@ -1,4 +1,4 @@
-//! What the uncertainty of the inputs comes to, to first order.
+//! First-order propagation of the uncertainty of the inputs.
 //!
 //! ```text
 //!   u² = Σ_i Σ_j g_i g_j ρ_ij σ_i σ_j,      g_i = ∂figure/∂input_i

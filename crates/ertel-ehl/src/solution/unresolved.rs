@@ -1,10 +1,10 @@
-//! What a solve does not tell although it was asked for.
+//! Requested figures that a solve does not resolve.
 
 use serde::Serialize;
 
 use super::{Estimate, Figure, Kind, LEAST_RISE, Solution, limits};
 
-/// A figure that the case is solved for and that the result does not tell.
+/// A requested figure that the result does not give.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unresolved {
     /// Which.
@@ -15,12 +15,12 @@ pub struct Unresolved {
     pub why: Why,
 }
 
-/// Why a figure is not told.
+/// Why a figure is not given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Why {
     /// Its error bar is wider than half of it.
     WideBar,
-    /// An error bar was asked for, and none could be computed.
+    /// An error bar was requested, and none could be computed.
     NoBar,
     /// A film thicker than the bodies' radius: there is no such contact.
     BeyondBodies,
@@ -39,17 +39,17 @@ impl Serialize for Unresolved {
     }
 }
 
-/// Share of the heat made that bodies and film may carry off too little or too much for temperatures and heat to be told.
+/// Largest imbalance of heat, over the heat generated, with which temperatures and heat are given.
 const OPEN_BALANCE: f64 = 0.2;
 
 /// Share of the oil that passes the centre which the film may gain or lose before none of its figures is resolved. Where edges of the contact area were moved inward, a balance of
 /// -15 % came with central films 1.7 % too thin at bars of 0.07 %. Sound steady solves stay below 0.6 %, sound steps in time below 0.8 %.
 pub const OPEN_MASS_BALANCE: f64 = 0.05;
 
-/// Traction coefficient that counts: no rig tells less, and what slides by 1e-5 of its speed has none to speak of.
+/// Smallest traction coefficient that counts: no rig measures less, and sliding of 1e-5 of the speed hardly causes any.
 const LEAST_TRACTION: f64 = 1e-4;
 
-/// What was asked of a solution.
+/// Figures requested of a solution.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked {
     /// Whether error bars.

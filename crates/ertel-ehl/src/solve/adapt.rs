@@ -1,4 +1,4 @@
-//! Local refinement until the films are as accurate as asked for.
+//! Local refinement until the films meet their target accuracy.
 //!
 //! Theory: Refinement.
 
@@ -16,10 +16,10 @@ use crate::solve::tuning::errors::{
     SAFETY_OF_EDGES, SMALLEST_ERROR, UNCALIBRATED,
 };
 use crate::solve::tuning::refinement::{
-    AS_GOOD_AS_REACHED, BODY_GROWTH, BODY_SHARE, CONFIRMING_GOAL, FEW, FILM_LEFT, GOAL,
-    LARGEST_GOAL, LARGEST_GROWTH, LARGEST_PRESSURE_GOAL, LEAST_GROWTH, LEAST_LEFT_BY_EDGES,
-    MOST_BESIDE_CELLS, NEARLY, OWN_SHARE, PRESSURE_GOAL, PRESSURE_LEFT, SHARES, SMALLEST_GOAL,
-    SMALLEST_PRESSURE_GOAL,
+    AS_GOOD_AS_REACHED, BODY_GROWTH, BODY_SHARE, CONFIRMING_GOAL, FEW_ELEMENTS, FILM_REDUCTION,
+    GOAL, LARGEST_GOAL, LARGEST_GROWTH, LARGEST_PRESSURE_GOAL, LEAST_GROWTH, MAX_UNRESOLVED_SHARE,
+    MIN_SHARE_OF_CELLS, NEAR_TARGET, OWN_SHARE, PRESSURE_GOAL, PRESSURE_REDUCTION, SHARES,
+    SMALLEST_GOAL, SMALLEST_PRESSURE_GOAL,
 };
 
 /// When to refine further, and how far.
@@ -31,11 +31,11 @@ pub struct AdaptParams {
     pub pressure_target: Option<f64>,
     /// Pressure unknowns that a refined mesh may have, about.
     pub max_unknowns: usize,
-    /// The same where the films are as accurate as asked for, and the pressure alone is not.
+    /// The same where the films meet their target, and only the pressure does not.
     pub max_unknowns_for_pressure: usize,
     /// Displacement unknowns that a finite-element body below it may have, about.
     pub max_displacement_dofs: usize,
-    /// Refinements allowed.
+    /// Most refinements.
     pub max_refinements: usize,
 }
 
@@ -53,7 +53,7 @@ impl AdaptParams {
     }
 }
 
-/// Relative errors of central and minimum film that no estimate sees: of cells that grow with depth, by
+/// Relative errors of central and minimum film outside the estimate: of cells that grow with depth, by
 /// the square of the growth (half the order of energies, measured), of the body's finite size and the smoothed
 /// free boundary.
 ///
@@ -71,7 +71,7 @@ pub fn grading_errors(shape: &Shape, model: BodyModel, sizes: &LevelSizes) -> [f
     errors.map(|e| (e * ratio * ratio).max(SMALLEST_ERROR))
 }
 
-/// Relative error bar of a film for what the edges of the contact area do to it by estimate.
+/// Relative error bar of a film from the estimated effect of the edges of the contact area.
 pub fn bar_of_edges(estimate: f64) -> f64 {
     let bar = estimate * (SAFETY_OF_EDGES[0] + SAFETY_OF_EDGES[1] * estimate);
     bar.min(LARGEST_BAR_OF_EDGES)
@@ -82,9 +82,9 @@ pub fn bar_of_edges(estimate: f64) -> f64 {
 pub struct ErrorBars {
     /// The bars.
     pub bars: [f64; 2],
-    /// What the cells contribute, bodies and free boundary included.
+    /// Contribution of the cells, bodies and free boundary included.
     pub cells: [f64; 2],
-    /// What the cells of the contact area contribute by its own estimate to each: refinement lowers it.
+    /// Contribution of the cells of the contact area by the estimate of each film: refinement lowers it.
     pub own: [f64; 2],
 }
 
@@ -132,14 +132,14 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
     Some(ErrorBars { bars, cells, own })
 }
 
-/// What a refinement is to make more accurate.
+/// Quantity that a refinement makes more accurate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RefinementTarget {
     /// The films.
     Films,
-    /// Films that lack little, and the pressure with them.
+    /// Films close to their target, and the pressure with them.
     Both,
-    /// The pressure alone: the films are as accurate as asked for.
+    /// The pressure alone: the films meet their target.
     Pressure,
 }
 
@@ -148,7 +148,7 @@ pub enum RefinementTarget {
 pub struct Refinement {
     /// Halvings of each element.
     pub halvings: Vec<u32>,
-    /// What it is for.
+    /// Its target.
     pub aim: RefinementTarget,
     /// Larger of the error bars of both films before it.
     pub film_bar: f64,
@@ -157,7 +157,7 @@ pub struct Refinement {
 /// Why no mesh follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RefinementEnd {
-    /// Errors are as small as asked for.
+    /// The errors meet their targets.
     Reached,
     /// A finer mesh would have more than so many pressure unknowns.
     Unknowns(usize),
@@ -165,10 +165,10 @@ pub enum RefinementEnd {
     BodyUnknowns(usize),
     /// So many refinements are allowed.
     Refinements(usize),
-    /// The cells suffice for the films, but not for the pressure, for which no further refinement is asked; what it lacks widens the bars
-    /// of the films.
+    /// The cells suffice for the films, but not for the pressure, which is not refined further; its remaining error widens the bars of the
+    /// films.
     Pressure,
-    /// The estimates ask for no cell to be halved.
+    /// The estimates require no cell to be halved.
     NothingToHalve,
     /// The errors could not be estimated.
     NoEstimate,
@@ -177,7 +177,7 @@ pub enum RefinementEnd {
 /// The next refinement.
 ///
 /// # Errors
-/// Why there is none: the targets are reached, or a limit is.
+/// No refinement: the targets, or a limit, are reached.
 pub fn next_refinement(
     params: &AdaptParams,
     dim: usize,
@@ -186,13 +186,13 @@ pub fn next_refinement(
     n_refinements: usize,
     indicator: &Indicator,
 ) -> Result<Refinement, RefinementEnd> {
-    // Films come first: on meshes that draw the ridge sharply, Newton's method converges worse.
+    // Films come first: on meshes that resolve the ridge sharply, Newton's method converges worse.
     let errors = error_bars(levels, grading).ok_or(RefinementEnd::NoEstimate)?;
     let level = levels.last().ok_or(RefinementEnd::NoEstimate)?;
-    // What the edges do, no refinement mends.
-    let targets = indicator.edges.map(|edges| {
-        (params.target - bar_of_edges(edges)).max(LEAST_LEFT_BY_EDGES * params.target)
-    });
+    // Refinement does not reduce the errors of the edges.
+    let targets = indicator
+        .edges
+        .map(|edges| (params.target - bar_of_edges(edges)).max(MIN_SHARE_OF_CELLS * params.target));
     let plan = |cells: [f64; 2], pressure: Option<f64>, even_few: bool| {
         let of = Targets {
             cells,
@@ -206,7 +206,7 @@ pub fn next_refinement(
         Err(RefinementEnd::Reached) => RefinementEnd::Reached,
         next => return next,
     };
-    // The bars are of both: where the sum is still too wide, what each may leave.
+    // The bars combine both: where the sum is still too wide, each gets its share.
     let unresolved = level.estimate.map_or(0.0, |e| e.unresolved);
     let bar = |j: usize| errors.cells[j].hypot(unresolved);
     if (0..2).all(|j| bar(j) <= targets[j]) {
@@ -223,32 +223,32 @@ pub fn next_refinement(
     }
 }
 
-/// What the cells may leave of a film's target, and what pressures that are not resolved may: c² + u² = t².
+/// Shares of a film's target for the cells and for unresolved pressures: c² + u² = t².
 ///
-/// Each as much as it has where the other has less than its usual share, else the usual shares; where nothing is done about pressures,
+/// The remainder where the other needs less than its usual share, else the usual shares; where pressures are not refined,
 /// the cells make room for them if there is any.
 fn shares(target: f64, cells: f64, unresolved: f64, mendable: bool) -> [f64; 2] {
     let left_by = |other: f64| (target * target - other * other).max(0.0).sqrt();
     let [of_cells, of_pressure] = SHARES.map(|share| share * target);
-    if unresolved <= of_pressure || (!mendable && unresolved <= MOST_BESIDE_CELLS * target) {
+    if unresolved <= of_pressure || (!mendable && unresolved <= MAX_UNRESOLVED_SHARE * target) {
         [left_by(unresolved), unresolved]
     } else if cells <= of_cells {
         [cells, left_by(cells)]
     } else if mendable {
         [of_cells, of_pressure]
     } else {
-        // No cell is worth halving for bars that stay too wide.
+        // Refinement does not help bars that stay too wide.
         [cells, unresolved]
     }
 }
 
-/// What a mesh is refined to.
+/// Target errors of a refinement.
 struct Targets {
     /// Relative error bars of both films from the cells.
     cells: [f64; 2],
     /// Root-mean-square error of the pressure.
     pressure: Option<f64>,
-    /// Whether it is refined however few cells the pressure asks for.
+    /// Whether it is refined even if the pressure needs only few cells.
     even_few: bool,
 }
 
@@ -268,9 +268,9 @@ fn planned(
     let ErrorBars { cells, own, .. } = *errors;
     let within = |factor: f64| (cells.iter().zip(&targets.cells)).all(|(c, t)| *c <= factor * t);
     let films_suffice = within(1.0);
-    // What films lack still does not move the ridge any more.
+    // The remaining errors of the films no longer move the ridge.
     let pressure =
-        pressure_goal(targets.pressure, indicator).filter(|_| films_suffice || within(NEARLY));
+        pressure_goal(targets.pressure, indicator).filter(|_| films_suffice || within(NEAR_TARGET));
     let mut goals = match films_suffice {
         true => Vec::new(),
         false => film_goals(targets.cells, dim, cells, own, indicator),
@@ -314,7 +314,7 @@ fn planned(
     let few = aim == RefinementTarget::Pressure
         && as_good_as_reached
         && !targets.even_few
-        && halved < FEW * halvings.len() as f64;
+        && halved < FEW_ELEMENTS * halvings.len() as f64;
     match few {
         true => Err(RefinementEnd::Reached),
         false => Ok(Refinement {
@@ -327,7 +327,7 @@ fn planned(
 
 /// Goals for the films whose bars are too wide.
 ///
-/// Each by its own estimate: that a bar is half of the other's at least is mended with the other. Where both estimates are good enough
+/// Each by its own estimate: a bar set by half of the other's falls with the other. Where both estimates are good enough
 /// and bars are wide because films have moved much from the mesh before, a finer mesh is to confirm them.
 fn film_goals<'a>(
     targets: [f64; 2],
@@ -358,13 +358,13 @@ fn film_goals<'a>(
             (confirmed || sum > allowed).then(|| Goal {
                 shares,
                 allowed: allowed.clamp(SMALLEST_GOAL * sum, largest * sum),
-                left_by_halving: FILM_LEFT[dim - 1],
+                reduction: FILM_REDUCTION[dim - 1],
             })
         })
         .collect()
 }
 
-/// The goal for the pressure, if it errs too much.
+/// The goal for the pressure, if its error is too large.
 fn pressure_goal(target: Option<f64>, indicator: &Indicator) -> Option<Goal<'_>> {
     let target = target?;
     let sum: f64 = indicator.pressure.iter().sum();
@@ -373,7 +373,7 @@ fn pressure_goal(target: Option<f64>, indicator: &Indicator) -> Option<Goal<'_>>
         allowed: (PRESSURE_GOAL * target)
             .powi(2)
             .clamp(SMALLEST_PRESSURE_GOAL * sum, LARGEST_PRESSURE_GOAL * sum),
-        left_by_halving: PRESSURE_LEFT,
+        reduction: PRESSURE_REDUCTION,
     })
 }
 

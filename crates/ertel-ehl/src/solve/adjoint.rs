@@ -1,4 +1,4 @@
-//! What a film thickness, or another figure, depends on: the adjoint of the film equations.
+//! Sensitivity of a film thickness, or of another figure: the adjoint of the film equations.
 //!
 //! ```text
 //!   j = H0 + δ(x) + gap(x)          the film at a point; w_x the deflection shape functions there
@@ -6,7 +6,7 @@
 //!   | R_Pᵀ + Mᵀ C R_δᵀ   c | | z |   | Mᵀ C w_x |
 //!   | r_0ᵀ               0 | | s | = | 1        |
 //! ```
-//! Other figures have right sides of their own (j_P + Mᵀ C j_δ over j_H0). A defect r of the film equations then changes j by −z·r, one of the load, ∫P too large, by −s times it, and a defect e of the deflection changes it
+//! Other figures have their own right sides (j_P + Mᵀ C j_δ over j_H0). A defect r of the film equations then changes j by −z·r, one of the load, ∫P too large, by −s times it, and a defect e of the deflection changes it
 //! by w·e with w = w_x − R_δᵀz; ζ = C w is the deflection under the loads w. At the place of the minimum
 //! film ∇H = 0, so that its shift does not count.
 
@@ -22,7 +22,7 @@ use super::system::System;
 use crate::elastic::Accuracy;
 use crate::solve::tuning::newton::{MOST_ROUNDS, ROUGH};
 
-/// What a figure depends on: its derivatives by the pressures, the deflections and the separation.
+/// Derivatives of a figure by the pressures, the deflections and the separation.
 pub struct Functional {
     /// By the pressure at every pressure node.
     pub by_pressure: Vec<f64>,
@@ -81,7 +81,7 @@ pub struct Adjoint {
     pub deflection: Vec<f64>,
 }
 
-/// What the estimate of errors of a solution leaves for exact adjoints on the same mesh.
+/// Approximate adjoints of the error estimate, from which exact adjoints on the same mesh start.
 #[derive(Clone)]
 pub struct RoughAdjoints {
     /// Preconditioner of the last linear system, if it was solved by iterations.
@@ -100,7 +100,7 @@ pub struct Exactness {
     pub weighed: bool,
 }
 
-/// Adjoints of several figures, as exactly as asked for, from those of the first of them in `starts`.
+/// Adjoints of several figures, to the accuracy requested, from those of the first of them in `starts`.
 ///
 /// # Errors
 /// When the Krylov iterations run out.
@@ -167,7 +167,7 @@ pub fn adjoints(
             x[n] = start.load;
             reached = leave(&x, &mut residual);
         }
-        // Rough products of areas cost half as much: what they leave is found with a full one, and solved for again.
+        // Rough products of areas cost half as much: the remaining residual is computed with a full one, and solved for again.
         let (products, least) = match !d.contact.shape.is_line() || tolerance >= ROUGH {
             true => (Accuracy::Krylov, ROUGH),
             false => (Accuracy::Full, 0.0),

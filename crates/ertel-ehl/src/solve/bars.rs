@@ -10,7 +10,7 @@ use crate::solve::tuning::bars::{
     SHARE_OF_PRESSURE_MAXIMUM, SHARE_OF_SLOPE, SHARE_OF_TEMPERATURE, SHARE_OF_UNRESOLVED_IN_POWER,
 };
 
-/// The mesh of the solution, and the one that tells its errors.
+/// The mesh of the solution, and the one that it is compared with.
 #[derive(Clone, Copy, Debug)]
 pub struct Compared<'a> {
     /// The last converged one.
@@ -19,7 +19,7 @@ pub struct Compared<'a> {
     pub coarse: Option<&'a LevelStats>,
 }
 
-/// Which stages tell the errors of a solve; `None` without a converged one.
+/// Stages whose difference gives the errors of a solve; `None` without a converged one.
 pub fn compared(levels: &[LevelStats]) -> Option<Compared<'_>> {
     // Diffusive starts on a refined mesh have no estimate and do not count.
     let estimated = levels.iter().any(|l| l.estimate.is_some());
@@ -34,7 +34,7 @@ pub fn compared(levels: &[LevelStats]) -> Option<Compared<'_>> {
 }
 
 /// Error bars of the figures of a solve: of both films their own, `film_bars`, relative; of each other figure
-/// `SAFETY` times its difference from mesh to mesh, but not less than what the errors of films and pressure come to. Places by the
+/// `SAFETY` times its difference from mesh to mesh, but not less than the effect of the errors of films and pressure. Places by the
 /// distance of those of two meshes.
 ///
 /// There is no bar at all where the films have none, and none of the others without another mesh or an estimate.
@@ -69,8 +69,8 @@ pub fn bars(levels: &[LevelStats], film_bars: Option<[f64; 2]>) -> Option<Bars> 
             let distance = (x - x_there).hypot(y - y_there);
             (SAFETY * distance).max(film * x.hypot(y))
         });
-        let told = there.is_some() || fine.estimate.is_some() || is_film(figure);
-        if told && value.is_finite() {
+        let has_bar = there.is_some() || fine.estimate.is_some() || is_film(figure);
+        if has_bar && value.is_finite() {
             bars.set(
                 figure,
                 Bar {
@@ -87,7 +87,7 @@ fn is_film(figure: Figure) -> bool {
     matches!(figure, Figure::FilmCentral | Figure::FilmMinimum)
 }
 
-/// What the errors of films (relative) and pressure on a mesh come to in a figure.
+/// Error of a figure from the errors of films (relative) and pressure on a mesh.
 fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
     let value = |figure| level.figures.value(figure).map_or(0.0, f64::abs);
     let size_of = |figure| level.figures.get(figure).map_or(0.0, |f: Reading| f.size);
@@ -137,7 +137,7 @@ fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
     }
 }
 
-/// Heat that is made and not carried off, or carried off and not made: W, or W/m. Each of those who carry it may err by all of it.
+/// Heat that is made and not carried off, or carried off and not made: W, or W/m. Each carrier may be wrong by all of it.
 fn open_heat(level: &LevelStats) -> f64 {
     let value = |figure| level.figures.value(figure).unwrap_or(0.0);
     let made = value(Figure::HeatShear) + value(Figure::HeatCompression);
@@ -146,7 +146,7 @@ fn open_heat(level: &LevelStats) -> f64 {
     (made - carried).abs()
 }
 
-/// What the elements of the temperatures add to that, K: it needs no other mesh to be known.
+/// Additional error from the elements of the temperatures, K; it needs no second mesh.
 fn temperature_bar(figure: Figure, level: &LevelStats) -> f64 {
     let errors = level.estimate.unwrap_or_default().temperatures;
     let [film_hot, film_cold, body_1, body_2] = errors.local;
@@ -177,9 +177,9 @@ fn temperature_bar(figure: Figure, level: &LevelStats) -> f64 {
     }
 }
 
-/// 1 − with/without of a figure that two stages on one mesh have: what shear thinning or heat does.
+/// 1 − with/without of a figure of two stages on one mesh: the effect of shear thinning or heat.
 ///
-/// What the mesh errs in the first of them, the solution tells; that in the second is much the same and mostly
+/// The mesh error of the first one is that of the solution; that of the second is much the same and mostly
 /// cancels: the quotient is taken to be as uncertain as the first one alone.
 pub fn reduction(
     figure: Figure,
@@ -189,7 +189,7 @@ pub fn reduction(
 ) -> Option<Estimate> {
     let ratio = with.figures.value(figure)? / without.figures.value(figure)?;
     let relative = relative_error_on(with, figure, solution);
-    // What the elements err by may be small by chance in the first, and not in the second.
+    // The error of the elements may be small by chance in the first, and not in the second.
     let estimated = with.estimate.unwrap_or_default().films;
     let least = match figure {
         Figure::FilmCentral => estimated[0],
@@ -256,7 +256,7 @@ pub(super) mod tests {
                 Role::Estimate,
                 &[film(1.1e-7), pressure(0.9e9), traction],
             ),
-            // Of other equations: it tells nothing of errors.
+            // Of other equations: it says nothing about errors.
             level(20, Role::Comparison, &[pressure(2e9)]),
             level(
                 40,
@@ -293,7 +293,7 @@ pub(super) mod tests {
         assert_eq!(bar(Figure::FrictionPower), None);
     }
 
-    /// By hand: 100 W made, 60 + 38 + 1.5 W carried off: 0.5 W are missing, which each of those who carry it may lack, besides 2 % of its own. A share
+    /// By hand: 100 W made, 60 + 38 + 1.5 W carried off: 0.5 W are missing, which each carrier may lack, in addition to 2 % of its heat. A share
     /// of the zone is known to a point of the rule.
     #[test]
     fn heat_that_is_missing_and_points_are_in_the_bars() {
@@ -317,10 +317,10 @@ pub(super) mod tests {
         assert_relative_eq!(bar(Figure::BeyondFirstLimit), 0.005, max_relative = 1e-12);
     }
 
-    /// The smooth maximum goes with the film only by its own size, 0.1 of the pressure here: 2 % of that, and a fiftieth of a pressure error of 1 % of the
+    /// The smooth maximum depends on the film only through its own size, 0.1 of the pressure here: 2 % of that, and a fiftieth of a pressure error of 1 % of the
     /// pressure.
     #[test]
-    fn the_smooth_maximum_goes_less_with_the_film() {
+    fn the_smooth_maximum_depends_less_on_the_film() {
         let central = Reading {
             size: 1e8,
             ..Reading::new(1e9)
@@ -365,7 +365,7 @@ pub(super) mod tests {
 
     /// By hand: 2 % of a rise by 50 K, and the 0.2 K that linear elements are off; a tenth of 0.5 K of a mean.
     #[test]
-    fn temperatures_reckon_with_their_elements() {
+    fn temperature_bars_include_their_elements() {
         let thermal = |figure| {
             (
                 figure,
@@ -398,7 +398,7 @@ pub(super) mod tests {
     /// By hand: 2 % of 1 W, and 1.5 times the 0.1 W beyond the edges that are set by hand; the 0.5 W by which the balance of the power fails
     /// where that is more, and the 0.2 W of the outer half of the bodies on top. The tractions at the walls likewise, that at mid-film not.
     #[test]
-    fn friction_reckons_with_edges_balances_and_ends() {
+    fn friction_bars_include_edges_balances_and_ends() {
         let power = |cut, misfit| Reading {
             cut,
             misfit,

@@ -25,7 +25,7 @@ pub use crate::engine::Extents;
 /// Building a level failed.
 pub type DiscretisationError = FiniteBodyError;
 
-/// What the contact area is meshed with.
+/// Mesh of the contact area.
 #[derive(Clone)]
 enum Support {
     /// Nothing below it.
@@ -34,7 +34,7 @@ enum Support {
     Body(Arc<FiniteBody>, FiniteBodies),
 }
 
-/// Mesh of the contact area with what the bodies answer there; pressure spaces of any order stand on it.
+/// Mesh of the contact area with the response of the bodies; pressure spaces of any order are built on it.
 #[derive(Clone)]
 pub struct ContactSurface {
     /// Geometry of the contact.
@@ -52,9 +52,9 @@ pub struct ContactSurface {
     pub locator: Locator,
     /// Deflection nodes of the contact area.
     pub deflection: Space,
-    /// What the bodies answer.
+    /// Elastic response of the bodies.
     pub response: Arc<dyn SurfaceResponse>,
-    /// Pairs of deflection nodes whose stiffness the preconditioner sees.
+    /// Pairs of deflection nodes whose stiffness the preconditioner includes.
     pub near_pairs: Vec<(u32, u32)>,
     /// Affine map of each element.
     pub maps: Vec<Affine>,
@@ -305,13 +305,13 @@ pub struct Discretisation {
     pub rule: Quadrature,
     /// Pressure shape functions at its points.
     pub pressure_table: Tabulation,
-    /// κN, the share of each pressure shape function that the deflection does not see, there.
+    /// κN, the part of each pressure shape function without effect on the deflection, there.
     pub pressure_unresolved: Vec<f64>,
     /// Deflection shape functions at its points.
     pub deflection_table: Tabulation,
     /// ∫N of each pressure unknown.
     pub load: Vec<f64>,
-    /// What leads from pressures to deflections.
+    /// Operator from pressures to deflections.
     pub trace: Arc<Trace>,
     /// Share of each element in the diffusion at a ridge of the pressure; empty: none.
     pub at_ridge: Vec<f64>,
@@ -346,7 +346,7 @@ impl Discretisation {
         let rule = Quadrature::simplex(surface.dim, 2 * pressure_order.max(2) + 2);
         let pressure_table = pressure.element.tabulate(&rule);
         let deflection_table = contact.deflection.element.tabulate(&rule);
-        // Of a linear pressure the deflection, linear at least, sees everything.
+        // A deflection of at least linear order takes up all of a linear pressure.
         let seen = (pressure_order - 1)
             .min(contact.deflection.element.order())
             .max(1);
@@ -418,7 +418,7 @@ impl Discretisation {
             .deflect(&self.trace, pressure, accuracy)
     }
 
-    /// What weights of the surface nodes' deflections come to as weights of the pressure unknowns.
+    /// Weights of the pressure unknowns that correspond to `weights` of the surface nodes' deflections.
     pub fn deflect_transposed(&self, weights: &[f64], accuracy: Accuracy) -> Vec<f64> {
         let nodes = (self.contact.response).deflect_transposed(&self.trace, weights, accuracy);
         let mut unknowns = vec![0.0; self.n_pressure];
@@ -452,7 +452,7 @@ fn body_params(dim: usize, e: &Extents) -> BodyParams {
     }
 }
 
-/// A mesh around the unit circle drawn out to one around the Hertz zone.
+/// A mesh around the unit circle, stretched to the Hertz zone.
 fn stretched(mesh: &SimplexMesh, zone: &HertzZone) -> SimplexMesh {
     let mut mesh = mesh.clone();
     for v in &mut mesh.vertices {

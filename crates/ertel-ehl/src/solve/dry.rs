@@ -1,4 +1,4 @@
-//! The dry contact of a roller by the elastic operator: where its rim lies, and the pressures of a start.
+//! The dry contact of a roller by the elastic operator: its rim, and the pressures of a start.
 //!
 //! Theory: Dry contact.
 
@@ -28,7 +28,7 @@ const SIZES: LevelSizes = LevelSizes {
 };
 
 /// The shape of a roller under ∫P = `load` (dimensionless, over the part that is solved) whose zone has the load per length of the dry
-/// contact on a coarse mesh, in place of that of slices: half-widths by slices are off by some per cent, and by a tenth at ends that carry
+/// contact on a coarse mesh, instead of that of slices: half-widths by slices are off by some per cent, and by a tenth at ends that carry
 /// much; the strip of fine cells along the rim of a thin film is narrower. The first of two rounds finds where the contact ends, the mesh of
 /// the second is fine there. Other shapes, and contacts whose mesh cannot be made, stay as they are.
 pub fn with_dry_zone(shape: Shape, elasticity: &Elasticity, load: f64) -> Shape {
@@ -308,7 +308,7 @@ mod tests {
         }
     }
 
-    /// What is no roller stays as it is.
+    /// Other shapes are unchanged.
     #[test]
     fn other_shapes_stay() {
         let elasticity = Elasticity::half_space(

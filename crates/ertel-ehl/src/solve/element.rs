@@ -15,16 +15,16 @@ use crate::forms::flow::{
 };
 use crate::forms::reynolds::{ElementConstants, TestCoefficients, reynolds_point};
 
-/// Sums for each pressure node beside the blocks: ∂R/∂H0, R, entrainment, and its share of ∫(τR)².
+/// Sums for each pressure node in addition to the blocks: ∂R/∂H0, R, entrainment, and its share of ∫(τR)².
 pub const N_SUMS: usize = 4;
 
 /// Coefficients of a test function: W, W_x, W_y, ΔW, κW.
 const N_TEST: usize = 5;
 
-/// Lists of the pressure shape functions: those five and, where the flow sees them, W_xx, W_xy, W_yy.
+/// Lists of the pressure shape functions: those five and, where the flow needs them, W_xx, W_xy, W_yy.
 const N_LISTS: usize = 8;
 
-/// Quantities that the equation sees at a point: P, P_x, P_y, κP, H, H_x, H_y, and then ΔP in
+/// Quantities of the equation at a point: P, P_x, P_y, κP, H, H_x, H_y, and then ΔP in
 /// Newtonian films, P_xx, P_xy, P_yy in others.
 const NEWTONIAN: usize = 8;
 const GENERALIZED: usize = 10;
@@ -60,7 +60,7 @@ pub struct Element {
     deflection: Vec<f64>,
 }
 
-/// What the equation sees at a point, and then its integrand.
+/// State at a quadrature point, then the integrand of the equation.
 #[derive(Clone, Copy)]
 struct Point {
     /// (X, Y).
@@ -456,7 +456,7 @@ fn thermal_integrand(
 }
 
 impl Point {
-    /// The state, each quantity a variable of its own.
+    /// The state, each quantity an independent variable.
     #[inline(always)]
     fn variables<const S: usize>(&self) -> PointState<Dual<S>> {
         let x = |k: usize| Dual::<S>::variable(self.state[k], k);

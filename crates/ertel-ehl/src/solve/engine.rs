@@ -11,7 +11,7 @@ use crate::solution::{LevelStats, Measured};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FiniteElements;
 
-/// What finite elements found.
+/// Result of finite elements.
 pub struct Finished {
     /// The last stage.
     pub finest: StageSolution,

@@ -1,4 +1,4 @@
-//! Why a solve came to no end, and what to try then.
+//! Why a solve failed, and what to try then.
 
 use ertel_fem::linear::condensed::CholeskyError;
 use ertel_fem::linear::gmres::GmresError;
@@ -7,16 +7,16 @@ use ertel_fem::linear::lu::LuError;
 use super::discretisation::DiscretisationError;
 use super::heat::newton::HeatError;
 
-/// What stopped Newton's method.
+/// Why Newton's method stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Stopped {
     /// The equations have no value at the pressures found.
     #[error("the residual is not finite")]
     NotFinite,
-    /// Nor have they anywhere on the way of the step.
+    /// Nor anywhere along the step.
     #[error("no step leads to a finite residual")]
     NoStep,
-    /// It goes round in circles.
+    /// The updates cycle.
     #[error("the updates no longer shrink")]
     Circling,
     /// They shrink, but too slowly.
@@ -67,16 +67,16 @@ pub enum SolveError {
         /// Whether the surfaces have reliefs, which finite volumes alone solve.
         has_reliefs: bool,
     },
-    /// Film and temperature did not come to rest together.
+    /// The film-temperature coupling did not converge.
     #[error(
         "no convergence in {part} {}: film and temperature still change by {change:.1e} after {rounds} rounds \
          (by a factor of {contraction:.2} from round to round)",
         level + 1
     )]
     NotCoupled {
-        /// What is counted: stages, or the grids of finite volumes.
+        /// Unit of `level`: stages, or the grids of finite volumes.
         part: &'static str,
-        /// Which, 0 the first.
+        /// Its number, 0 the first.
         level: usize,
         /// Rounds.
         rounds: usize,
@@ -91,7 +91,7 @@ pub enum SolveError {
          within {length:.1e} half-widths, so that the first mesh needs cells of {size:.1e} half-widths and about {unknowns:.0} \
          pressure unknowns, where {limit:.0} are allowed",
         film,
-        if *sheared { ", with the viscosity that [lubricant.shear_thinning] leaves at the shear rates of the inlet" } else { "" }
+        if *sheared { ", with shear thinning ([lubricant.shear_thinning]) at the shear rates of the inlet" } else { "" }
     )]
     TooThin {
         /// Predicted central film thickness, m.
@@ -108,7 +108,7 @@ pub enum SolveError {
         unknowns: f64,
         /// Unknowns allowed for it.
         limit: f64,
-        /// What to change.
+        /// Advice.
         help: &'static str,
     },
     /// The contact of a roller runs over its end.
@@ -121,7 +121,7 @@ pub enum SolveError {
     EndCarries {
         /// y of the end, m.
         place: f64,
-        /// Film there, m; negative where the mesh does not keep the bodies apart.
+        /// Film there, m; negative where the bodies overlap on the mesh.
         film: f64,
     },
     /// No grid that is allowed resolves the reliefs of the surfaces.
@@ -134,16 +134,16 @@ pub enum SolveError {
         /// Cell that resolves them.
         needed: f64,
     },
-    /// The usual stages failed, and so did all that leads to the solution through easier contacts.
-    #[error("{first}; nor by what leads there step by step ({})", .tried.join("; "))]
+    /// The usual stages failed, and so did all continuations through easier contacts.
+    #[error("{first}; step-by-step continuation failed, too ({})", .tried.join("; "))]
     AllFailed {
         /// Why the usual stages failed.
         first: Box<SolveError>,
-        /// What was tried then: the quantities that were brought to those of the case step by step.
+        /// Continuations tried: the quantities that were brought to those of the case step by step.
         tried: Vec<&'static str>,
     },
-    /// Neither of both methods converged.
-    #[error("{first}; nor by {method}: {second}")]
+    /// Neither method converged.
+    #[error("{first}; {method} failed, too: {second}")]
     BothFailed {
         /// Why the first method failed.
         first: Box<SolveError>,
@@ -152,19 +152,19 @@ pub enum SolveError {
         /// Why it failed.
         second: Box<SolveError>,
     },
-    /// The solve failed where stress thins the fluid in the inlet far more than it does with oils.
+    /// The solve failed where shear thins the fluid in the inlet far more than oils.
     #[error(
-        "{error}; [lubricant.shear_thinning] leaves about {:.2} % of the Newtonian film, by formula: shear stresses in the inlet lie far \
-         above those from which it thins",
+        "{error}; [lubricant.shear_thinning] leaves about {:.2} % of the Newtonian film, by formula: shear stresses in the inlet are far \
+         above the onset of thinning",
         100.0 * share
     )]
     Thinned {
-        /// What failed.
+        /// The failure.
         error: Box<SolveError>,
         /// Film over that of the Newtonian fluid, about.
         share: f64,
     },
-    /// Heat lacks data.
+    /// Thermal data are missing.
     #[error("{0}; {help}", help = .0.advice())]
     MissingHeatData(#[from] super::heat::missing::MissingHeatData),
     /// The temperatures could not be computed.
@@ -172,14 +172,14 @@ pub enum SolveError {
     Heat(#[from] HeatError),
     /// A linear system could not be solved.
     #[error(
-        "no convergence: the linear equations of a step cannot be solved as exactly as needed (to a residual of {:.1e} of theirs)",
+        "no convergence: the linear equations of a step cannot be solved accurately enough (relative residual {:.1e})",
         .0.residual
     )]
     Krylov(#[from] GmresError),
     /// A factorisation failed.
     #[error(
-        "no convergence: the linear system is singular at the current pressures ({0}), as where the viscosity changes by more decades \
-         than can be computed; check the constants of the viscosity law"
+        "no convergence: the linear system is singular at the current pressures ({0}), for example because the viscosity varies by too many \
+         decades; check the constants of the viscosity law"
     )]
     Factorisation(#[from] LuError),
     /// Mesh or elastic operator failed.
@@ -191,7 +191,7 @@ pub enum SolveError {
 }
 
 impl SolveError {
-    /// What to try, by what it failed of; `None` where nothing failed, or the error itself says it.
+    /// Advice for this failure; `None` where nothing failed, or where the message contains it.
     #[must_use]
     pub fn advice(&self) -> Option<&'static str> {
         match self {
@@ -203,7 +203,7 @@ impl SolveError {
                  deeper than the film interrupts it; without [[surface]] the film of smooth bodies comes out",
             ),
             SolveError::GridNotConverged { .. } => Some(
-                "[solver] method = \"finite-elements\", above all where the film is thick beside the contact, whose area the first grid then \
+                "[solver] method = \"finite-elements\", above all where the film is thick compared with the contact, whose area the first grid then \
                  covers with cells that are too large",
             ),
             SolveError::NotCoupled { contraction, .. } => Some(match *contraction < 1.0 {
@@ -219,11 +219,11 @@ impl SolveError {
                 Some("`method = \"finite-elements\"` in [solver]")
             }
             SolveError::Heat(HeatError::Overheated) => Some(
-                "a look at the constants of [lubricant.shear_thinning], less sliding, or a lower load: shear stresses that the law \
-                 bears",
+                "checking the constants of [lubricant.shear_thinning], less sliding, or a lower load: shear stresses within \
+                 the range of the law",
             ),
             SolveError::Heat(_) => Some(
-                "a look at the lubricant's laws over the temperature ([lubricant] viscosity, density, thermal_conductivity), less \
+                "checking the lubricant's laws over the temperature ([lubricant] viscosity, density, thermal_conductivity), less \
                  sliding to begin with, or no [thermal], which gives the isothermal film",
             ),
             SolveError::Krylov(_) => Some(
@@ -231,7 +231,7 @@ impl SolveError {
                  ([solver] formulation = \"supg\")",
             ),
             SolveError::Factorisation(_) => Some(
-                "a look at the constants of the lubricant's laws, above all of the viscosity over the pressure, or a lower load",
+                "checking the constants of the lubricant's laws, above all of the viscosity over the pressure, or a lower load",
             ),
             SolveError::EndCarries { .. } => Some(
                 "more relief at the ends of the profile (kind = \"logarithmic\" with a design_load of this load or more falls off \
@@ -248,7 +248,7 @@ impl SolveError {
                 .find(|error| !matches!(***error, SolveError::GridNotConverged { .. }))
                 .and_then(|error| error.advice()),
             SolveError::Thinned { .. } => Some(
-                "a look at the constants of [lubricant.shear_thinning] and their units (stresses of oils are 1 to 20 MPa; a second \
+                "checking the constants of [lubricant.shear_thinning] and their units (stresses of oils are 1 to 20 MPa; a second \
                  plateau mu_2 keeps blended oils from thinning without end), or less load or sliding to begin with",
             ),
             SolveError::MissingHeatData(_)
@@ -259,13 +259,13 @@ impl SolveError {
 }
 
 impl Stopped {
-    /// What to try.
+    /// Advice.
     #[must_use]
     pub fn advice(self) -> &'static str {
         match self {
             Stopped::NotFinite | Stopped::NoStep => {
-                "a lower load, or a look at the constants of the lubricant's laws (viscosity over the pressure, \
-                 [lubricant.shear_thinning]): at the pressures found on the way they have no value that can be computed"
+                "a lower load, or checking the constants of the lubricant's laws (viscosity over the pressure, \
+                 [lubricant.shear_thinning]): at the pressures of the iteration they have no finite value"
             }
             Stopped::Circling => {
                 "a finer mesh ([mesh] preset = \"fine\"), another formulation ([solver] formulation = \"supg\"), or a smaller load to \
@@ -335,7 +335,7 @@ mod tests {
         };
         let text = both.to_string();
         assert!(
-            text.contains("; nor by finite volumes: no convergence"),
+            text.contains("; finite volumes failed, too: no convergence"),
             "{text}"
         );
         assert_eq!(both.advice(), Some(Stopped::Circling.advice()));
@@ -352,7 +352,7 @@ mod tests {
         assert_ne!(thinned.advice(), stopped(Stopped::Circling).advice());
     }
 
-    /// Each kind of failure has advice of its own that names what can be changed in it; only circles of Newton's method ask for a finer
+    /// Each kind of failure has its own advice, which names what can be changed; only cycles of Newton's method ask for a finer
     /// mesh and another formulation, and no heat for either.
     #[test]
     fn advice_fits_the_failure() {
@@ -419,10 +419,10 @@ mod tests {
         assert_eq!(all.advice(), not_coupled(1.1).advice());
         assert!(
             all.to_string()
-                .ends_with("step by step (sliding; viscosity exponent)"),
+                .ends_with("failed, too (sliding; viscosity exponent)"),
             "{all}"
         );
-        // What solves the linear equations is nobody's business but ours.
+        // The linear solver is an internal detail.
         assert!(!SolveError::Krylov(krylov).to_string().contains("GMRES"));
     }
 }

@@ -44,7 +44,7 @@ impl Lattice {
 /// Smallest film thickness of the contact area and where it is.
 ///
 /// Each element is sampled on a lattice; in those with the thinnest points the lattice is refined until its
-/// spacing is 1e-6 of the element: derivatives of the film see that.
+/// spacing is 1e-6 of the element: derivatives of the film resolve that.
 pub fn minimum_film(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
     let mut thinnest = thinnest_points(d, state);
     if thinnest.len() > THINNEST_ELEMENTS {

@@ -17,7 +17,7 @@ use crate::engine::{Film, PointTable};
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures, LevelStats, Measured, Reading};
 
-/// Which figures are asked for.
+/// Which figures are requested.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scope {
     /// Central and minimum film and the largest pressure.
@@ -199,7 +199,7 @@ fn note_heat(
     ] {
         temperature(figure, value, place);
     }
-    // What cools behind the contact errs by what heats in it.
+    // The error of the cooling behind the contact is that of the heating in it.
     if let Some(lowest) = figures.get(Figure::FilmTemperatureLowest) {
         let size = lowest.size.max((hottest - heat.inlet_temperature).abs());
         figures.note(Figure::FilmTemperatureLowest, Reading { size, ..lowest });
@@ -224,7 +224,7 @@ fn note_heat(
         temperature(figure, value);
     }
     let balance = heat_balance(d, state, fluid, heat, scales);
-    // What the surfaces put in, becomes heat, in shear or as the lubricant is compressed.
+    // The work of the surfaces becomes heat, by shear or by compression of the lubricant.
     if let Some(power) = figures.get(Figure::FrictionPower) {
         let heats = power.value - power.misfit;
         let misfit = (heats - balance.shear - balance.compression).abs();
@@ -241,7 +241,7 @@ fn note_heat(
     }
 }
 
-/// Figures of the solution of a problem, with the error bars that its stages tell.
+/// Figures of the solution of a problem, with the error bars from its stages.
 pub fn measure(problem: &Problem, solution: &StageSolution, levels: &[LevelStats]) -> Measured {
     let (d, state) = (&solution.discretisation, &solution.state);
     let grading = grading_errors(

@@ -2,14 +2,14 @@
 
 use crate::solve::tuning::refinement::{CLOSURE, MOST_HALVINGS};
 
-/// What refinement is to bring down: shares of the elements that add up to an error, or to its square.
+/// An error that refinement reduces: shares of the elements that add up to the error, or to its square.
 pub struct Goal<'a> {
     /// Share of each element.
     pub shares: &'a [f64],
-    /// What of their sum may stay.
+    /// Allowed sum after refinement.
     pub allowed: f64,
-    /// What of an element's share is expected to stay where it is halved.
-    pub left_by_halving: f64,
+    /// Factor by which halving an element is expected to reduce its share.
+    pub reduction: f64,
 }
 
 /// Halvings of each element of a `dim`-dimensional contact area that are expected to bring every goal down to what it allows, the
@@ -20,7 +20,7 @@ pub fn halvings(goals: &[Goal], dim: usize, max_growth: f64) -> Vec<u32> {
     let mut room = (max_growth - 1.0) / CLOSURE * n as f64;
     let mut totals: Vec<f64> = goals.iter().map(|g| g.shares.iter().sum()).collect();
     let mut halvings = vec![0; n];
-    let share = |g: &Goal, c: usize, n: u32| g.left_by_halving.powi(n as i32) * g.shares[c];
+    let share = |g: &Goal, c: usize, n: u32| g.reduction.powi(n as i32) * g.shares[c];
     // Largest shares first, in units of what is allowed.
     let weigh = |c: usize, n: u32| {
         goals
@@ -104,7 +104,7 @@ mod tests {
             let goal = Goal {
                 shares: &[8.0, 1.0, 1.0, 0.0],
                 allowed,
-                left_by_halving: 0.25,
+                reduction: 0.25,
             };
             halvings(&[goal], 1, 100.0)
         };
@@ -112,7 +112,7 @@ mod tests {
         assert_eq!(halved(2.6), [2, 0, 0, 0]);
         assert_eq!(halved(2.3).iter().sum::<u32>(), 3);
         assert_eq!(halved(2.3)[0], 2);
-        // What cannot be reached ends where there is nothing more to gain.
+        // A goal out of reach ends at the most halvings.
         assert_eq!(halved(1e-9)[3], 0);
     }
 
@@ -122,7 +122,7 @@ mod tests {
         let goal = Goal {
             shares: &[1.0; 30],
             allowed: 1e-9,
-            left_by_halving: 0.5,
+            reduction: 0.5,
         };
         let growth = 2.0;
         let halvings = halvings(&[goal], 2, growth);

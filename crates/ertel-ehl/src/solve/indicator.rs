@@ -48,7 +48,7 @@ pub struct Indicator {
     pub minimum: Vec<f64>,
     /// Of the film at another minimum that may be the lowest where the errors are less; empty where there is none.
     pub rival: Vec<f64>,
-    /// What the diffusion at ridges changes the two films by, relative; a quarter of it is in the shares.
+    /// Relative change of the two films by the diffusion at ridges; a quarter of it is in the shares.
     pub ridge: [f64; 2],
     /// Relative errors of the two films that come from the edges of the contact area, where P = 0 is prescribed, and from pressures below zero behind the film.
     pub edges: [f64; 2],
@@ -58,7 +58,7 @@ pub struct Indicator {
     pub shear_stress: f64,
     /// Root mean square error of the pressure in each element, in p_h.
     pub(super) local: Vec<f64>,
-    /// What a ridge may be higher in each element than the diffusion there leaves it, in p_h.
+    /// Height of a ridge in each element that diffusion may have removed, in p_h.
     pub(super) cut_off: Vec<f64>,
     /// How high such a ridge may be, in p_h; zero without one.
     pub(super) ridge_height: f64,
@@ -140,7 +140,7 @@ impl Indicator {
     }
 }
 
-/// What a share of the Hertz zone is uncertain by because it counts points: the largest of them on a line; in an area errors of the many points at the
+/// Sampling error of an area fraction of the Hertz zone: the largest weight of a point on a line; in an area errors of the many points at the
 /// boundary mostly cancel, w√N with N = 1/√w of them.
 fn share_of_point(d: &Discretisation) -> f64 {
     let weight = d.rule.weights.iter().copied().fold(0.0, f64::max);
@@ -243,7 +243,7 @@ pub fn indicator(
     let weights: Vec<&[f64]> = adjoint.iter().map(|a| a.film.as_slice()).collect();
     let usual = Assembler::new(d, &model.fluid, &model.constants, state, None);
     if d.contact.shape.inlet.layer().is_some() {
-        // What it blurs that a gap fills up over a length.
+        // Smearing of the boundary of the filled gap over a length.
         let elements: Vec<usize> = (0..d.contact.n_elements()).collect();
         let changes = film_changes(d, [&usual, &usual.filling_over(0.5)], &weights, &elements);
         share_out(&changes, &magnitudes, BLURRING, &mut shares);
@@ -314,7 +314,7 @@ pub fn indicator(
     })
 }
 
-/// What the elements' `changes` of each film come to, relative; a part of it is added to the shares.
+/// Relative sum of the elements' `changes` of each film; a part of it is added to the shares.
 fn share_out(
     changes: &[Vec<f64>],
     films: &[f64],
@@ -362,7 +362,7 @@ fn film_changes(
     changes
 }
 
-/// How much a film changes where the pressure beyond the edges of the contact area goes on as it does far from a contact:
+/// How much a film changes where the pressure beyond the edges of the contact area decays as it does far from a contact:
 ///
 /// ```text
 ///   P = −λ(c_x e_x x + c_y e_y y)/H² > 0     c_x = 1/(3 + 2κ), c_y = κ/(3κ + 2): the solution of ∇·(H³∇P) = λ e·∇H for
@@ -392,7 +392,7 @@ fn edge_error(
                 let [x, y, _] = d.pressure.points[*node as usize];
                 let drop = along * x + across * y;
                 // At the ends of a roller the film ends.
-                // Nor does pressure go on beyond a meniscus, or where the gap is not full.
+                // Nor does pressure extend beyond a meniscus, or where the gap is not filled.
                 let dry = match &d.contact.shape.inlet {
                     Inlet::Flooded => false,
                     Inlet::Meniscus => x < d.contact.extents.inlet * (1.0 - 1e-9),

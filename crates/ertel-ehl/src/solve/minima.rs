@@ -1,4 +1,4 @@
-//! Minima of the film besides the lowest.
+//! Minima of the film other than the lowest.
 //!
 //! The film of a point contact is thin in two side lobes, and on the centreline. Where two of them are nearly as deep, errors of the mesh
 //! decide which is the lowest, and a mesh that is refined for one alone finds the other on the next.
@@ -35,7 +35,7 @@ fn second_minimum(values: &[f64], neighbours: &[Vec<u32>], ridge: f64) -> Option
     order.sort_by(|a, b| values[*a].total_cmp(&values[*b]).then(a.cmp(b)));
     let lowest = *order.first()?;
     const DRY: usize = usize::MAX;
-    // Basins by their lowest elements: each flooded element leads to that of its own.
+    // Basins by their lowest elements: each flooded element leads to that of its basin.
     let mut towards = vec![DRY; values.len()];
     let mut second: Option<usize> = None;
     for &c in &order {

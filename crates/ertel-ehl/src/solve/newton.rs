@@ -1,11 +1,11 @@
-//! Newton's method on one level, with steps that know the physics.
+//! Newton's method on one level, with physically limited steps.
 //!
 //! - Falling pressures are updated in the logarithm of viscosity, −ln(1 − dP m)/m with
 //!   m = d ln μ̄/dP: linearly, one step could undo many decades of viscosity.
 //! - Rising pressures are capped at a share of the Hertz pressure.
 //! - The surfaces are lifted where a point would lose more than half of its film.
-//! - Where shear rates grow exponentially with the stress and the residual exceeds the entrained flow, it is far out on an
-//!   exponential: a whole step takes off one e-fold, whatever the distance. Steps are lengthened while the residual falls, steps
+//! - Where shear rates grow exponentially with the stress and the residual exceeds the entrained flow, the state is far out on an
+//!   exponential: a whole step reduces the residual by one e-fold, whatever the distance. Steps are lengthened while the residual falls, steps
 //!   that would lead out there are shortened, and a falling residual counts as progress.
 //!
 //! Near the solution none of these acts beyond second order, and convergence is quadratic.
@@ -27,7 +27,7 @@ use crate::solution::{IterationRecord, Timings};
 use crate::solve::evaluate::{central_film, minimum_film};
 use crate::solve::points::films_and_changes;
 use crate::solve::tuning::newton::{
-    FAR_OUT, FORESEEN_FROM, FORESEEN_ORDER, LONGEST_STRIDE, MOST_RISE, SMALLEST_EXPONENTIAL_SHARE,
+    FAR_OUT, LONGEST_STRIDE, MOST_RISE, PREDICTED_FROM, PREDICTED_ORDER, SMALLEST_EXPONENTIAL_SHARE,
 };
 
 /// Settings of one Newton run.
@@ -37,11 +37,11 @@ pub struct NewtonParams {
     pub update_tolerance: f64,
     /// Largest relative residual at which the run has converged.
     pub residual_tolerance: f64,
-    /// Largest relative change of central and minimum film in the last step of a run that has converged; infinite where pressures tell.
+    /// Largest relative change of central and minimum film in the last step of a run that has converged; infinite where pressures decide.
     pub film_tolerance: f64,
     /// Iterations allowed.
     pub max_iterations: usize,
-    /// Iterations without a smaller update after which the run stops: it goes round in circles.
+    /// Iterations without a smaller update after which the run stops because the updates cycle.
     pub patience: usize,
     /// Largest rise of a pressure in one step, in p_h.
     pub rise_limit: f64,
@@ -57,7 +57,7 @@ pub struct NewtonParams {
     pub trusted_fall: f64,
     /// Share of the step below which it is taken as it is.
     pub smallest_share: f64,
-    /// Whether a run ends where the next update is foreseen to be below the tolerance.
+    /// Whether a run ends where the next update is predicted to be below the tolerance.
     pub foresight: bool,
 }
 
@@ -89,7 +89,7 @@ pub struct NewtonStats {
     pub krylov_iterations: usize,
     /// Preconditioners factorised.
     pub factorisations: usize,
-    /// Where the time went.
+    /// Wall time by part.
     pub seconds: Timings,
 }
 
@@ -129,7 +129,7 @@ pub struct FilmModel {
     pub constants: FilmConstants,
 }
 
-/// What a run is about, for its records.
+/// Labels of a run in its records.
 #[derive(Clone, Copy, Debug)]
 pub struct RunLabel {
     /// Mesh level.
@@ -140,7 +140,7 @@ pub struct RunLabel {
     pub film_scale: f64,
 }
 
-/// A level with what Newton's method keeps for it.
+/// A level with the data that Newton's method keeps for it.
 pub struct NewtonLevel<'a> {
     /// The discretisation.
     pub discretisation: &'a Discretisation,
@@ -148,7 +148,7 @@ pub struct NewtonLevel<'a> {
     pub(super) method: Method,
     /// Target of ∫P.
     pub load: f64,
-    /// What the last converged run leaves for systems like its last.
+    /// Preconditioner of the last converged run, for similar systems.
     kept: RefCell<Option<Preconditioner>>,
 }
 
@@ -176,7 +176,7 @@ impl<'a> NewtonLevel<'a> {
         self.kept.take()
     }
 
-    /// What preconditioners of this level share, where its systems are solved by iterations.
+    /// Data shared by the preconditioners of this level, where its systems are solved by iterations.
     pub(super) fn near(&self) -> Option<&NearStiffness> {
         match &self.method {
             Method::Condensed(near) => Some(near),
@@ -184,7 +184,7 @@ impl<'a> NewtonLevel<'a> {
         }
     }
 
-    /// Iterates until both tolerances hold, or are foreseen to hold after the step just taken. `state` is the start,
+    /// Iterates until both tolerances hold, or are predicted to hold after the step just taken. `state` is the start,
     /// then the solution.
     ///
     /// # Errors
@@ -238,7 +238,7 @@ impl<'a> NewtonLevel<'a> {
             smallest_residual = smallest_residual.min(residual);
             let converged =
                 update < params.update_tolerance && residual < params.residual_tolerance;
-            // Small steps are not tested, unless they go round in circles.
+            // Small steps are not tested, unless the updates cycle.
             let circling = iteration > smallest_update.0 + 2;
             let tested = update >= params.safe_update || circling;
             let mut share = match far_out {
@@ -298,17 +298,17 @@ impl<'a> NewtonLevel<'a> {
                 film_central: label.film_scale * central_film(self.discretisation, state),
                 heat: None,
             });
-            // The state is as good as the next update is small: the step after two whole ones is
-            // foreseen, and the residual that would go with it is known.
+            // The error of the state is about the next update: after two whole steps that update is
+            // predicted, and the residual at it is known.
             let whole = share >= 1.0;
-            let foreseen = match update_before {
-                Some(before) if whole && update < f64::min(before, FORESEEN_FROM) => {
-                    update * (update / before).powf(FORESEEN_ORDER)
+            let predicted = match update_before {
+                Some(before) if whole && update < f64::min(before, PREDICTED_FROM) => {
+                    update * (update / before).powf(PREDICTED_ORDER)
                 }
                 _ => f64::INFINITY,
             };
             let done = params.foresight
-                && foreseen < params.update_tolerance
+                && predicted < params.update_tolerance
                 && next_system.relative_residual() < params.residual_tolerance;
             if (converged || done) && self.films_settled(params, &before, state) {
                 self.kept.replace(solver.into_preconditioner());
@@ -407,8 +407,8 @@ impl<'a> NewtonLevel<'a> {
 
     /// By how much to lift the surfaces after a step so that no point loses too much of its film.
     ///
-    /// Cutting the step instead would let one point hold up all others: its film halves and halves
-    /// while the steps shrink to nothing. The next step takes back of the lift what the load demands.
+    /// Shortening the step instead would let one point stall all others: its film keeps halving
+    /// while the steps shrink to zero. The next step takes back of the lift what the load demands.
     fn lift(
         &self,
         state: &State,
@@ -420,7 +420,7 @@ impl<'a> NewtonLevel<'a> {
         let mut lift: f64 = 0.0;
         for c in 0..d.contact.n_elements() {
             for (h, dh) in films_and_changes(d, state, (deflection_step, d_separation), c) {
-                // A start may lack film at a point: let the step mend it.
+                // A start may have no film at a point: let the step restore it.
                 if h > 0.0 {
                     lift = lift.max(-dh - params.film_loss_limit * h);
                 }

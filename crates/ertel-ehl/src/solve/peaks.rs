@@ -1,7 +1,7 @@
-//! Peaks of the pressure: the smooth one in the middle of the contact, and the highest beside it.
+//! Peaks of the pressure: the smooth one in the middle of the contact, and the highest other one.
 //!
-//! In point contacts a ridge stands before the outlet that may exceed the pressure of the middle, and that few meshes resolve. Both are
-//! told apart by the lowest pass between them.
+//! In point contacts there is a ridge before the outlet that may exceed the pressure of the middle, and that few meshes resolve. Both are
+//! separated by the lowest pass between them.
 
 use super::discretisation::Discretisation;
 use super::evaluate::largest_of_elements;

@@ -3,8 +3,8 @@
 //! ```text
 //!   H = H_0 + G + δ        H_0 rigid separation, G undeformed gap, δ deflection
 //! ```
-//! The Newton system puts the same together in its own loop over the elements (`element.rs`); everything else asks here. What is
-//! summed over the contact area after a solve reads the [`PointTable`].
+//! The Newton system computes the same in its own loop over the elements (`element.rs`); everything else uses this module. Sums over the
+//! contact area after a solve read the [`PointTable`].
 
 use ertel_fem::element::Tabulation;
 use rayon::prelude::*;
@@ -138,7 +138,7 @@ pub fn fields_from(
     with_film(fields, d, state, cell)
 }
 
-/// What the film equations see at the `q`-th quadrature point of an element, with its place: derivatives of pressure and film, too.
+/// State and place at the `q`-th quadrature point of an element, with derivatives of pressure and film.
 pub(super) fn point_state(
     d: &Discretisation,
     state: &State,
@@ -274,7 +274,7 @@ fn surface(
     (place, sum)
 }
 
-/// Puts the film together from separation, gap and deflection, and finds what it lacks in an element.
+/// Computes the film from separation, gap and deflection, and the missing film in an element.
 fn with_film(
     mut fields: PointFields,
     d: &Discretisation,

@@ -20,7 +20,7 @@ use rustc_hash::FxHashMap;
 use super::discretisation::Discretisation;
 use super::system::{Column, System};
 
-/// What all preconditioners of a level share: the entries of the matrix and their elimination
+/// Data shared by all preconditioners of a level: the entries of the matrix and their elimination
 /// order.
 pub struct NearStiffness {
     /// Row and column of each entry.
@@ -199,7 +199,7 @@ impl Preconditioner {
         let pattern = near.pattern(d)?;
         let mut equilibration = None;
         let lu = FrontalLu::new(pattern, &values).or_else(|e| {
-            // Film equations span many decades where films are thick beside the dry contact, or stresses near a limit.
+            // Film equations span many decades where films are thick next to the dry contact, or stresses near a limit.
             let scaling = Equilibration::new(n, &near.entries, &values).ok_or(e)?;
             let scaled = scaling.scale(&near.entries, &values);
             equilibration = Some(scaling);

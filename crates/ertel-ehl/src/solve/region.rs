@@ -1,7 +1,7 @@
-//! How much of each element lies where the surfaces face each other ([`Region`]).
+//! Share of each element where the surfaces face each other ([`Region`]).
 //!
 //! Elements that the end cuts have the weights w_q c(ξ_q): c is the projection of the region, 1 inside and 0 outside, onto polynomials
-//! of the second order, with which every such polynomial is summed over the part inside as if that had a rule of its own (moment
+//! of the second order, with which every such polynomial is summed over the part inside as if it had a separate rule (moment
 //! fitting, as in Müller, Kummer and Oberlack, International Journal for Numerical Methods in Engineering 96 (2013) 512-528).
 //!
 //! Theory: Where the sums end.
@@ -11,7 +11,7 @@ use ertel_fem::quadrature::Quadrature;
 use super::discretisation::Discretisation;
 use crate::engine::region::Region;
 
-/// How much of an element lies inside.
+/// Share of an element inside.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Share {
     /// Nothing.
@@ -43,7 +43,7 @@ const HALVINGS: usize = 6;
 /// Polynomials of the second order in two dimensions at most.
 const N: usize = 6;
 
-/// The elements of a mesh that a region takes up.
+/// The elements of a mesh in a region.
 pub struct Elements<'a> {
     d: &'a Discretisation,
     basis: Basis,
@@ -58,7 +58,7 @@ impl<'a> Elements<'a> {
         }
     }
 
-    /// How much of an element lies in a region.
+    /// Share of an element in a region.
     pub fn share(&self, region: &Region, cell: usize) -> Share {
         let surface = &self.d.contact.surface;
         let corner = |k: usize| -> Corner {
@@ -80,7 +80,7 @@ impl<'a> Elements<'a> {
     }
 }
 
-/// Where a part lies.
+/// Position of a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Place {
     Inside,
@@ -88,7 +88,7 @@ enum Place {
     Cut,
 }
 
-/// Where the part between corners lies: the unit circle is convex.
+/// Position of the part between corners: the unit circle is convex.
 fn place(corners: &[Corner]) -> Place {
     let inside = |p: [f64; 2]| p[0].hypot(p[1]) <= 1.0;
     if corners.iter().all(|c| inside(c[1])) {
@@ -199,7 +199,7 @@ impl Basis {
                 }
             }
             let norm = product(&own, &own).sqrt();
-            // A rule of few points does not tell all of them apart.
+            // With few points in a rule some of them coincide.
             if norm > 1e-9 {
                 polynomials.push(own.map(|c| c / norm));
             }
@@ -324,7 +324,7 @@ mod tests {
         assert_relative_eq!(found, 0.3_f64.powi(3) / 3.0, max_relative = 1e-4);
     }
 
-    /// A triangle around all of the circle is cut, and so is one into whose side the circle bulges; one beside it is outside.
+    /// A triangle around all of the circle is cut, and so is one into whose side the circle bulges; one next to it is outside.
     #[test]
     fn the_circle_is_found() {
         let of = |points: [[f64; 2]; 3]| place(&points.map(|p| [p, p]));

@@ -38,7 +38,7 @@ pub(super) fn ridge_shares(
         .collect()
 }
 
-/// By how much a ridge may be higher in each element than the mesh leaves it, and how high it may be so, in p_h; zero without one.
+/// By how much a ridge may be higher in each element than on the mesh, and how high it may then be, in p_h; zero without one.
 pub(super) fn cut_off(
     space: &Space,
     share_at_ridge: impl Fn(usize) -> f64,
@@ -115,7 +115,7 @@ mod tests {
 
     /// A jump at x = 0.6 has its elements, and their neighbours, of another mesh at the same place; smooth pressures have none.
     #[test]
-    fn shares_stand_where_pressures_are_not_resolved() {
+    fn shares_appear_where_pressures_are_not_resolved() {
         let (coarse, fine) = (square(10), square(20));
         let (space, locator) = (Space::new(&coarse, 3), Locator::new(&coarse));
         let shares = |pressure: &dyn Fn(f64) -> f64| {
@@ -140,7 +140,7 @@ mod tests {
 
     /// By hand: in an element with a share of one half, pressures from 0 to 0.8 may be cut off by 0.75 · ½ · 0.8 = 0.3, up to 1.1.
     #[test]
-    fn what_is_cut_off_goes_with_the_range_of_the_pressure() {
+    fn cut_off_scales_with_the_pressure_range() {
         let space = Space::new(&square(3), 3);
         let mut pressure = vec![0.0; space.n_nodes()];
         let own = space.nodes_of(0);

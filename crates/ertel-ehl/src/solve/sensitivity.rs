@@ -3,11 +3,11 @@
 //! ```text
 //!   R(q; θ) = 0,  j(q; θ):      dj/dθ = ∂j/∂θ − z·∂R/∂θ − s ∂(∫P − load)/∂θ,      Jᵀ(z, s) = ∂j/∂q
 //! ```
-//! The figures are those of the discrete solution on its mesh, which keeps its place in half-widths of the contact: what differs by the
-//! error of the mesh is left alone. Partial derivatives by θ are central differences of residuals and figures at the fields of the solution;
+//! The figures are those of the discrete solution on its mesh, which is fixed in half-widths of the contact: the change of the
+//! mesh error is neglected. Partial derivatives by θ are central differences of residuals and figures at the fields of the solution;
 //! no equation is solved for them. Where an input changes the shape of the contact in half-widths (axis ratio of an ellipse, length of a
-//! roller), mesh and elastic response are made anew on either side, and derivatives are good to about 1e-4 of the largest (ellipses) or
-//! 1e-3 (rollers; their pressure to 1 %). Isothermal films only: the adjoint of the heat is not at hand.
+//! roller), mesh and elastic response are rebuilt on either side, and derivatives are good to about 1e-4 of the largest (ellipses) or
+//! 1e-3 (rollers; their pressure to 1 %). Isothermal films only: there is no adjoint of the heat.
 
 use std::sync::Arc;
 
@@ -35,7 +35,7 @@ use crate::solution::Figure;
 use ertel_fem::linear::NEVER;
 
 /// How exactly the adjoints are solved for: around thick films equations far away, with coefficients of many times those in the contact,
-/// leave a residual that products with rounding do not fall below, and what sensitivities are told to is a thousandth.
+/// leave a residual that rounding errors of products do not fall below, and sensitivities are given to a thousandth.
 const EXACTNESS: [Exactness; 3] = [
     Exactness {
         tolerance: 1e-7,
@@ -143,7 +143,7 @@ impl<'a> Sensitivity<'a> {
         })
     }
 
-    /// What keeps derivatives by an input from being known.
+    /// Why derivatives by an input are not available.
     fn obstacle(&self, sides: &Perturbed<Plan>) -> Option<NoDerivative> {
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs();
         let own = &self.problem.elasticity;
@@ -353,7 +353,7 @@ fn moved_end(d: &Discretisation, flows: &[PointFlow], problem: &Problem) -> f64 
     sum
 }
 
-/// What the traction coefficient along the motion depends on:
+/// Derivatives of the traction coefficient along the motion:
 ///
 /// ```text
 ///   f = S/load ∫θ τ_x dA as far as the bodies reach,   τ = τ(G, Ω, P),  G = H∇P,  Ω = σμ̄/H,  θ = 1 − F(P, H)/H

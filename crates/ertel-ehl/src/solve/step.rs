@@ -30,13 +30,13 @@ pub(super) enum Method {
     Monolithic(BodyMatrices),
 }
 
-/// What is kept from one linear solve to the next.
+/// Factors kept from one linear solve to the next.
 enum Factors {
     Bordered(Bordered),
     Monolithic(Box<Monolithic>),
 }
 
-/// Solves the linear systems of a run; keeps the factors while they serve.
+/// Solves the linear systems of a run; reuses the factors as long as they converge.
 pub(super) struct StepSolver<'a, 'b> {
     level: &'a NewtonLevel<'a>,
     factors: Option<Factors>,
@@ -208,7 +208,7 @@ impl Bordered {
         max_iterations: usize,
     ) -> Result<(Vec<f64>, f64, usize, f64), SolveError> {
         let n = d.n_pressure;
-        // The load row is scaled like the residual: one number stands for the whole contact.
+        // The load row is scaled like the residual: one number represents the whole contact.
         let row_scale = jacobian.residual_scale / load;
         let mut rhs: Vec<f64> = residual.iter().map(|v| -v).collect();
         rhs.push(row_scale * load_defect);

@@ -1,4 +1,4 @@
-//! Oil where the film has broken, by finite elements: streams that leave the film, and what they take along.
+//! Oil where the film has broken, by finite elements: streams that leave the film, and the oil that they carry.
 //!
 //! ```text
 //!   c = H where the stream leaves the film,   F = H − c behind it       θ = c/H: the share of the gap that oil fills
@@ -18,7 +18,7 @@ use crate::engine::PointFields;
 #[derive(Clone, Debug, Default)]
 pub struct Streams {
     coordinates: Coordinates,
-    /// One beside the other.
+    /// Adjacent streams.
     streams: Vec<Stream>,
 }
 
@@ -101,7 +101,7 @@ fn graded([low, high]: [f64; 2], n: i32) -> impl Iterator<Item = f64> {
 }
 
 impl Streams {
-    /// Of a state, by the mean velocity of the surfaces. None with a layer of oil, whose state knows what the gap lacks.
+    /// Of a state, by the mean velocity of the surfaces. None with a layer of oil, whose state contains the missing film.
     pub fn new(d: &Discretisation, state: &State, flow: &Planar) -> Streams {
         let shape = &d.contact.shape;
         if shape.inlet.layer().is_some() || flow.centre == [0.0; 2] {
@@ -126,12 +126,12 @@ impl Streams {
         }
     }
 
-    /// F at a point, what the gap lacks.
+    /// F at a point, the missing film in the gap.
     pub fn missing(&self, fields: &PointFields) -> f64 {
         (self.left(fields.place, fields.pressure)).map_or(0.0, |film| (fields.film - film).max(0.0))
     }
 
-    /// H where the stream left the film, at a place behind it; `None` where the gap is full.
+    /// H where the stream left the film, at a place behind it; `None` where the gap is filled.
     pub fn left(&self, place: [f64; 2], pressure: f64) -> Option<f64> {
         if pressure > 0.0 || self.streams.is_empty() {
             return None;
@@ -177,7 +177,7 @@ fn stream(
     };
     let top = (0..places.len()).max_by(|a, b| pressures[*a].total_cmp(&pressures[*b]));
     let Some(top) = top.filter(|top| pressures[*top] > 0.0) else {
-        // Without pressure anywhere: it has passed the contact between rigid parabolas, beside the area.
+        // Without pressure anywhere: it has passed the contact between rigid parabolas, outside the area.
         let place = coordinates.place([0.0, across]);
         let since = shape.gap.since_closest(place, coordinates.direction);
         let [x, y] = [0, 1].map(|i: usize| place[i] - since * coordinates.direction[i]);

@@ -36,7 +36,7 @@ pub struct FilmConstants {
     pub isotropic_diffusion: f64,
     /// ρ_r, on elements at a ridge of the pressure.
     pub ridge_diffusion: f64,
-    /// Whether the stabilisation reckons with the deflection.
+    /// Whether the stabilisation includes the deflection.
     pub elastic_stabilisation: bool,
     /// ξ₀ in force.
     pub penalty: f64,
@@ -44,7 +44,7 @@ pub struct FilmConstants {
     pub penalty_scaling: PenaltyScaling,
     /// Predicted central film H_f.
     pub film_scale: f64,
-    /// Whether the penalty goes with the gap: far out a flow by pressure as H³ outweighs any constant, and behind a contact the film pulls as hard
+    /// Whether the penalty scales with the gap: far out a flow by pressure as H³ outweighs any constant, and behind a contact the film pulls as hard
     /// as it pushes before it, unless the outlet edge is near (of a ball of H_f = 2.7, with this edge at 300 half-widths, 22 % of the film are lost).
     pub far_outlet: bool,
 }
@@ -172,7 +172,7 @@ impl System {
         system
     }
 
-    /// Share of the residual that the edge of the contact area takes up, at each pressure node:
+    /// Share of the residual at the edge of the contact area, at each pressure node:
     /// the mass flux through the edge, −∮ m·n N (zero at free nodes).
     pub fn edge_flux(
         d: &Discretisation,

@@ -1,4 +1,4 @@
-//! Residuals of one state under many slightly different equations, weighted, and the traction in them: what sensitivities are made of.
+//! Residuals of one state under many slightly different equations, weighted, and the traction in them, for sensitivities.
 //!
 //! ```text
 //!   L = z·R(q; u, m),  ∫θ τ_x dA      for weights z at the pressure nodes and fields q
@@ -46,7 +46,7 @@ const N_TEST: usize = 5;
 /// Elements that a thread takes at a time.
 const BATCH: usize = 32;
 
-/// What one problem's equations make of the fields.
+/// Weighted integrals of one problem's equations.
 #[derive(Clone, Debug)]
 pub struct WeightedSums {
     /// z·R for each list of weights.
@@ -139,7 +139,7 @@ pub fn weighted_sums(
     plan.put_together(&total, n_sums)
 }
 
-/// What is evaluated at each point.
+/// Quantities evaluated at each point.
 struct Plan<'a> {
     nearby: Nearby<'a>,
     /// The numbers of the solution's equations.

@@ -1,9 +1,9 @@
-//! How the distance of the bodies follows: from the load, from the motion of a body, or as it is given.
+//! Equation for the distance of the bodies: from the load, from the motion of a body, or prescribed.
 //!
 //! ```text
 //!   massless:  ∫P = w̄ ∫P_r                body:  M A + C V + K (H_0 − H_0(0)) = ∫P − w̄ ∫P_r,   V = D H_0, A = D V        given:  H_0 = H_0(0) − z(T)
 //! ```
-//! D is the derivative in time of the film's steps ([`super::scheme`]). The spring bears nothing at the start.
+//! D is the derivative in time of the film's steps ([`super::scheme`]). The spring is unloaded at the start.
 
 use std::collections::VecDeque;
 
@@ -11,14 +11,14 @@ use super::Course;
 use super::scheme::Weights;
 use crate::volumes::system::Balance;
 
-/// What the distance of the bodies follows from.
+/// The equation for the distance of the bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Approach {
     /// The film carries the load at each instant.
     Massless,
     /// One of the bodies moves towards the other by its inertia.
     Body(Mover),
-    /// The distance z by which they come nearer than at the start, in a²/R.
+    /// The approach z since the start, in a²/R.
     Given(Course),
 }
 
@@ -33,7 +33,7 @@ pub struct Mover {
     pub stiffness: f64,
 }
 
-/// What time begins with.
+/// The initial state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Start {
     /// The steady contact of the conditions at T = 0, at rest along the normal.
@@ -42,7 +42,7 @@ pub enum Start {
     Apart {
         /// H between them at the centre.
         gap: f64,
-        /// −∂H_0/∂T: the velocity at which they come nearer.
+        /// −∂H_0/∂T: the velocity of approach.
         velocity: f64,
     },
 }
@@ -97,7 +97,7 @@ impl Separations {
         }
     }
 
-    /// What the pressures are to balance at the end of a step to an instant; `unit` is ∫P_r.
+    /// The load that the pressures balance at the end of a step to an instant; `unit` is ∫P_r.
     pub fn balance(&self, approach: &Approach, weights: &Weights, time: f64, unit: f64) -> Balance {
         match approach {
             Approach::Massless => Balance::LOAD,
@@ -112,7 +112,7 @@ impl Separations {
                 stiffness,
             }) => {
                 let (rate, [place, velocity]) = (weights.rate(), self.past(weights));
-                // ∂(M A + C V + K H_0)/∂H_0, and what of it the past gives.
+                // ∂(M A + C V + K H_0)/∂H_0, and the contribution of earlier instants.
                 let stiff = unit * (mass * rate * rate + damping * rate + stiffness);
                 let rest = unit
                     * (mass * (rate * place + velocity) + damping * place
@@ -138,7 +138,7 @@ impl Separations {
         weights.rate() * separation + self.past(weights)[0]
     }
 
-    /// Goes on to the end of a step.
+    /// Advances to the end of a step.
     pub fn accept(&mut self, separation: f64, velocity: f64, memory: usize) {
         for (values, newest) in [
             (&mut self.places, separation),
@@ -149,13 +149,13 @@ impl Separations {
         }
     }
 
-    /// Forgets what was before the newest instant.
+    /// Forgets the instants before the newest one.
     pub fn forget(&mut self) {
         self.places.truncate(1);
         self.velocities.truncate(1);
     }
 
-    /// By how much the bodies have come nearer since the start, and the velocity at which they do.
+    /// Approach of the bodies since the start, and its velocity.
     pub fn approached(&self) -> [f64; 2] {
         [self.origin - self.places[0], -self.velocities[0]]
     }

@@ -1,7 +1,7 @@
-//! What a run needs to go on from an instant as if it had not stopped.
+//! The state from which a run continues at an instant as if it had not stopped.
 //!
 //! Grids, operators and the fluid follow from the problem, and places of reliefs from how far the bodies have moved; states and the memory of the steps are kept.
-//! Sums are taken in the same order, so that a run that goes on ends with the same digits.
+//! Sums are taken in the same order, so a continued run ends with the same digits.
 
 use serde::{Deserialize, Serialize};
 
@@ -18,9 +18,9 @@ pub struct Checkpoint {
     pub(super) step: f64,
     /// Where both bodies have moved, in half-widths.
     pub(super) moved: [Pose; 2],
-    /// How it went so far.
+    /// Statistics so far.
     pub info: Info,
-    /// What the grids remember.
+    /// State of the grids.
     pub(super) memory: Memory,
 }
 
@@ -41,7 +41,7 @@ pub(super) struct GridMemory {
     pub pressure: Vec<f64>,
     pub wetted: Vec<bool>,
     pub contents: Vec<f64>,
-    /// What nodes held at the instants, the newest first.
+    /// Mass at the nodes at the instants, the newest first.
     pub stored: Vec<Vec<f64>>,
     /// H_0(0).
     pub origin: f64,
@@ -50,7 +50,7 @@ pub(super) struct GridMemory {
     pub velocities: Vec<f64>,
 }
 
-/// Why a run cannot go on from a checkpoint.
+/// The checkpoint belongs to other grids.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the checkpoint has other grids than this case")]
+#[error("the grids of the checkpoint differ from those of this case")]
 pub struct OtherGrids;

@@ -1,4 +1,4 @@
-//! What changes in time.
+//! Conditions that change in time.
 //!
 //! ```text
 //!   T = t u_r/a,   u_1 = ū(1 − S/2), u_2 = ū(1 + S/2) over u_r,   v_2 = −v_1 = ū S_⊥/2,   ω in u_r/a,   w over w_r
@@ -19,7 +19,7 @@ pub enum Speeds {
         /// S.
         slide_to_roll_ratio: Course,
     },
-    /// Each on its own: they may run against each other without entrainment.
+    /// Both separately: they may move in opposite directions without entrainment.
     Each([Course; 2]),
 }
 
@@ -49,17 +49,17 @@ impl Speeds {
     }
 }
 
-/// What gaps hold where the film has broken, of contacts with more oil than they take.
+/// Contents of cavitated gaps in contacts with excess oil.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Cavities {
-    /// As much oil as fits, from beside the contact: no film is missing where it closes again.
+    /// Full of oil drawn from around the contact: no film is missing where the gap closes again.
     #[default]
     Refilled,
-    /// What has flown in, as those of starved contacts (Jakobsson and Floberg 1957, Olsson 1965).
+    /// The oil that has flown in, as in starved contacts (Jakobsson and Floberg 1957, Olsson 1965).
     Conserved,
 }
 
-/// What changes in time, over the scales of the contact.
+/// Conditions that change in time, divided by the scales of the contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Conditions {
     /// Velocities of the surfaces along the motion.
@@ -76,15 +76,15 @@ pub struct Conditions {
     pub temperature: Option<Course>,
     /// H_oil of the layer that arrives, in a²/R; as in the problem where there is none.
     pub layer: Option<Course>,
-    /// What gaps hold where the film has broken.
+    /// Contents of gaps where the film has cavitated.
     pub cavities: Cavities,
-    /// What the distance of the bodies follows from.
+    /// The equation for the distance of the bodies.
     pub approach: Approach,
-    /// What time begins with.
+    /// The initial state.
     pub start: Start,
     /// T at the end.
     pub duration: f64,
-    /// Instants that a step ends at, beside kinks.
+    /// Instants other than kinks at which a step ends.
     pub instants: Vec<f64>,
 }
 
@@ -120,7 +120,7 @@ const GAUSS: [[f64; 2]; 5] = [
     [0.953_089_922_969_332, 0.118_463_442_528_095],
 ];
 
-/// Instants at which the speed is looked at, beside kinks.
+/// Instants other than kinks at which the speed is sampled.
 const SAMPLES: u32 = 2000;
 
 impl Conditions {
@@ -200,7 +200,7 @@ impl Conditions {
         even.chain(stops)
     }
 
-    /// Whether an instant was asked for.
+    /// Whether an instant is a requested output time.
     pub fn is_asked(&self, time: f64) -> bool {
         let near = 1e-9 * self.duration;
         (self.instants.iter()).any(|other| (other - time).abs() <= near)
@@ -221,7 +221,7 @@ impl Conditions {
             .chain(approach)
     }
 
-    /// How far a step from an instant may go for none of the courses to hide between its ends.
+    /// Largest step from an instant that resolves all courses.
     pub fn visible(&self, time: f64) -> f64 {
         let all = self.courses().map(|course| course.visible(time));
         all.fold(f64::INFINITY, f64::min)
@@ -252,7 +252,7 @@ mod tests {
     use approx::assert_relative_eq;
     use std::f64::consts::TAU;
 
-    /// A ramp from 1 to 3 within T = 2 at a ratio of 0.5: the bodies move by 0.75 and 1.25 of ∫ū = 4; stops in order, kinks told once.
+    /// A ramp from 1 to 3 within T = 2 at a ratio of 0.5: the bodies move by 0.75 and 1.25 of ∫ū = 4; stops in order, kinks listed once.
     #[test]
     fn ways_and_stops_by_hand() {
         let conditions = Conditions {

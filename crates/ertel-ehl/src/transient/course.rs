@@ -1,13 +1,13 @@
 //! A quantity over time.
 //!
 //! ```text
-//!   table: straight lines between rows        smooth: cubics between rows that make no new extremum (Fritsch and Butland 1984)
+//!   table: straight lines between rows        smooth: cubics between rows without new extrema (Fritsch and Butland 1984)
 //!   sine: v_0 + A sin(2π (t − t_0)/period) from t_0 on        step: v_0 up to t_0, v_1 after it
 //! ```
 
 use std::f64::consts::TAU;
 
-/// A quantity over time; units are those of whoever made it.
+/// A quantity over time, in the units of its creator.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Course {
     /// The same at all times.
@@ -87,7 +87,7 @@ impl Course {
         }
     }
 
-    /// How far a step from an instant may go for the course not to hide between its ends: to the second row of a smooth curve, a share of a period of a sine. Kinks end steps anyway.
+    /// Largest step from an instant that resolves the course: to the second row of a smooth curve, a share of a period of a sine. Kinks end steps anyway.
     pub fn visible(&self, time: f64) -> f64 {
         match self {
             Course::Constant(_) | Course::Table(_) | Course::Step { .. } => f64::INFINITY,
@@ -99,7 +99,7 @@ impl Course {
         }
     }
 
-    /// Steps up to an instant for the course not to hide between their ends.
+    /// Steps up to an instant that resolve the course.
     pub fn least_steps(&self, end: f64) -> f64 {
         match self {
             Course::Constant(_) => 0.0,
@@ -186,7 +186,7 @@ fn between(rows: &[[f64; 2]], time: f64, value: impl Fn([f64; 2], f64, usize) ->
     }
 }
 
-/// Slope at a row: a mean of those beside it that is zero where they differ in sign; at the ends zero, as the value stays the same beyond.
+/// Slope at a row: a mean of the two adjacent slopes that is zero where they differ in sign; at the ends zero, as the value stays the same beyond.
 fn slope(rows: &[[f64; 2]], i: usize) -> f64 {
     if i == 0 || i + 1 == rows.len() {
         return 0.0;

@@ -1,9 +1,9 @@
-//! Heat of the grids in time: temperatures of the film by what they were, surfaces by what both bodies remember of the heat that has flown in.
+//! Heat of the grids in time: temperatures of the film from earlier ones, those of the surfaces from the stored heat of both bodies.
 //!
 //! ```text
-//!   T_w at the end of a step = T_bulk + T by what is remembered + K_Δ * q,      K_Δ the response to what flows in during the step
+//!   T_w at the end of a step = T_bulk + T by stored heat + K_Δ * q,      K_Δ the response to the heat of the step
 //! ```
-//! What flows into the bodies beside the next grid is remembered apart: that grid has its surface temperatures given by it.
+//! Heat that enters the bodies outside the next grid is stored separately: it gives the surface temperatures imposed on that grid.
 
 use std::collections::VecDeque;
 
@@ -32,15 +32,15 @@ pub(super) struct GridHeat {
     pressures: VecDeque<Vec<f64>>,
     /// Both bodies.
     below: [Below; 2],
-    /// What they remember.
+    /// Their stored heat.
     own: [Memory; 2],
-    /// What they remember of what flows in beside the next grid; none below the finest.
-    beside: Option<[Memory; 2]>,
+    /// Their stored heat from outside the next grid; none below the finest.
+    outside: Option<[Memory; 2]>,
     /// Ratio by which changes have shrunk from round to round of film and heat, 0 where it is not known.
     contraction: f64,
 }
 
-/// Least ratio of changes that is believed of rounds to come.
+/// Smallest contraction ratio assumed for the coming rounds.
 const LEAST_CONTRACTION: f64 = 0.1;
 
 /// The same for a checkpoint.
@@ -50,11 +50,11 @@ pub(super) struct HeatMemory {
     flux: [Vec<f64>; 2],
     pressures: Vec<Vec<f64>>,
     own: [Memory; 2],
-    beside: Option<[Memory; 2]>,
+    outside: Option<[Memory; 2]>,
     contraction: f64,
 }
 
-/// A step, as the bodies see it.
+/// A step for the bodies.
 #[derive(Clone, Copy)]
 pub(super) struct StepMotion {
     /// Its length, s.
@@ -83,8 +83,8 @@ pub(super) struct HeatTrial {
     warm: Warm,
     pressure: Vec<f64>,
     own: [Memory; 2],
-    beside: Option<[Memory; 2]>,
-    /// Temperatures of both surfaces that the next grid is given.
+    outside: Option<[Memory; 2]>,
+    /// Temperatures of both surfaces imposed on the next grid.
     given: [Vec<f64>; 2],
 }
 
@@ -92,7 +92,7 @@ pub(super) struct HeatTrial {
 pub(super) struct Begun<'a> {
     overs: [Over<'a>; 2],
     carried: [Carried; 2],
-    /// Both surfaces without what flows in on this grid, now or before.
+    /// Temperatures of both surfaces without the heat of this grid, present or past.
     given: [Vec<f64>; 2],
 }
 
@@ -107,16 +107,16 @@ impl GridHeat {
             Below::new(grid, body, heat.length, speed)
         });
         let n = grid.n_nodes();
-        let (temperatures, own, beside) = match &level.warm {
+        let (temperatures, own, outside) = match &level.warm {
             Some(warm) => {
                 let flux = &warm.temperatures.flux;
                 let own = [0, 1].map(|b: usize| below[b].settled(&grid.within_edges(&flux[b])));
-                let beside = level.patch.map(|patch| {
+                let outside = level.patch.map(|patch| {
                     [0, 1].map(|b: usize| {
                         below[b].settled(&grid.within_edges(&outside(grid, patch, &flux[b])))
                     })
                 });
-                (warm.temperatures.clone(), own, beside)
+                (warm.temperatures.clone(), own, outside)
             }
             None => {
                 let cold = || [0, 1].map(|b: usize| below[b].cold(n));
@@ -129,7 +129,7 @@ impl GridHeat {
             pressures: VecDeque::from([level.state.pressure.clone()]),
             below,
             own,
-            beside,
+            outside,
             contraction: (level.warm.as_ref()).map_or(0.0, |warm| shrinks(warm, 0.0)),
         }
     }
@@ -177,7 +177,7 @@ impl GridHeat {
         let f = self.films[0].len() / grid.n_nodes();
         let (mut film, mut flux) = (self.ahead(times), self.flux.clone());
         if sampled.is_none() {
-            // What comes in may have warmed up.
+            // The incoming oil and bodies may have warmed up.
             let arriving = unheated(grid, heat, f).film;
             for [i, j] in grid.nodes().filter(|[i, j]| !grid.is_unknown(*i, *j)) {
                 let own = grid.index(i, j) * f;
@@ -185,7 +185,7 @@ impl GridHeat {
             }
         }
         if let Some((sampled, trial)) = &sampled {
-            // What is given along the edge is that of the grid before at the same instant.
+            // Edge values are those of the coarser grid at the same instant.
             let coarse = &trial.warm.temperatures;
             let edge = || grid.nodes().filter(|[i, j]| !grid.is_unknown(*i, *j));
             for m in 0..f {
@@ -208,7 +208,7 @@ impl GridHeat {
         (begun, (bodies, Temperatures { film, flux }))
     }
 
-    /// Temperatures that those before go on to at the first of some instants, by a line: a parabola goes astray where pressures do.
+    /// Temperatures extrapolated linearly to the first of some instants: a parabola diverges where pressures do.
     fn ahead(&self, times: &[f64]) -> Vec<f64> {
         let known = &times[1..times.len().min(3)];
         match extrapolation(known, times[0])[..] {
@@ -219,7 +219,7 @@ impl GridHeat {
         }
     }
 
-    /// Ends a step with what has been found.
+    /// Ends a step with its solution.
     pub fn end(
         &self,
         level: &Level,
@@ -240,7 +240,7 @@ impl GridHeat {
             remembered(0, first, &flux[0]),
             remembered(1, second, &flux[1]),
         ];
-        let beside = patch.zip(self.beside.as_ref()).map(|(patch, before)| {
+        let outside = patch.zip(self.outside.as_ref()).map(|(patch, before)| {
             [0, 1].map(|b: usize| {
                 let arriving = outside(grid, patch, &flux[b]);
                 let all = remembered(b, overs[b].carried(&before[b]), &arriving);
@@ -252,13 +252,13 @@ impl GridHeat {
         HeatTrial {
             pressure: level.state.pressure.clone(),
             own,
-            beside,
+            outside,
             given,
             warm,
         }
     }
 
-    /// Goes on to the end of a step.
+    /// Advances to the end of a step.
     pub fn accept(&mut self, trial: HeatTrial) -> Warm {
         let Temperatures { film, flux } = &trial.warm.temperatures;
         self.films.push_front(film.clone());
@@ -267,30 +267,30 @@ impl GridHeat {
         self.pressures.push_front(trial.pressure);
         self.pressures.truncate(MEMORY);
         self.own = trial.own;
-        self.beside = trial.beside;
+        self.outside = trial.outside;
         self.contraction = shrinks(&trial.warm, self.contraction);
         trial.warm
     }
 
-    /// Forgets how temperatures and pressures changed until now; what the bodies hold stays.
+    /// Forgets earlier temperatures and pressures; the stored heat of the bodies remains.
     pub fn forget(&mut self) {
         self.films.truncate(1);
         self.pressures.truncate(1);
     }
 
-    /// What it remembers.
+    /// Its state for a checkpoint.
     pub fn memory(&self) -> HeatMemory {
         HeatMemory {
             films: self.films.iter().cloned().collect(),
             flux: self.flux.clone(),
             pressures: self.pressures.iter().cloned().collect(),
             own: self.own.clone(),
-            beside: self.beside.clone(),
+            outside: self.outside.clone(),
             contraction: self.contraction,
         }
     }
 
-    /// Whether it could have remembered something at so many instants.
+    /// Whether a stored state with so many instants fits this grid.
     pub fn fits(&self, memory: &HeatMemory, instants: usize) -> bool {
         let n = self.pressures[0].len();
         let n_film = self.films[0].len();
@@ -302,22 +302,22 @@ impl GridHeat {
             && memory.films.iter().all(|film| film.len() == n_film)
             && (memory.flux.iter().chain(&memory.pressures)).all(|values| values.len() == n)
             && both(&memory.own)
-            && memory.beside.is_some() == self.beside.is_some()
-            && memory.beside.iter().all(both)
+            && memory.outside.is_some() == self.outside.is_some()
+            && memory.outside.iter().all(both)
     }
 
-    /// Goes on from what another one remembered.
+    /// Continues from a stored state.
     pub fn remember(&mut self, memory: &HeatMemory) {
         self.films = memory.films.iter().cloned().collect();
         self.flux = memory.flux.clone();
         self.pressures = memory.pressures.iter().cloned().collect();
         self.own = memory.own.clone();
-        self.beside = memory.beside.clone();
+        self.outside = memory.outside.clone();
         self.contraction = memory.contraction;
     }
 }
 
-/// The ratio by which changes shrank; of a single round that from before.
+/// The ratio by which changes shrank; after a single round the previous ratio.
 fn shrinks(warm: &Warm, before: f64) -> f64 {
     match warm.effort.rounds > 1 {
         true => warm.effort.contraction.max(LEAST_CONTRACTION),

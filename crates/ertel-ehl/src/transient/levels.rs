@@ -1,4 +1,4 @@
-//! One step in time on all grids, coarse to fine: each grid has its own past, and the pressures beyond it from the grid before.
+//! One step in time on all grids, coarse to fine: each grid has its own history, and the pressures outside it from the coarser grid.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -16,7 +16,7 @@ use crate::solve::SolveError;
 use crate::volumes::Plan;
 use crate::volumes::contents::Arrival;
 use crate::volumes::deflection::Deflection;
-use crate::volumes::engine::{TOLD, newton_params, pattern};
+use crate::volumes::engine::{BAR_GRIDS, newton_params, pattern};
 use crate::volumes::heat::rounds::Rounds;
 use crate::volumes::level::{Level, convolution, first_system, refined};
 use crate::volumes::newton::{NewtonInfo, newton};
@@ -24,7 +24,7 @@ use crate::volumes::patches::{first_cells, grid as patch};
 use crate::volumes::preconditioner::Pattern;
 use crate::volumes::system::{State, Storage, System};
 
-/// What of an operator is the same at all instants.
+/// Parts of the operator that do not change in time.
 struct Fixed {
     pattern: Pattern,
     deflection: Arc<Deflection>,
@@ -40,19 +40,19 @@ pub struct Levels {
     separations: Vec<Separations>,
     /// Those instants.
     times: VecDeque<f64>,
-    /// What H_0 follows from.
+    /// The equation for H_0.
     approach: Approach,
     /// ∫P_r.
     unit: f64,
     cavities: Cavities,
-    /// Heat of each grid; none where it does not count.
+    /// Heat of each grid; none in isothermal contacts.
     heat: Vec<GridHeat>,
-    /// What feeds the film at the nodes of each grid at the end of the next step; none where nothing does.
+    /// Source term of the film at the nodes of each grid at the end of the next step; none without a source.
     #[cfg(test)]
     pub(super) source: Vec<Vec<f64>>,
 }
 
-/// Where errors of a step are looked at: the dry contact, and what of it reliefs cover.
+/// Zones of the error estimate of a step: the dry contact, and the part of it that reliefs cover.
 pub struct Zones {
     shape: Shape,
     about: Vec<Relief>,
@@ -72,7 +72,7 @@ impl Zones {
     }
 }
 
-/// Lets the cavities of a grid hold what flows through them, where the gap counted as full.
+/// Gives the cavities of a grid the contents that flow through them, where the gap counted as full.
 fn conserve(level: &mut Level) {
     let (system, state) = (&mut level.system, &mut level.state);
     if system.arrival != Arrival::Flooded {
@@ -98,7 +98,7 @@ pub struct Trial {
     pub error: Option<f64>,
 }
 
-/// What the nodes hold: ρ̄H, or their contents where those are less.
+/// Mass at the nodes: ρ̄H, or their contents where those are less.
 pub(super) fn held(system: &System, state: &State, films: &[f64]) -> Vec<f64> {
     let of_node = |(k, full): (usize, f64)| match state.contents.get(k) {
         Some(content) => content.min(full),
@@ -160,7 +160,7 @@ impl Levels {
         &self.levels
     }
 
-    /// By how much the bodies have come nearer on the finest grid, and the velocity at which they do.
+    /// Approach of the bodies on the finest grid, and its velocity.
     pub fn approached(&self) -> [f64; 2] {
         let finest = self.separations.last();
         finest.map_or([f64::NAN; 2], Separations::approached)
@@ -168,20 +168,20 @@ impl Levels {
 
     /// ∫P over all grids, under a load of reference; `load` is the one at the newest instant.
     pub fn force(&self, load: f64) -> f64 {
-        // What the finest grid is not asked to bear lies beyond it.
+        // The rest of the load is carried outside the finest grid.
         self.levels.last().map_or(f64::NAN, |level| {
             load - level.system.load + level.system.integral(&level.state.pressure)
         })
     }
 
-    /// Lets cavities hold what has flown in, where they are to.
+    /// Lets cavities keep the oil that has flown in, if mass is to be conserved there.
     fn conserve(&self, system: &mut System) {
         if self.cavities == Cavities::Conserved && system.arrival == Arrival::Flooded {
             system.arrival = Arrival::FromEdges;
         }
     }
 
-    /// What they remember.
+    /// Their state for a checkpoint.
     pub(super) fn memory(&self) -> Memory {
         let grids = self.levels.iter().zip(&self.stored).zip(&self.separations);
         Memory {
@@ -204,7 +204,7 @@ impl Levels {
         }
     }
 
-    /// Goes on from what others remembered.
+    /// Continues from a stored state.
     ///
     /// # Errors
     /// For other grids.
@@ -245,7 +245,7 @@ impl Levels {
         Ok(())
     }
 
-    /// Forgets what was before the newest instant, where something has a kink.
+    /// Forgets the instants before the newest one, at a kink.
     pub fn forget(&mut self) {
         self.times.truncate(1);
         for stored in &mut self.stored {
@@ -255,8 +255,8 @@ impl Levels {
         self.heat.iter_mut().for_each(GridHeat::forget);
     }
 
-    /// A step to an instant, at which the problem is what it is then, and until which the bodies move by a `way`, in half-widths; `None` where Newton's method
-    /// does not converge, or film and heat do not.
+    /// A step to an instant, with the problem of that instant and the motion `way` of the bodies, in half-widths; `None` where Newton's method
+    /// or the film-heat coupling does not converge.
     ///
     /// # Errors
     /// When the user wants to stop.
@@ -291,9 +291,9 @@ impl Levels {
                     (system, state)
                 }
                 Some(before) => {
-                    let (mut system, beside) = refined(problem, before, grid, deflection);
+                    let (mut system, coarse) = refined(problem, before, grid, deflection);
                     self.conserve(&mut system);
-                    let state = carried_on(&system, &own.state, beside);
+                    let state = carried_on(&system, &own.state, coarse);
                     (system, state)
                 }
             };
@@ -373,7 +373,7 @@ impl Levels {
     fn error(&self, weights: &Weights, times: &[f64], trial: &Trial, zones: &Zones) -> Option<f64> {
         let share = match weights.share_of_error(times) {
             Some(share) => share,
-            // Of the step before, of the first order: half of what a line through both instants misses.
+            // For first-order steps: half of the difference from the line through both earlier instants.
             None if times.len() == MEMORY => 0.5,
             None => return None,
         };
@@ -397,7 +397,7 @@ impl Levels {
         Some(share * mean(sums[0]).max(mean(sums[1])))
     }
 
-    /// Goes on to a step.
+    /// Accepts a step.
     pub fn accept(&mut self, trial: Trial) {
         self.levels = trial.levels;
         let heat = self.heat.iter_mut().zip(trial.heat);
@@ -416,7 +416,7 @@ impl Levels {
     }
 }
 
-/// Cells of the finest grid over the root of the relative error asked for, where no steady film tells how fine it must be: errors fall with the square of the cell.
+/// Cell size of the finest grid over the root of the target error, where there is no steady film to choose it by: errors fall with the square of the cell.
 const CELL_OVER_ROOT: f64 = 0.25;
 
 /// Grids without pressure, the bodies apart by H at the centre of the contact.
@@ -428,7 +428,7 @@ pub fn apart(problem: &Problem<Plan>, gap: f64) -> Vec<Level> {
     let [mut h, _] = first_cells(problem);
     while levels.len() < plan.most_grids {
         let grid = patch(problem, h, levels.first().map(|level| &level.system.grid));
-        if grid.n_nodes() > plan.max_unknowns && levels.len() >= TOLD {
+        if grid.n_nodes() > plan.max_unknowns && levels.len() >= BAR_GRIDS {
             break;
         }
         let deflection = convolution(problem, &grid);
@@ -455,7 +455,7 @@ pub fn apart(problem: &Problem<Plan>, gap: f64) -> Vec<Level> {
     levels
 }
 
-/// The state before as a start: along the edge arrives what arrives at the end of the step.
+/// The previous state as a start, with the oil that arrives at the edge at the end of the step.
 fn arrived(system: &System, mut state: State) -> State {
     let arriving = system.arrival.contents(&state.wetted);
     for ([i, j], (own, arriving)) in
@@ -468,21 +468,21 @@ fn arrived(system: &System, mut state: State) -> State {
     state
 }
 
-/// The state before as a start: along the edge pressures and contents are those of the grid before.
-fn carried_on(system: &System, own: &State, beside: State) -> State {
+/// The previous state as a start, with edge pressures and contents from the coarser grid.
+fn carried_on(system: &System, own: &State, coarse: State) -> State {
     let grid = &system.grid;
-    let carried = |own: &[f64], beside: &[f64]| {
-        (grid.nodes().zip(own.iter().zip(beside)))
-            .map(|([i, j], (own, beside))| match grid.is_unknown(i, j) {
+    let carried = |own: &[f64], coarse: &[f64]| {
+        (grid.nodes().zip(own.iter().zip(coarse)))
+            .map(|([i, j], (own, coarse))| match grid.is_unknown(i, j) {
                 true => *own,
-                false => *beside,
+                false => *coarse,
             })
             .collect()
     };
     State {
-        pressure: carried(&own.pressure, &beside.pressure),
+        pressure: carried(&own.pressure, &coarse.pressure),
         separation: own.separation,
         wetted: own.wetted.clone(),
-        contents: carried(&own.contents, &beside.contents),
+        contents: carried(&own.contents, &coarse.contents),
     }
 }

@@ -16,16 +16,16 @@ use super::checkpoint::{Checkpoint, OtherGrids};
 use super::conditions::{Cavities, Conditions};
 use super::levels::{Levels, Trial, Zones, apart};
 use super::present::Present;
-use super::told::{At, instant};
+use super::report::{InstantMeta, measure};
 
-/// How steps are chosen.
+/// Step control.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Params {
     /// Relative error of the films that the steps may make in all.
     pub tolerance: f64,
     /// Largest step in T, over the speed at which the surfaces move then.
     pub largest_step: f64,
-    /// The same where something is carried to the contact that no error tells of before it is there: a relief, a layer of oil, a cavity.
+    /// The same where something arrives at the contact that the error estimate cannot see in advance: a relief, a layer of oil, a cavity.
     pub largest_step_of_arrivals: f64,
     /// Smallest step in T.
     pub smallest_step: f64,
@@ -45,7 +45,7 @@ impl Default for Params {
     }
 }
 
-/// What a step may err by, as a mean over the dry contact, over the tolerance of the films to the power of 3/2: films err with the square of the step, a step with
+/// Allowed local error per step (mean over the dry contact), divided by tolerance^(3/2): films err with the square of the step, a step with
 /// its cube. Measured on a ramp of the speed through a line contact, against a tenth of the tolerance: with 0.27, films of 0.38 % where 0.3 % were asked for.
 const STEP_ERROR: f64 = 0.15;
 
@@ -58,12 +58,12 @@ const REFUSED: f64 = 1.5;
 const FIRST_STEP: f64 = 0.02;
 const AFTER_KINK: f64 = 0.1;
 
-/// Share of a relief's shortest length that its body moves by in a step at most while it is in the contact, so that steps see
-/// it whatever their error says of the rest. The amplitudes of waves that are compared with a published table were found with it.
+/// Share of a relief's shortest length that its body moves by in a step at most while it is in the contact, so that steps resolve
+/// it whatever the error estimate of the rest. The comparison of wave amplitudes with a published table uses this value.
 const STEP_OVER_RELIEF: f64 = 1.0 / 24.0;
 
-/// Share of the tolerance of the films that Newton's method and rounds of film and heat leave.
-const LEFT: f64 = 1e-2;
+/// Convergence tolerance of Newton's method and of the film-heat coupling, over the tolerance of the films.
+const SOLVER_SHARE: f64 = 1e-2;
 
 /// A contact at an instant.
 pub struct Instant<'a> {
@@ -73,21 +73,21 @@ pub struct Instant<'a> {
     pub speeds: [f64; 2],
     /// Load over that of reference.
     pub load: f64,
-    /// By how much the bodies have come nearer since the start, in a²/R.
+    /// Approach of the bodies since the start, in a²/R.
     pub approach: f64,
     /// Its rate over T.
     pub approach_velocity: f64,
     /// Force of the film over the load of reference.
     pub film_force: f64,
-    /// Figures, SI, with what grids and steps may err by.
+    /// Figures, SI, with error bars for grids and steps.
     pub measured: Measured,
     /// Length of the step that led here, 0 at the start.
     pub step: f64,
     /// Newton iterations on all grids that it took.
     pub newton_iterations: usize,
-    /// Mass gained on the finest grid, over what passes the centre at the speed of reference.
+    /// Mass gained on the finest grid, over the flow through the centre at the reference speed.
     pub mass_error: f64,
-    /// Whether it was asked for.
+    /// Whether it is a requested output time.
     pub is_asked: bool,
     /// The contact as it is, in the scales of its speed.
     pub problem: &'a Problem<Plan>,
@@ -100,7 +100,7 @@ pub trait TransientObserver: Send + Sync {
     /// An instant is solved.
     fn instant(&mut self, instant: &Instant<'_>);
 
-    /// Who follows the solve of the steady start.
+    /// Observer of the solve of the steady start.
     fn start(&mut self) -> &mut dyn Observer;
 
     /// Whether the user wants to stop.
@@ -108,7 +108,7 @@ pub trait TransientObserver: Send + Sync {
         false
     }
 
-    /// Whether what the run needs to go on from here is to be told.
+    /// Whether a checkpoint is wanted at this instant.
     fn wants_checkpoint(&self) -> bool {
         false
     }
@@ -117,18 +117,18 @@ pub trait TransientObserver: Send + Sync {
     fn checkpoint(&mut self, _checkpoint: Checkpoint) {}
 }
 
-/// How it went.
+/// Statistics of a run.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Info {
     /// Steps taken.
     pub steps: usize,
-    /// Steps that erred by too much, or that Newton's method did not solve.
+    /// Steps rejected for their error or for lack of convergence.
     pub refused: usize,
     /// Newton iterations of all of them on all grids.
     pub newton_iterations: usize,
 }
 
-/// Why time stops.
+/// Reasons for which a run stops.
 #[derive(Debug, thiserror::Error)]
 pub enum TransientError {
     /// No steady contact to begin with.
@@ -150,21 +150,21 @@ pub enum TransientError {
         /// Cell that resolves it.
         needed: f64,
     },
-    /// Steps get shorter and shorter.
+    /// The time step became too small.
     #[error(
-        "no step leads on from {:.4e} s of {:.4e} s: the last one tried is {:.1e} s long, after {} steps",
+        "the time step became too small at {:.4e} s of {:.4e} s: the last one tried was {:.1e} s long, after {} steps",
         time * unit, duration * unit, step * unit, info.steps
     )]
     Stuck {
         /// T reached.
         time: f64,
-        /// T asked for.
+        /// T requested.
         duration: f64,
         /// The last step tried.
         step: f64,
         /// Seconds in T.
         unit: f64,
-        /// How it went so far.
+        /// Statistics so far.
         info: Info,
     },
 }
@@ -179,7 +179,7 @@ impl From<SolveError> for TransientError {
 }
 
 impl TransientError {
-    /// What to try.
+    /// A remedy to suggest to the user.
     pub fn advice(&self) -> Option<&'static str> {
         match self {
             // Time is solved by finite volumes alone.
@@ -195,7 +195,7 @@ impl TransientError {
         }
     }
 
-    /// How it went until then, where there were steps.
+    /// Statistics of the steps until then, if there were any.
     pub fn info(&self) -> Option<Info> {
         match self {
             TransientError::Stuck { info, .. } => Some(*info),
@@ -204,8 +204,8 @@ impl TransientError {
     }
 }
 
-/// Half-widths from the centre within which reliefs count for the length of steps.
-const ABOUT: f64 = 1.1;
+/// Distance from the centre, in half-widths, within which reliefs limit the step.
+const RELIEF_RADIUS: f64 = 1.1;
 
 /// The reliefs of a contact.
 fn reliefs(shape: &Shape) -> impl Iterator<Item = &Relief> {
@@ -215,7 +215,7 @@ fn reliefs(shape: &Shape) -> impl Iterator<Item = &Relief> {
     })
 }
 
-/// Passes on whether the user wants to stop, and nothing else.
+/// Forwards only the user's request to stop.
 struct Quiet<'a>(&'a mut dyn TransientObserver);
 
 impl Observer for Quiet<'_> {
@@ -231,7 +231,7 @@ impl Observer for Quiet<'_> {
 /// Solves a contact from its steady state at T = 0 on. The scales of the problem are those of the speed and the load of reference.
 ///
 /// # Errors
-/// Without a steady start, when steps get too short, and when the user wants to stop; what the observer was told until then stands.
+/// Without a steady start, when steps get too short, and when the user stops the run; instants reported until then remain valid.
 pub fn march(
     problem: Problem<Plan>,
     conditions: &Conditions,
@@ -241,7 +241,7 @@ pub fn march(
     run(problem, conditions, params, None, observer)
 }
 
-/// Goes on from a checkpoint of the same contact, conditions and parameters; the observer is told the instants after it.
+/// Continues from a checkpoint of the same contact, conditions and parameters; the observer receives the instants after it.
 ///
 /// # Errors
 /// As [`march`], and for a checkpoint of another contact.
@@ -263,9 +263,9 @@ fn run(
     observer: &mut dyn TransientObserver,
 ) -> Result<Info, TransientError> {
     let unit = problem.scales.length / problem.scales.entrainment_speed();
-    // What a steady start leaves open changes in the first steps.
+    // The residual of a steady start changes the solution in the first steps.
     let heat = &mut problem.plan.heat;
-    (heat.tolerance, heat.share_of_target) = (LEFT * params.tolerance, 0.0);
+    (heat.tolerance, heat.share_of_target) = (SOLVER_SHARE * params.tolerance, 0.0);
     let present = Present::new(&mut problem, conditions);
     let mut moved = [Pose::START; 2];
     present.set(&mut problem, 0.0, moved);
@@ -278,8 +278,8 @@ fn run(
         Start::Apart { gap, .. } => apart(&problem, gap),
     };
     problem.plan.newton.ends = Ends {
-        balance: LEFT * params.tolerance,
-        ..Ends::of(2.0 * LEFT * params.tolerance)
+        balance: SOLVER_SHARE * params.tolerance,
+        ..Ends::of(2.0 * SOLVER_SHARE * params.tolerance)
     };
     let (cell, needed) = (first.last(), problem.plan.largest_cell);
     if let Some(cell) = cell
@@ -290,15 +290,15 @@ fn run(
     }
     let mut levels = Levels::new(&problem, first, conditions, present.load)?;
     let mut info = Info::default();
-    let tell = |problem: &mut Problem<Plan>,
-                levels: &Levels,
-                at: At,
-                observer: &mut dyn TransientObserver| {
+    let report = |problem: &mut Problem<Plan>,
+                  levels: &Levels,
+                  at: InstantMeta,
+                  observer: &mut dyn TransientObserver| {
         present.in_own_scales(problem, levels);
-        observer.instant(&instant(levels, problem, &present, params, at));
+        observer.instant(&measure(levels, problem, &present, params, at));
     };
     let target = STEP_ERROR * params.tolerance.powf(1.5);
-    // Bodies that are apart by less than a²/R come near to each other within that.
+    // Bodies closer than a²/R approach each other within that time.
     let first_step = match conditions.start {
         Start::Apart { gap, .. } => FIRST_STEP * gap.min(1.0),
         Start::Steady => FIRST_STEP,
@@ -312,25 +312,25 @@ fn run(
             present.set(&mut problem, time, moved);
         }
         None => {
-            let start = At {
+            let start = InstantMeta {
                 is_asked: true,
-                ..At::default()
+                ..InstantMeta::default()
             };
-            tell(&mut problem, &levels, start, observer);
+            report(&mut problem, &levels, start, observer);
         }
     }
-    // As they were when the newest instant was reached: trials that a stop cuts short are done again.
+    // State at the newest instant: a trial step that a stop interrupts is repeated.
     let mut accepted = (step, info);
     let mut ahead = conditions.stops();
     ahead.retain(|(stop, _)| *stop >= time);
     for (stop, is_kink) in ahead {
         while time < stop {
             step = step.min(longest_step(&problem, conditions, params, time));
-            // No sliver before a stop.
-            let left = stop - time;
-            let to = match left {
-                _ if left <= step * (1.0 + 1e-9) => stop,
-                _ if left < 2.0 * step => time + 0.5 * left,
+            // Avoid a very short step before a stop.
+            let remaining = stop - time;
+            let to = match remaining {
+                _ if remaining <= step * (1.0 + 1e-9) => stop,
+                _ if remaining < 2.0 * step => time + 0.5 * remaining,
                 _ => time + step,
             };
             let taken = to - time;
@@ -380,17 +380,17 @@ fn run(
             let newton_iterations = trial.info.iterations;
             levels.accept(trial);
             info.steps += 1;
-            // A step that only a stop has shortened says nothing of longer ones.
+            // A step shortened only by a stop does not limit the next one.
             step = (taken * growth).max(if growth >= 1.0 { step } else { 0.0 });
             (time, moved) = (to, next);
             accepted = (step, info);
-            let at = At {
+            let at = InstantMeta {
                 time,
                 step: taken,
                 newton_iterations,
                 is_asked: time == stop && conditions.is_asked(stop),
             };
-            tell(&mut problem, &levels, at, observer);
+            report(&mut problem, &levels, at, observer);
             let is_cancelled = observer.cancelled();
             if is_cancelled || observer.wants_checkpoint() {
                 observer.checkpoint(Checkpoint {
@@ -413,7 +413,7 @@ fn run(
     Ok(info)
 }
 
-/// Speed over that of reference as which slower ones count for the length of steps.
+/// Lower bound of the speed, over the reference speed, for the length of steps.
 const SLOW: f64 = 1e-3;
 
 /// Longest step that the motion at an instant allows.
@@ -436,7 +436,7 @@ fn longest_step(
         false => params.largest_step,
     };
     let of_motion = (largest / fastest.max(SLOW)).min(conditions.visible(time));
-    let about = reliefs(&problem.shape).filter(|relief| relief.is_within(ABOUT));
+    let about = reliefs(&problem.shape).filter(|relief| relief.is_within(RELIEF_RADIUS));
     about.fold(of_motion, |step, relief| {
         let speed = speeds[match relief.body {
             Body::First => 0,

@@ -4,7 +4,7 @@
 //!   ∂(ρ̄H)/∂T + ∇·F = 0,  P ≥ 0,    F = ū(T) ρ̄H − H₊³ρ̄/(μ̄λ) ∇P,    ΣP dA = w̄(T)
 //!   H = H_0 + G − Σ_b s_b(x − ∫u_b dT) + K * P
 //! ```
-//! Finite volumes ([`crate::volumes`]) with what the film stores at each node: steps of the second order whose length follows from their error, each of them
+//! Finite volumes ([`crate::volumes`]) with the storage term of the film at each node: second-order steps with error control, each
 //! solved on all grids, coarse to fine. Where the film has broken the gap counts as full, as in steady contacts.
 //!
 //! | module | what |
@@ -12,12 +12,12 @@
 //! | [`scheme`] | derivatives in time from instants at uneven distances |
 //! | [`course`] | a quantity over time |
 //! | [`conditions`] | what changes |
-//! | [`body`] | what the distance of the bodies follows from |
+//! | [`body`] | the equation for the distance of the bodies |
 //! | `heat` | temperatures of film and bodies |
 //! | `present` | the contact at an instant |
 //! | [`march`](mod@march) | steps, their errors and lengths |
-//! | [`checkpoint`] | how to go on where a run has stopped |
-//! | `told` | what is told of an instant |
+//! | [`checkpoint`] | the state for continuing a stopped run |
+//! | `report` | the figures reported at an instant |
 //! | [`levels`] | one step on all grids |
 //!
 //! Theory: Time.
@@ -30,8 +30,8 @@ mod heat;
 pub mod levels;
 pub mod march;
 mod present;
+mod report;
 pub mod scheme;
-mod told;
 
 pub use body::{Approach, Mover, Start};
 pub use checkpoint::{Checkpoint, OtherGrids};

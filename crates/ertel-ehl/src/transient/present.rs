@@ -1,4 +1,4 @@
-//! A contact as it is at an instant.
+//! The contact at an instant.
 
 use super::body::{Approach, Start};
 use super::conditions::Conditions;
@@ -11,7 +11,7 @@ use crate::film::FilmFluid;
 use crate::solve::SolveError;
 use crate::volumes::{FiniteVolumes, Plan};
 
-/// Gives the problem the conditions of an instant; load and λ are those of reference at first.
+/// Sets the conditions of an instant in the problem; load and λ are the reference values at first.
 pub(super) struct Present<'a> {
     pub conditions: &'a Conditions,
     /// ∫P_r.
@@ -19,7 +19,7 @@ pub(super) struct Present<'a> {
     lambda: f64,
     /// The fluid at the temperature of reference.
     fluid: FilmFluid,
-    /// That temperature, with which the lubricant comes, and those of both bodies, K; of a contact with heat.
+    /// That temperature of the lubricant at the inlet, and those of both bodies, K; of a thermal contact.
     temperatures: Option<(f64, [f64; 2])>,
 }
 
@@ -29,17 +29,17 @@ const REST: f64 = 1e-6;
 /// Force over the load of reference below which the film bears none.
 const NO_FORCE: f64 = 1e-9;
 
-/// Slowest speed over that of reference for whose steady film there are grids: below, films are those that came before.
+/// Lowest speed, over the reference speed, for whose steady film the grids are refined; below it, earlier films determine the film.
 const SLOWEST: f64 = 0.1;
 
-/// Share of what the start has below which a slower speed, a smaller radius and a thinner layer need grids of their own.
-const LESS: f64 = 0.9;
+/// A speed, radius or oil layer below this share of its initial value needs new grids.
+const REGRID_RATIO: f64 = 0.9;
 
 /// The same of a temperature above that of the start, K.
 const WARMER: f64 = 2.0;
 
 impl<'a> Present<'a> {
-    /// Of a problem in the scales of reference, which gets what changes in its shape.
+    /// Of a problem in the reference scales, whose shape gets the terms that change.
     pub fn new(problem: &mut Problem<Plan>, conditions: &'a Conditions) -> Present<'a> {
         if conditions.radius != Course::Constant(1.0) {
             let ratio = problem.shape.gap.curvature_ratio;
@@ -61,7 +61,7 @@ impl<'a> Present<'a> {
         }
     }
 
-    /// Gives oil and bodies a temperature, K; bodies that have one of their own are warmer or colder than the oil by as much as they are at that of reference.
+    /// Gives oil and bodies a temperature, K; bodies with a separate temperature keep their difference to the oil at the reference temperature.
     fn set_temperature(&self, problem: &mut Problem<Plan>, temperature: f64) {
         problem.fluid = problem.fluid.at_bulk(temperature);
         if let (Some(heat), Some((inlet, bodies))) = (&mut problem.heat, self.temperatures) {
@@ -72,8 +72,8 @@ impl<'a> Present<'a> {
         }
     }
 
-    /// Lets grids be as fine as the steady film needs them that is the thinnest: under the largest load at the slowest speed, with the smallest radius, the thinnest layer and
-    /// the warmest oil. Its pressures count for nothing.
+    /// Refines grids for the thinnest steady film: under the largest load at the lowest speed, with the smallest radius, the thinnest layer and
+    /// the warmest oil. Its pressures are not used.
     pub fn refine_for_thinnest(
         &self,
         problem: &mut Problem<Plan>,
@@ -86,9 +86,9 @@ impl<'a> Present<'a> {
             (conditions.layer.as_ref()).map(|course| [course.at(0.0), conditions.least(course)]);
         let warmest = (conditions.temperature.as_ref())
             .map(|course| [course.at(0.0), course.largest(conditions.duration)]);
-        if slowest > LESS * problem.entrainment.centre[0]
-            && radius > LESS * conditions.radius.at(0.0)
-            && layer.is_none_or(|[start, least]| least > LESS * start)
+        if slowest > REGRID_RATIO * problem.entrainment.centre[0]
+            && radius > REGRID_RATIO * conditions.radius.at(0.0)
+            && layer.is_none_or(|[start, least]| least > REGRID_RATIO * start)
             && warmest.is_none_or(|[start, most]| most < start + WARMER)
         {
             return Ok(());
@@ -115,19 +115,18 @@ impl<'a> Present<'a> {
                 Ok(())
             }
             Err(SolveError::Interrupted) => Err(TransientError::Interrupted),
-            // Time may never come to such a steady state.
+            // The run may never reach such a steady state.
             Err(_) => Ok(()),
         }
     }
 
-    /// The contact in the scales of the speed at the instant, in which what is read off the film in SI is that of a steady contact at this speed; a film at rest keeps those of
-    /// reference.
-    /// Friction is measured by what the film bears.
+    /// The contact in the scales of the speed at the instant, so that figures in SI units are those of a steady contact at this speed; a film at rest keeps the reference scales.
+    /// Friction coefficients refer to the force that the film carries.
     pub fn in_own_scales(&self, problem: &mut Problem<Plan>, levels: &Levels) {
         if self.conditions.approach != Approach::Massless || self.conditions.start != Start::Steady
         {
             let force = levels.force(problem.load);
-            // Nothing is told over a force that vanishes.
+            // No friction coefficient for a force that vanishes.
             problem.scales.load = if force > NO_FORCE * self.load {
                 force
             } else {
@@ -141,7 +140,7 @@ impl<'a> Present<'a> {
         }
     }
 
-    /// The conditions at an instant, and where reliefs are that have moved with their bodies.
+    /// Sets the conditions at an instant, and the places of reliefs that have moved with their bodies.
     pub fn set(&self, problem: &mut Problem<Plan>, time: f64, moved: [Pose; 2]) {
         let [first, second] = self.conditions.velocities(time);
         problem.scales.lambda = self.lambda;
@@ -161,7 +160,7 @@ impl<'a> Present<'a> {
             self.set_layer(problem, course.at(time));
         }
         problem.load = self.load * self.conditions.load.at(time);
-        // What friction is measured by.
+        // The force that friction coefficients refer to.
         problem.scales.load = problem.load;
         for term in &mut problem.shape.gap.terms {
             if let GapTerm::Relief(relief) = term {
@@ -179,7 +178,7 @@ impl<'a> Present<'a> {
     }
 }
 
-/// Gives the gap a radius over that of reference, where it changes.
+/// Sets the radius of the gap, over the reference radius, where it changes.
 fn set_radius(problem: &mut Problem<Plan>, radius: f64) {
     for term in &mut problem.shape.gap.terms {
         if let GapTerm::Curvature(curvature) = term {

@@ -78,7 +78,7 @@ impl Weights {
         weighted.map(|(c, value)| c * value).sum()
     }
 
-    /// What the step errs by, over the difference of its value from the parabola through the three instants before; `None` with fewer.
+    /// Local error of the step, over the difference of its value from the parabola through the three instants before; `None` with fewer.
     pub fn share_of_error(&self, times: &[f64]) -> Option<f64> {
         (self.n > MEMORY).then(|| {
             let k = 1.0 / (self.c[0] * (times[0] - times[MEMORY]));
@@ -87,7 +87,7 @@ impl Weights {
     }
 }
 
-/// Weights by which the polynomial through up to three instants, the newest first, goes on to another one.
+/// Weights that extrapolate the polynomial through up to three instants, the newest first, to another one.
 pub fn extrapolation(times: &[f64], to: f64) -> Vec<f64> {
     let n = times.len().min(MEMORY);
     (0..n)

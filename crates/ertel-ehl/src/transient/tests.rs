@@ -140,7 +140,7 @@ fn run(problem: Problem<Plan>, conditions: &Conditions, params: &Params) -> (Fil
     (films, info)
 }
 
-/// Slide-to-roll ratio of the ramp, and of steady contacts beside it.
+/// Slide-to-roll ratio of the ramp, and of the steady contacts for comparison.
 const SLIDE: f64 = 0.1;
 
 /// From the speed of reference to half of it between T = 1 and 4.
@@ -210,7 +210,7 @@ fn constant_conditions_stay() {
     assert_eq!(info.refused, 0);
 }
 
-/// A ramp of the speed: steps to 0.3 % agree with steps ten times as accurate at all asked instants to that, and the film long after it is that of a steady solve at the new speed.
+/// A ramp of the speed: steps to 0.3 % agree with steps ten times as accurate at all output instants to 0.3 %, and the film long after it is that of a steady solve at the new speed.
 #[test]
 fn films_of_a_ramp_hold_their_tolerance() {
     let params = |tolerance| Params {

@@ -1,11 +1,11 @@
-//! Oil where the film has broken: what leaves the film is all that there is.
+//! Oil in the cavitated region: only oil that leaves the film is there.
 //!
 //! ```text
 //!   c ū = F at the rupture,  ∇·(c ū) = 0 behind it       c: content, ρ̄H of what flows
 //!   θ = c/m                                             share of the gap that oil fills, and of the area on which it shears
 //! ```
 //! Streamers of oil fill the gap over the share θ of the width, air or vapour the rest (Jakobsson and Floberg 1957; Elrod, J. Lubr. Technol. 103, 1981, 350–354).
-//! Contents follow from the balances of the nodes as those of a starved contact do. A flooded contact is solved without them: they say how much is sheared there.
+//! Contents follow from the balances of the nodes as those of a starved contact do. A flooded contact is solved without them; they only determine the shear there.
 //!
 //! Theory: Behind the film.
 
@@ -60,7 +60,7 @@ impl System {
             let [x, y] = grid.place(i, j);
             let [from_x, from_y] = grid.place(inner[0], inner[1]);
             let [u, v] = self.entrainment.at([x, y]);
-            // What leaves through the edge, or flows along it.
+            // Flow out through the edge, or along it.
             if u * (x - from_x) + v * (y - from_y) >= 0.0 {
                 contents[k] = contents[grid.index(inner[0], inner[1])];
             }

@@ -1,4 +1,4 @@
-//! What lies beyond the first grid of a thick film: pressures of rigid parabolas, which fall with the cube of the distance.
+//! The region beyond the first grid of a thick film: pressures of rigid parabolas, which fall with the cube of the distance.
 //!
 //! ```text
 //!   P = λ f(φ) ρ/4H²  of [`super::far_pressure`],   H = H_0 + G,   load beyond = ∫P dA
@@ -31,7 +31,7 @@ const RAYS: usize = 128;
 /// Rounding of an edge, relative.
 const ROUNDING: f64 = 1e-6;
 
-/// Bisections by which the place is found where a stream leaves the film: to 1e-6 of its way.
+/// Bisections for the place where a streamline leaves the film: to 1e-6 of its length.
 const BISECTIONS: usize = 20;
 
 /// Distance from the origin to the end of a box in a direction.
@@ -74,7 +74,7 @@ impl Beyond {
         }
     }
 
-    /// Where the contact area goes beyond a first grid: gives its edge the pressures there, and takes the load beyond it off that of the grid.
+    /// Where the contact area extends beyond a first grid: imposes these pressures at its edge, and subtracts the load beyond from that of the grid.
     pub fn note<Plan>(problem: &Problem<Plan>, system: &mut System, state: &mut State) {
         system.beyond = Beyond::of(problem, &system.grid);
         if let Some(beyond) = system.beyond.clone() {
@@ -82,7 +82,7 @@ impl Beyond {
         }
     }
 
-    /// Gives the edges of a grid the pressures there, and takes the load outside off that of the grid.
+    /// Imposes these pressures at the edges of a grid, and subtracts the load outside from that of the grid.
     pub fn give(&self, shape: &Shape, system: &mut System, state: &mut State) {
         let films = system.films(state);
         for (k, [i, j]) in system.grid.nodes().enumerate() {
@@ -97,7 +97,7 @@ impl Beyond {
             .sum::<f64>();
     }
 
-    /// Where these pressures are above those of a start, so are its own: far from the contact the film would spread by a node in a step.
+    /// Raises the pressures of a start to these: otherwise the film far from the contact would spread by only one node per step.
     pub fn start<Plan>(problem: &Problem<Plan>, system: &System, state: &mut State) {
         let Some(beyond) = &system.beyond else {
             return;
@@ -130,7 +130,7 @@ impl Beyond {
     }
 
     /// G where the oil at a place without pressure left the film; `None` before the contact.
-    fn left(&self, shape: &Shape, place: [f64; 2]) -> Option<f64> {
+    fn departure_gap(&self, shape: &Shape, place: [f64; 2]) -> Option<f64> {
         let since = shape.gap.since_closest(place, [1.0, 0.0]);
         let before = |distance: f64| [place[0] - distance, place[1]];
         let (mut broken, mut full) = (0.0, since);
@@ -144,7 +144,7 @@ impl Beyond {
         (since > 0.0).then(|| shape.gap.value(before(full)))
     }
 
-    /// Points with the areas that they stand for, and the fields there.
+    /// Points with the areas that they represent, and the fields there.
     pub fn points<'a>(
         &'a self,
         shape: &'a Shape,
@@ -166,10 +166,13 @@ impl Beyond {
                 let gap = shape.gap.value(place);
                 let film = separation + gap;
                 let pressure = self.pressure(shape, place, film);
-                let left = self.left(shape, place).filter(|_| pressure.value <= 0.0);
+                let departure_gap = self
+                    .departure_gap(shape, place)
+                    .filter(|_| pressure.value <= 0.0);
                 let fields = PointFields {
                     place,
-                    missing: left.map_or(0.0, |gap| (film - (separation + gap).max(0.0)).max(0.0)),
+                    missing: departure_gap
+                        .map_or(0.0, |gap| (film - (separation + gap).max(0.0)).max(0.0)),
                     pressure: pressure.value,
                     pressure_gradient: pressure.gradient,
                     gap,

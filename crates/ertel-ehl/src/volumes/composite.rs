@@ -30,7 +30,7 @@ impl Composite {
         mesh
     }
 
-    /// Adds what a level has beside the next one, whose nodes have these numbers; returns those of its own.
+    /// Adds the part of a level outside the next one, whose nodes have these numbers; returns the numbers of the nodes of this level.
     fn add(&mut self, levels: &[Level], l: usize, finer: &[u32]) -> Vec<u32> {
         let grid = &levels[l].system.grid;
         let next = (l + 1 < levels.len()).then(|| &levels[l + 1].system.grid);

@@ -1,16 +1,16 @@
-//! Oil in gaps that it does not fill: starved inlets, and what has passed the contact.
+//! Oil in partly filled gaps: starved inlets, and the region behind the contact.
 //!
 //! ```text
-//!   P ≥ 0,  c ≤ m,  P (m − c) = 0,  G = 0         c: content of a node, what the flow carries away from it
-//!   F = ū min(c_u, m) − …                          u: the node upstream, m: at the face, as where the gap is full
+//!   P ≥ 0,  c ≤ m,  P (m − c) = 0,  G = 0         c: content of a node, the oil that the flow carries away
+//!   F = ū min(c_u, m) − …                          u: the node upstream, m: at the face of a filled gap
 //!   ∂/∂T min(c, m) in time                         m: of the node
 //! ```
 //! Where there is pressure the gap is full, and the pressure is unknown; elsewhere the content is (Jakobsson and Floberg 1957; Elrod, J. Lubr.
 //! Technol. 103, 1981, 350–354; Woloszynski, Podsiadlo and Stachowiak, Tribol. Lett. 58, 2015, 18). The minimum of both sides makes the flux
 //! continuous where a gap fills up, for all faces of a node, so that each set has a solution where the other one ends. A layer of uniform thickness
 //! arrives unchanged, whatever the gap is: ū is that of a rigid body, whose fluxes into each volume cancel. The node before the meniscus is partly
-//! filled, and what flows back into it by pressure grows with its content: where gap and viscosity change slowly, the meniscus lies between the
-//! nodes where that says.
+//! filled, and the backflow by pressure grows with its content: where gap and viscosity change slowly, this content places the meniscus between the
+//! nodes.
 //!
 //! Theory: Starved inlets.
 
@@ -66,13 +66,13 @@ impl Arrival {
     }
 }
 
-/// What nodes store in time, with what they hold while they are full; none where time does not count.
+/// Storage of the nodes in time, with their mass while they are full; none in steady contacts.
 pub type Stored<'a> = Option<(&'a Storage, &'a [Node])>;
 
 /// Share of a cell by which rounding may move a node off the meniscus.
 const ON_MENISCUS: f64 = 1e-6;
 
-/// A face of a node: its direction and number, and what its flux counts in the balance of the node.
+/// A face of a node: its direction and number, and the weight of its flux in the balance of the node.
 #[derive(Clone, Copy)]
 pub(super) struct Side {
     pub direction: usize,
@@ -102,8 +102,8 @@ pub(super) fn sides(grid: &Grid, k: usize) -> [Side; 4] {
     ]
 }
 
-/// Contents of the nodes that are not wetted, from those of the nodes along the edge: each one passes on what it gets and does not store. Infinite where it
-/// gets more than can leave it. The fluxes, which are those of full gaps, become those of the contents.
+/// Contents of the nodes that are not wetted, from those of the nodes along the edge: outflow is inflow minus storage. Infinite where the inflow
+/// exceeds the largest outflow. The fluxes, which are those of full gaps, become those of the contents.
 pub fn distribute(
     grid: &Grid,
     faces: &mut [Vec<Face>; 2],
@@ -147,8 +147,8 @@ pub fn distribute(
 pub(super) fn downstream(grid: &Grid, faces: &[Vec<Face>; 2], wetted: &[bool]) -> (Vec<u32>, bool) {
     let nx = grid.n[0];
     let is_broken = |k: usize| !wetted[k] && grid.is_unknown(k % nx, k / nx);
-    // What is entrained into a node through a side comes from the node there.
-    let beside = |side: &Side| {
+    // Entrained flow into a node through a side comes from the neighbour there.
+    let neighbour = |side: &Side| {
         let face = &faces[side.direction][side.face];
         let step = [1, nx][side.direction];
         let rate = side.weight * face.entrainment;
@@ -167,7 +167,7 @@ pub(super) fn downstream(grid: &Grid, faces: &[Vec<Face>; 2], wetted: &[bool]) -
     let mut count = 0;
     for k in (0..grid.n_nodes()).filter(|k| is_broken(*k)) {
         count += 1;
-        waiting[k] = (sides(grid, k).iter().map(beside))
+        waiting[k] = (sides(grid, k).iter().map(neighbour))
             .filter(|(rate, [from, _])| *rate < 0.0 && is_broken(*from))
             .count() as u8;
         if waiting[k] == 0 {
@@ -177,7 +177,7 @@ pub(super) fn downstream(grid: &Grid, faces: &[Vec<Face>; 2], wetted: &[bool]) -
     let mut next = 0;
     while let Some(k) = order.get(next).copied() {
         next += 1;
-        for (rate, [_, to]) in sides(grid, k as usize).iter().map(beside) {
+        for (rate, [_, to]) in sides(grid, k as usize).iter().map(neighbour) {
             if rate > 0.0 && is_broken(to) {
                 waiting[to] -= 1;
                 if waiting[to] == 0 {
@@ -195,7 +195,7 @@ pub(super) fn downstream(grid: &Grid, faces: &[Vec<Face>; 2], wetted: &[bool]) -
     (order, turns)
 }
 
-/// How often contents are passed on.
+/// Sweeps of contents along the flow.
 pub(super) fn rounds(turns: bool) -> usize {
     if turns { MOST_ROUNDS } else { 1 }
 }
@@ -205,7 +205,7 @@ pub(super) fn upstream(face: &Face, k: usize, step: usize) -> usize {
     if face.from_second { k + step } else { k }
 }
 
-/// What leaves a node that gets what the contents around it say; faces are those of full gaps.
+/// Net outflow of a node with the inflow from the contents around it; faces are those of full gaps.
 fn passed_on(
     grid: &Grid,
     faces: &[Vec<Face>; 2],
@@ -213,7 +213,7 @@ fn passed_on(
     contents: &[f64],
     k: usize,
 ) -> f64 {
-    // What flows out and is stored beyond what flows in while the node itself is full, and what is stored in it and entrained out of it: rates and m at the faces.
+    // Outflow and storage minus inflow while the node itself is full; then storage in it and entrainment out of it: rates and m at the faces.
     let mut excess = 0.0;
     let mut leaving = [(0.0, 0.0); 5];
     if let Some((storage, nodes)) = stored {
@@ -245,7 +245,7 @@ fn passed_on(
 /// The content c at which Σ rate max(m − c, 0) is a given excess.
 fn lowered(leaving: [(f64, f64); 5], excess: f64) -> f64 {
     let mut content = f64::NEG_INFINITY;
-    // Each time those drop out that are full with what the others say, five at most.
+    // Each round removes those that are full by the current estimate, five at most.
     for _ in 0..leaving.len() {
         let short = leaving.iter().filter(|(_, mass)| *mass > content);
         let (rates, full) = short.fold((0.0, 0.0), |(rates, full), (rate, mass)| {
@@ -262,7 +262,7 @@ fn lowered(leaving: [(f64, f64); 5], excess: f64) -> f64 {
 /// Rounds at most where the flow turns in circles.
 const MOST_ROUNDS: usize = 20;
 
-/// Relative change of contents in a round that is none.
+/// Relative change of contents in a round that counts as zero.
 const UNCHANGED: f64 = 1e-12;
 
 /// F, what a gap H lacks with some content at the density of no pressure.

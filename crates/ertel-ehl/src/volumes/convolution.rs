@@ -25,7 +25,7 @@ pub struct Convolution {
     forward: Arc<dyn RealToComplex<f64>>,
     backward: Arc<dyn ComplexToReal<f64>>,
     along: [Arc<dyn Fft<f64>>; 2],
-    /// Room for transforms, kept from one to the next: as much as all other vectors of a grid together.
+    /// Work space for transforms, reused: as much memory as all other vectors of a grid together.
     room: Mutex<Room>,
 }
 

@@ -1,11 +1,11 @@
-//! What edges near the contact do to its films.
+//! Effect of edges near the contact on its films.
 //!
 //! ```text
 //!   given at the edges:   P = λ f(φ) ρ/4H²  of [`super::far_pressure`]     around points
 //!                         P = −λ c X/H²,  X < 0,  c = 1/3                  along cylinders
 //! ```
 //! The contact area has P = 0 along its edges. A film that continues outside has about these pressures there, and carries the load outside (Kapitza 1955). One Newton step
-//! from the solution to that film, less one that changes nothing but what was left, is the effect of the edges, to first order.
+//! from the solution to that film, minus one with unchanged edges (the remaining residual), is the effect of the edges to first order.
 
 use ertel_fem::linear::gmres::GmresParams;
 
@@ -45,7 +45,7 @@ pub fn effects(problem: &Problem<Plan>, levels: &[Level]) -> Result<[f64; 2], So
     let Some(there) = stepped(problem, &system, &state)? else {
         return Ok([0.0; 2]);
     };
-    // Coarse grids have minimum films about zero.
+    // Coarse grids have minimum films near zero.
     let size = |film: usize| here[film].abs().max(LEAST_FILM * here[0].abs());
     Ok([0, 1].map(|film: usize| ((there[film] - here[film]) / size(film)).abs()))
 }

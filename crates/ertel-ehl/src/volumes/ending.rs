@@ -1,29 +1,29 @@
-//! When Newton's method ends on a grid: when what the next step would change is far below what the figures are told to.
+//! When Newton's method ends on a grid: when the next step would change the figures by far less than their errors.
 //!
 //! ```text
-//!   left of x after a step:  |δ_n| min(1, |δ_n|/|δ_(n−1)|)        x: ln H of the nodes with pressure, P, ∫|P| dA
+//!   remaining error of x after a step:  |δ_n| min(1, |δ_n|/|δ_(n−1)|)        x: ln H of the nodes with pressure, P, ∫|P| dA
 //! ```
-//! Films settle two or three iterations before the pressures by the ridge, which no grid resolves: those have bars of a tenth of p_h. Pressures far from a thick film are
-//! small, but carry much of the load: that of all changes together counts as well.
+//! Films converge two or three iterations before the pressures by the ridge, which no grid resolves and whose error bars are 0.1 p_h. Pressures far from a thick film are
+//! small, but carry much of the load: the load of all changes must be small as well.
 
 use super::grid::Grid;
 use super::system::{Linearised, State, System};
 
-/// What may be left.
+/// Allowed remaining errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ends {
-    /// Of the film at any node with pressure, relative.
+    /// Film at any node with pressure, relative.
     pub film: f64,
-    /// Of a pressure, in p_h.
+    /// Pressure, in p_h.
     pub pressure: f64,
-    /// Of the balance of the whole film, over what passes through its centre.
+    /// Mass balance of the whole film, over the flow through its centre.
     pub balance: f64,
-    /// Of the load that pressures change by, relative.
+    /// Load of the pressure changes, relative.
     pub load: f64,
 }
 
 impl Ends {
-    /// For films with some relative error. Measured: where the film at the ridge is left with 1e-3, central and minimum film are right to 2e-5 and less,
+    /// For films with some relative error. Measured: with an error of 1e-3 in the film at the ridge, central and minimum film are accurate to 2e-5 or better,
     /// a thirtieth of their bars.
     pub fn of(target_error: f64) -> Ends {
         let film = (SHARE * target_error).clamp(LEAST_END, MOST_END);
@@ -36,19 +36,19 @@ impl Ends {
     }
 }
 
-/// Share of the error of the films that is left of them at the ridge, and what is left of its pressure then: of a ridge of p_h it is 0.03 p_h at most,
-/// where the grids tell it with bars of 0.1 p_h.
+/// Remaining error of the film at the ridge, over the target error; and that of the pressure there, over that of the film: at most 0.03 p_h for a ridge of p_h,
+/// whose error bars from the grids are 0.1 p_h.
 const SHARE: f64 = 0.5;
 const PRESSURE: f64 = 30.0;
 
-/// Share of what is left of the films that is left of the load: a film in the isoviscous rigid regime, the thickest, is inversely proportional to it.
+/// Remaining error of the load, over that of the films: a film in the isoviscous rigid regime, the thickest, is inversely proportional to it.
 const LOAD: f64 = 0.1;
 
-/// Ends by the films of targets as small and as large as can be.
+/// Limits of the allowed error of the film.
 const LEAST_END: f64 = 1e-5;
 const MOST_END: f64 = 1e-3;
 
-/// How the steps on a grid have gone.
+/// History of the steps on a grid.
 #[derive(Debug, Default)]
 pub struct Progress {
     /// H before the last step, and changes by the last steps, the newest first.
@@ -58,7 +58,7 @@ pub struct Progress {
     load: [f64; 2],
 }
 
-/// Share of the central film that others count as at least: coarse grids have films about zero.
+/// Smallest film for relative changes, over the central film: coarse grids have films near zero.
 pub const LEAST_FILM: f64 = 0.1;
 
 /// Share of a change that the linear solves may leave.
@@ -85,8 +85,8 @@ impl Progress {
         self.films.extend(at.nodes.iter().map(|node| node.film));
     }
 
-    /// What is left of the films, of the pressures, and of the load that changes.
-    pub fn left(&self) -> [f64; 3] {
+    /// Remaining errors of the films, the pressures and the load.
+    pub fn remaining(&self) -> [f64; 3] {
         [self.film, self.pressure, self.load].map(|[last, before]| {
             let share = if before > 0.0 { last / before } else { 1.0 };
             last * share.clamp(LEAST_SHARE, 1.0)
@@ -94,7 +94,7 @@ impl Progress {
     }
 }
 
-/// Mass that a grid gains or loses in all nodes whose balance is solved, over what passes the section through its centre.
+/// Mass that a grid gains or loses in all nodes whose balance is solved, over the flow through the section at its centre.
 pub fn balance_error(system: &System, at: &Linearised) -> f64 {
     let grid = &system.grid;
     gained(
@@ -124,7 +124,7 @@ fn gained(
         .sum()
 }
 
-/// What passes the section through the centre, along or across the grid; in time, what would at the speed of reference, as speeds may vanish.
+/// Flow through the section at the centre, along or across the grid; in time, that at the reference speed, as speeds may vanish.
 fn passing(grid: &Grid, at: &Linearised) -> f64 {
     let [i, j] = grid.centre();
     let in_time = at.storage_rate > 0.0;

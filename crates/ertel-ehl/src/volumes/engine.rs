@@ -1,4 +1,4 @@
-//! Finite volumes as an [`Engine`]: one grid after the other until both films are as accurate as asked for.
+//! Finite volumes as an [`Engine`]: one grid after the other until both films reach the target error.
 
 use ertel_fem::linear::lu::LuError;
 use ertel_fem::platform::Instant;
@@ -29,12 +29,12 @@ use crate::solve::SolveError;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FiniteVolumes;
 
-/// How finite volumes go about a problem.
+/// Meshes, tolerances and limits of the finite-volume method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plan {
     /// Relative error of both films at which it ends.
     pub target_error: f64,
-    /// Unknowns of a grid that it may go to.
+    /// Most unknowns of a grid.
     pub max_unknowns: usize,
     /// Newton's method.
     pub newton: NewtonParams,
@@ -44,9 +44,9 @@ pub struct Plan {
     pub most_grids: usize,
     /// Cells of the finest grid at most, in half-widths.
     pub largest_cell: f64,
-    /// Half-widths by which a patch goes beyond the dry contact, in cells of it.
+    /// Margin of a patch around the dry contact, in its cells.
     pub margin: f64,
-    /// Heat, where it counts.
+    /// Heat, in thermal contacts.
     pub heat: Params,
 }
 
@@ -69,7 +69,7 @@ impl Plan {
     }
 }
 
-/// What finite volumes found.
+/// A solution by finite volumes.
 pub struct Volumes {
     /// The grids, coarse to fine.
     pub levels: Vec<Level>,
@@ -79,51 +79,51 @@ pub struct Volumes {
     pub stopped: bool,
     /// Relative changes of central and minimum film where the film continues outside the edges of the contact area.
     pub edge_effects: [f64; 2],
-    /// What flows out of the wetted part of the finest grid less what flows in, over what passes the centre.
+    /// Net outflow of the wetted part of the finest grid, over the flow through the centre.
     pub balance_error: f64,
 }
 
 /// Most grids: cells of 1e-7 of the contact area.
 const MOST_GRIDS: usize = 24;
 
-/// Grids from which the films' errors are told.
+/// Grids required for the error estimate of the films.
 pub const LEAST_GRIDS: usize = 4;
 
-/// Grids by which figures and their bars are told.
-pub const TOLD: usize = 3;
+/// Grids from which figures and their error bars are computed.
+pub const BAR_GRIDS: usize = 3;
 
-/// Grids of a line at least, whose cells are few: on cells of 7e-4 half-widths a spike is resolved that films say nothing of, and shear follows from it.
+/// Fewest grids of a line, whose cells are few: cells of 7e-4 half-widths resolve the pressure spike, which hardly affects the films but determines the shear.
 const LEAST_GRIDS_OF_LINES: usize = 10;
 
 /// Relative residual of the linear solves of lines: iterations on a row cost little, and balances of thick films far in the inlet close.
 const KRYLOV_OF_LINES: f64 = 1e-4;
 
-/// e-folds of the viscosity, on the average to the Hertz pressure, that a step may change it by.
-const STEEP: f64 = 4.0;
+/// Largest change of the viscosity in a step, in e-folds, averaged up to the Hertz pressure.
+const MAX_LN_VISCOSITY_STEP: f64 = 4.0;
 
-/// How Newton's method tries again on a grid where it did not converge: with shorter steps, and more of them.
-const AGAIN: (f64, usize) = (0.05, 100);
+/// Second attempt of Newton's method on a grid where it did not converge: largest change of a pressure, and most iterations.
+const RETRY: (f64, usize) = (0.05, 100);
 
-/// Multiples of the speed over which a first grid is solved that it does not solve then either. On finer grids they have not helped: the films of
+/// Speed factors of the continuation on a first grid where the second attempt fails, too. On finer grids they have not helped: the films of
 /// the grid before are a better start than those of another speed.
 const SPEEDS: [f64; 4] = [64.0, 16.0, 4.0, 1.0];
 
-/// Softness of a law whose shear rate grows exponentially with the stress, by which a grid is solved where it does not converge at once.
+/// Continuation in the softness of a law whose shear rate grows exponentially with the stress, where a grid does not converge at once.
 const SOFTNESS: [f64; 6] = [243.0, 81.0, 27.0, 9.0, 3.0, 1.0];
 
-/// Imbalance of a node, over what is entrained, beyond which a law whose shear rate grows exponentially with the stress is solved over softer ones
-/// at once. Attempts that converge stay below 10, others go beyond 1e6 within two iterations and do not come back.
-const ASTRAY: f64 = 1e4;
+/// Imbalance of a node, over the entrained flow, above which a law whose shear rate grows exponentially with the stress is immediately solved by
+/// continuation. Attempts that converge stay below 10; others exceed 1e6 within two iterations and diverge.
+const DIVERGED_IMBALANCE: f64 = 1e4;
 
-/// Largest change of a pressure in a step: that of [`STEEP`] e-folds of the viscosity, where it is less than usual. By the ridge
-/// of steep viscosities longer steps lead astray.
+/// Largest change of a pressure in a step: that of [`MAX_LN_VISCOSITY_STEP`] e-folds of the viscosity, where it is less than usual. By the ridge
+/// of steep viscosities longer steps diverge.
 fn largest_change(problem: &Problem<Plan>) -> f64 {
     let [viscosity, ..] = problem.fluid.at(1.0).viscosity;
     let usual = problem.plan.newton.largest_change;
-    usual.min(STEEP / viscosity.ln().max(1.0))
+    usual.min(MAX_LN_VISCOSITY_STEP / viscosity.ln().max(1.0))
 }
 
-/// What preconditioners of a grid share.
+/// Pattern shared by all preconditioners of a grid.
 ///
 /// # Errors
 /// When no order of elimination is found.
@@ -136,7 +136,7 @@ pub fn pattern(system: &System) -> Result<Pattern, SolveError> {
     })
 }
 
-/// How Newton's method goes about a problem on any grid.
+/// Parameters of Newton's method for a problem on any grid.
 pub fn newton_params(problem: &Problem<Plan>) -> NewtonParams {
     NewtonParams {
         largest_change: largest_change(problem),
@@ -148,7 +148,7 @@ pub fn newton_params(problem: &Problem<Plan>) -> NewtonParams {
     }
 }
 
-/// Newton's method on a grid: at once, with shorter steps, or over larger speeds.
+/// Newton's method on a grid: directly, with shorter steps, or by continuation from higher speeds.
 fn solve_on(
     problem: &Problem<Plan>,
     system: &mut System,
@@ -162,15 +162,15 @@ fn solve_on(
     let start = state.clone();
     let at_once = NewtonParams {
         most_imbalance: match problem.fluid.is_exponential() {
-            true => ASTRAY,
+            true => DIVERGED_IMBALANCE,
             false => f64::INFINITY,
         },
         ..*params
     };
     let mut all = newton(system, &pattern, state, &at_once, about, observer);
     let patient = NewtonParams {
-        largest_change: AGAIN.0,
-        max_iterations: AGAIN.1,
+        largest_change: RETRY.0,
+        max_iterations: RETRY.1,
         ..*params
     };
     let slowly = [(1.0, 1.0, &patient)];
@@ -214,7 +214,7 @@ fn ended(info: NewtonInfo) -> Result<NewtonInfo, SolveError> {
     }
 }
 
-/// Error of a level's films, relative, by those before.
+/// Relative errors of the films of a level, from those before.
 fn film_errors(stats: &[LevelStats]) -> [f64; 2] {
     let values = |figure| {
         let mut values = stats.iter().rev().map(|level| level.figures.value(figure));
@@ -307,16 +307,18 @@ impl Engine for FiniteVolumes {
                     Err(_) => info.converged = false,
                 }
             }
-            if let (Some(begun), false, true) = (begun, info.converged, n > 0 && n + TOLD < least) {
-                // Too coarse for the film: the next grid begins where this one did.
+            if let (Some(begun), false, true) =
+                (begun, info.converged, n > 0 && n + BAR_GRIDS < least)
+            {
+                // Too coarse for the film: the next grid starts from the same state.
                 state = begun;
                 given_up = info.change;
             } else if !info.converged {
                 if let Some(before) = found.levels.last_mut() {
                     before.patch = None;
                 }
-                let mut told = found.stats.iter().rev().take(TOLD);
-                if found.levels.len() >= LEAST_GRIDS && told.all(|level| level.converged) {
+                let mut newest = found.stats.iter().rev().take(BAR_GRIDS);
+                if found.levels.len() >= LEAST_GRIDS && newest.all(|level| level.converged) {
                     found.stopped = true;
                     break;
                 }
@@ -359,10 +361,10 @@ impl Engine for FiniteVolumes {
             }
             h *= 0.5;
         }
-        // All figures of those grids from which errors are told, which are solutions.
+        // All figures of the grids that the error bars use; these must be solutions.
         let n = found.levels.len();
-        let told = n.saturating_sub(TOLD);
-        if let Some(l) = (told..n).find(|l| !found.stats[*l].converged) {
+        let first = n.saturating_sub(BAR_GRIDS);
+        if let Some(l) = (first..n).find(|l| !found.stats[*l].converged) {
             return Err(SolveError::GridNotConverged {
                 level: l,
                 iterations: found.stats[l].newton_iterations,
@@ -370,7 +372,7 @@ impl Engine for FiniteVolumes {
                 has_reliefs: problem.shape.gap.has_reliefs(),
             });
         }
-        for l in told..n {
+        for l in first..n {
             found.stats[l].figures = figures(problem, &found.levels[..=l]);
         }
         found.edge_effects = effects(problem, &found.levels)?;
@@ -391,9 +393,9 @@ impl Engine for FiniteVolumes {
     }
 }
 
-/// Relative errors of the central film and of all else that are told at least. Where the flow crosses the grid at an angle, contents spread over a cell to
-/// the sides, which errs by the first order beside an error of second order that may have the other sign. Measured on a ball whose grid is turned: up to
-/// a fifth of a cell in the central film, up to one in the minimum film and the friction at the walls. With heat, what rounds of film and heat may leave.
+/// Smallest relative errors reported for the central film and for all other figures. Where the flow crosses the grid at an angle, contents spread over a cell to
+/// the sides: a first-order error in addition to the second-order one, which may have the other sign. Measured on a ball whose grid is turned: up to
+/// a fifth of a cell in the central film, up to one in the minimum film and the friction at the walls. With heat, the tolerance of the film-heat coupling.
 pub fn least_shares(problem: &Problem<Plan>, cell: f64, warm: bool) -> [f64; 2] {
     let is_straight = problem.shape.zone.turn.is_none() && problem.entrainment.spin == 0.0;
     let of_arrival = match Arrival::of(problem) {
@@ -407,11 +409,11 @@ pub fn least_shares(problem: &Problem<Plan>, cell: f64, warm: bool) -> [f64; 2] 
     of_arrival.map(|share| share.max(of_rounds))
 }
 
-/// Relative error of central and minimum film over what is left of the film at the ridge where Newton's method ends (measured: see [`Ends::of`]). No figure is known better, however
-/// alike those of the grids are.
-const LEFT_OF_FILMS: f64 = 0.02;
+/// Relative error of central and minimum film over the remaining error of the film at the ridge where Newton's method ends (measured: see [`Ends::of`]). No figure is more accurate, however
+/// close those of the grids are.
+const RIDGE_ERROR_SHARE: f64 = 0.02;
 
-/// Share of the central film below which there is none where a roller ends, and grids from which that is told: coarse ones have films below zero at steep ends.
+/// Share of the central film below which the ends of a roller count as without film, and the grids needed to decide it: coarse ones have films below zero at steep ends.
 const NO_FILM: f64 = 0.02;
 const GRIDS_OF_ENDS: usize = 6;
 
@@ -484,7 +486,7 @@ impl Solved for Volumes {
         let [central, minimum] = self.edge_effects;
         let of_edges = [central, central.max(minimum)];
         let least = least_shares(problem, cell, warm);
-        let of_end = LEFT_OF_FILMS * problem.plan.newton.ends.film;
+        let of_end = RIDGE_ERROR_SHARE * problem.plan.newton.ends.film;
         let least = [0, 1].map(|i: usize| least[i].max(of_edges[i]).max(of_end));
         let measured = Measured {
             figures: of_grids[0].copied().unwrap_or_default(),

@@ -10,8 +10,8 @@ pub struct Lowest {
     pub film: f64,
     /// Where it is.
     pub place: [f64; 2],
-    /// What no finer grid tells of its error: where the finest grid does not reach it, what the last one that does has changed there; all of it where no film
-    /// has its minimum, on the edge of the first grid.
+    /// Error that finer grids cannot show: outside the finest grid, the change made there by the last grid that covers it; the full value for a
+    /// minimum on the edge of the first grid.
     pub misfit: f64,
 }
 
@@ -109,7 +109,7 @@ impl Around {
         }
     }
 
-    /// Steps from the node to the vertex of the paraboloid, as far as the next nodes; along one direction alone where both together have none.
+    /// Steps from the node to the vertex of the paraboloid, at most to the next nodes; along one direction alone where the paraboloid has no vertex nearby.
     fn vertex(&self) -> [f64; 2] {
         let ([u, v], [a, b], c) = (self.slopes, self.curvatures, self.mixed);
         let determinant = a * b - c * c;
@@ -126,8 +126,8 @@ impl Around {
     }
 }
 
-/// Vertex of the paraboloid through the values at a node that is higher or lower than its neighbours. A side lobe lies askew: separate parabolas along both
-/// directions miss its bottom by what the grid happens to make of it.
+/// Vertex of the paraboloid through the values at a node that is higher or lower than its neighbours. The paraboloid of a side lobe is rotated: separate
+/// parabolas along both directions miss its minimum by an amount that depends on the grid.
 pub fn extreme(grid: &Grid, values: &[f64], i: usize, j: usize) -> (f64, [f64; 2]) {
     let around = Around::new(grid, values, i, j);
     let steps = around.vertex();
@@ -141,8 +141,8 @@ pub fn extreme(grid: &Grid, values: &[f64], i: usize, j: usize) -> (f64, [f64; 2
     (value, grid.turn.to_motion(at))
 }
 
-/// What the top of a hill may rise above the parabola through its node: half of what second differences over one and over two cells disagree by. On a
-/// hill that is smooth on the grid those go as 1 and 4; on a ridge as narrow as the cells they are alike.
+/// Uncertainty of the top of a hill above the parabola through its node: half of the disagreement of second differences over one and two cells. On a
+/// hill that is smooth on the grid their ratio is 1 to 4; on a ridge as narrow as the cells they are equal.
 pub fn sharpness(grid: &Grid, values: &[f64], top: usize) -> f64 {
     let [nx, ny] = grid.n.map(|n| n as i64);
     let at = |x: i64, y: i64| {
@@ -194,7 +194,7 @@ mod tests {
     /// A valley of 3 at (0.03, −0.02) that is ten times as narrow across a line at 40 degrees as along it: one paraboloid through the nodes finds bottom and place,
     /// wherever it lies between them.
     #[test]
-    fn a_valley_that_lies_askew() {
+    fn a_rotated_valley() {
         let grid = square(5);
         let (s, c) = 40f64.to_radians().sin_cos();
         for [x, y] in [[0.03, -0.02], [0.0, 0.04], [-0.01, -0.03]] {
@@ -210,7 +210,7 @@ mod tests {
         }
     }
 
-    /// 1 − x² − y² is no sharper than its parabola; of a ridge that only one column sees, 0.2 high, three quarters of its half are not known.
+    /// 1 − x² − y² is no sharper than its parabola; a ridge on a single column, 0.2 high, is uncertain by three quarters of its half.
     #[test]
     fn a_ridge_between_nodes_is_sharp() {
         let grid = square(7);

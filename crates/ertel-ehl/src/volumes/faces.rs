@@ -7,12 +7,12 @@
 //!   s = (2ab + e²)/(a² + b² + e²) or 0,  e = m/10              limited where slopes differ (van Albada et al. 1982)
 //! ```
 //! φ is exact where ln μ̄ is linear between the nodes. Where stress thins the film, l is ln(μ̄/K) of the nodes, and −H₊³ρ̄/λ · ½(c_a + c_b) is added for the gradient
-//! across (see [`super::thinning`]). A film below zero lets nothing through by pressure; what is entrained keeps its sign, so that a
-//! grid too coarse for a film has a solution, too.
+//! across (see [`super::thinning`]). A negative film has no pressure-driven flow; its entrained flow keeps its sign, and
+//! a grid too coarse for a film still has a solution.
 
 use super::thinning::Thinned;
 
-/// What the film equation sees at a node.
+/// Nodal quantities of the film equation.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Node {
     /// P.
@@ -34,9 +34,9 @@ pub struct Node {
 pub struct Face {
     /// F.
     pub flux: f64,
-    /// ∂F by the pressures on either side, film and entrained mass held.
+    /// ∂F by the pressures on either side, at fixed film and entrained mass.
     pub by_pressure: [f64; 2],
-    /// ∂F by the films on either side, entrained mass held.
+    /// ∂F by the films on either side, at fixed entrained mass.
     pub by_film: [f64; 2],
     /// ∂F by l of either side.
     pub by_resistance: [f64; 2],
@@ -73,7 +73,7 @@ pub fn fitted(a: f64, b: f64) -> [f64; 3] {
     [phi, (phi - ea) / d, (eb - phi) / d]
 }
 
-/// Change of m from node to node, relative, up to which slopes that differ are no kink.
+/// Relative change of m from node to node below which differing slopes do not count as a kink.
 const SMOOTH: f64 = 0.1;
 
 /// m at a face from the nodes uu, u, d, and its derivatives by them.
@@ -100,7 +100,7 @@ pub fn upwind([uu, u, d]: [f64; 3]) -> (f64, [f64; 3]) {
     (value, slopes)
 }
 
-/// What resists the pressure at a node along the direction of a face: l and c with their derivatives by P and by H.
+/// Resistance to pressure-driven flow at a node along the direction of a face: l and c with their derivatives by P and by H.
 #[derive(Clone, Copy, Debug)]
 pub struct Resistance {
     /// l.

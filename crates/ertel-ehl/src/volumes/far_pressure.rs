@@ -31,7 +31,7 @@ pub struct PressureThere {
 }
 
 /// The angles before and after one.
-fn beside(n: usize) -> (usize, usize) {
+fn neighbours(n: usize) -> (usize, usize) {
     ((n + ANGLES - 1) % ANGLES, (n + 1) % ANGLES)
 }
 
@@ -42,13 +42,13 @@ fn pressures(own: &[[f64; 2]], side: &[f64], full: &[bool], f: &mut [f64]) {
     // f_n = value + factor f_(n+1).
     let mut rows = vec![[0.0; 2]; ANGLES];
     for n in (0..ANGLES).map(around).filter(|n| full[*n]) {
-        let (before, _) = beside(n);
+        let (before, _) = neighbours(n);
         let ([mass, drag], (low, high)) = (own[n], (side[before], side[n]));
         let pivot = mass + low + high - low * rows[before][1];
         rows[n] = [(drag + low * rows[before][0]) / pivot, high / pivot];
     }
     for n in (0..ANGLES).rev().map(around) {
-        let (_, after) = beside(n);
+        let (_, after) = neighbours(n);
         f[n] = match full[n] {
             true => rows[n][0] + rows[n][1] * f[after],
             false => 0.0,
@@ -84,7 +84,7 @@ impl FarPressure {
         loop {
             pressures(&own, &side, &full, &mut f);
             let fills = |n: usize| {
-                let (before, after) = beside(n);
+                let (before, after) = neighbours(n);
                 own[n][1] + side[before] * f[before] + side[n] * f[after] > 0.0
             };
             let more: Vec<usize> = (0..ANGLES).filter(|n| !full[*n] && fills(*n)).collect();

@@ -5,9 +5,9 @@
 //!   c = r/(1 − r) within [⅓, 1],  f = ⅛        c = 1,  f = ¼ where d_1 and d_2 have opposite signs          films
 //!   c = r/(1 − r) within [⅓, 1 + √2]           c = 1,  f = ½; f = ½ where r < ⅛, too                            other figures
 //! ```
-//! c is what is left of a geometric series of differences: ⅓ where they fall with the square of the cell, 1 where they fall with it, 1 + √2 with its
-//! root; at least 1 where grids do not resolve the thinnest film. A difference that vanishes by chance is held up by the one before. Where one
-//! turns, or is about to (falls faster than with the cube of the cell), f is what is left where the one before falls with the cell. Films, which grids are refined for, do not fall more slowly than with the cell.
+//! c is the remainder of a geometric series of differences: ⅓ for second order in the cell size, 1 for first order, 1 + √2 for order one
+//! half; at least 1 where grids do not resolve the thinnest film. A difference that vanishes by chance is bounded from below by the previous one. Where a difference
+//! changes sign, or is about to (falls faster than the cube of the cell size), f is the remainder if the previous one falls at first order. Films, for which the grids are refined, converge at first order or better.
 
 use super::extremes::{extreme, lowest, sharpness};
 use super::fields::profile;
@@ -45,7 +45,7 @@ pub fn figures<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
     let meniscus = layer.and_then(|layer| profile.meniscus_of_contents(layer.thickness));
     let (outlet, distance) = outlet(&profile);
     note_film(&mut figures, problem, &film, &profile, outlet, meniscus);
-    // Between two nodes: known to half of their distance, as the meniscus is.
+    // Between two nodes: accurate to half of their distance, as the meniscus is.
     note_misfit(
         &mut figures,
         Figure::OutletPosition,
@@ -100,7 +100,7 @@ fn note_roller<Plan>(
         (Figure::EdgePressureLeft, -1.0),
         (Figure::EdgePressureRight, 1.0),
     ];
-    // Where one half is solved, it is the left one.
+    // If only one half is solved, it is the left one.
     for (figure, sign) in ends.into_iter().take(if grid.half { 1 } else { 2 }) {
         let largest = (grid.nodes())
             .filter(|[i, j]| sign * grid.on_axes(*i, *j)[1] >= quarter)
@@ -139,29 +139,29 @@ fn note_roller<Plan>(
     }
 }
 
-/// What a share of the Hertz zone, counted by nodes, may err by, in cells: half a cell along its boundary, which is taken for as long over the zone as that of a strip
-/// of one half, and vanishes with the share or with what is left of the zone as that of a circle.
+/// Sampling error of an area fraction of the Hertz zone, in cells: half a cell along its boundary. The length of the boundary is that of a strip at a share of one half;
+/// it vanishes at shares of zero and one like that of a circle.
 fn boundary_of_share(share: f64) -> f64 {
     2.0 * (share * (1.0 - share)).max(0.0).sqrt()
 }
 
-/// Says what a figure that is there may be off by on its grid.
+/// Sets the grid error of a figure, if there is one.
 fn note_misfit(figures: &mut Figures, figure: Figure, misfit: f64) {
     if let Some(reading) = figures.get(figure) {
         figures.note(figure, Reading { misfit, ..reading });
     }
 }
 
-/// What the highest node of a spike stands above those beside it, on the average: a peak between nodes may rise above it by as much.
+/// Mean rise of the highest node of a spike above its neighbours: a peak between nodes may exceed it by as much.
 fn rise_of_spike(profile: &Profile) -> Option<f64> {
     let (top, x) = profile.spike()?;
     let i = profile.x.iter().position(|other| *other == x)?;
-    let beside = |i: usize| profile.fields.get(i).map(|fields| fields.pressure);
-    Some(top - 0.5 * (beside(i.checked_sub(1)?)? + beside(i + 1)?))
+    let neighbour = |i: usize| profile.fields.get(i).map(|fields| fields.pressure);
+    Some(top - 0.5 * (neighbour(i.checked_sub(1)?)? + neighbour(i + 1)?))
 }
 
-/// Where the film breaks on the centreline, and the distance of the nodes there: pressures end with the square of the distance, so that their roots point there
-/// from the last two nodes.
+/// Outlet boundary of the film on the centreline, and the distance of the nodes there: pressures end with the square of the distance, and their roots
+/// at the last two nodes are extrapolated to zero.
 fn outlet(profile: &Profile) -> (f64, f64) {
     let node = profile.outlet();
     let Some(i) = profile
@@ -180,7 +180,7 @@ fn outlet(profile: &Profile) -> (f64, f64) {
     }
 }
 
-/// The largest pressure, that of the hill in the middle, and that of the ridge beside it.
+/// The largest pressure, that of the central hill, and that of the ridge.
 fn note_pressures<Plan>(figures: &mut Figures, problem: &Problem<Plan>, level: &Level, h_c: f64) {
     let scales = &problem.scales;
     let (grid, pressure) = (&level.system.grid, &level.state.pressure);
@@ -224,21 +224,21 @@ fn note_pressures<Plan>(figures: &mut Figures, problem: &Problem<Plan>, level: &
 /// Factor on all bars.
 const SAFETY: f64 = 1.5;
 
-/// What is left at least, over the difference before: at second order and a half.
+/// Smallest remaining error, over the previous difference: at an order of two and a half.
 const LEAST_SHARE: f64 = 1.0 / 8.0;
 
 /// Ratio of differences that fall with the cube of the cell: faster ones vanish by chance, or before their sign changes.
 const QUICKEST: f64 = 1.0 / 8.0;
 
-/// How slowly the differences of a figure may fall.
+/// Slowest convergence assumed for the differences of a figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slowest {
-    /// What is left of the series at most, over its last difference.
-    left: f64,
-    /// What is left at least where the sign changes, over the difference before.
-    left_of_turns: f64,
-    /// The same where the last difference all but vanishes.
-    left_of_vanishing: f64,
+    /// Largest remaining error of the series, over its last difference.
+    remaining: f64,
+    /// Smallest remaining error where the sign changes, over the previous difference.
+    remaining_at_turn: f64,
+    /// The same where the last difference nearly vanishes.
+    remaining_if_vanishing: f64,
 }
 
 impl Slowest {
@@ -252,26 +252,26 @@ impl Slowest {
 
     /// Of central and minimum film.
     pub const OF_FILMS: Slowest = Slowest {
-        left: 1.0,
-        left_of_turns: 1.0 / 4.0,
-        left_of_vanishing: LEAST_SHARE,
+        remaining: 1.0,
+        remaining_at_turn: 1.0 / 4.0,
+        remaining_if_vanishing: LEAST_SHARE,
     };
     /// Of all else: with the root of the cell, r = 1/√2; where the sign changes, with the cell.
     pub const OF_OTHERS: Slowest = Slowest {
-        left: 1.0 + std::f64::consts::SQRT_2,
-        left_of_turns: 1.0 / 2.0,
-        left_of_vanishing: 1.0 / 2.0,
+        remaining: 1.0 + std::f64::consts::SQRT_2,
+        remaining_at_turn: 1.0 / 2.0,
+        remaining_if_vanishing: 1.0 / 2.0,
     };
 }
 
-/// What of the outer half of a sum is uncertain. Gaps are parabolas up to where the bodies end; beside round bodies ∫dA/h of the outer half is smaller by up to
+/// Relative uncertainty of the outer half of an integral (truncated gap). Gaps are parabolas up to the ends of the bodies; for round bodies ∫dA/h of the outer half is smaller by up to
 /// 0.18, between a ball and its groove by 0.4.
 const SHARE_OF_END: f64 = 0.5;
 
-/// Change of the minimum film from grid to grid, relative, from which the grids do not resolve it.
+/// Relative change of the minimum film from grid to grid above which it counts as not resolved.
 const THINNEST_RESOLVED: f64 = 0.05;
 
-/// What the last of up to three values errs by, the newest first; `settled`: whether differences may be taken for those of a higher order.
+/// Error of the last of up to three values, the newest first; `settled`: whether differences may be taken for those of a higher order.
 pub fn bar(values: [Option<f64>; 3], settled: bool, slowest: Slowest) -> Option<f64> {
     let [Some(here), Some(before), first] = values else {
         return None;
@@ -283,10 +283,10 @@ pub fn bar(values: [Option<f64>; 3], settled: bool, slowest: Slowest) -> Option<
     let former = before - first;
     let ratio = (last / former).abs();
     let turns = last * former < 0.0;
-    // No number where all three are alike.
+    // NaN where all three are equal.
     let series = match ratio < 1.0 {
-        true => (ratio / (1.0 - ratio)).min(slowest.left),
-        false => slowest.left,
+        true => (ratio / (1.0 - ratio)).min(slowest.remaining),
+        false => slowest.remaining,
     };
     let share = match (turns, settled) {
         (true, _) => 1.0,
@@ -294,14 +294,14 @@ pub fn bar(values: [Option<f64>; 3], settled: bool, slowest: Slowest) -> Option<
         (false, false) => series.max(1.0),
     };
     let least = match turns {
-        true => slowest.left_of_turns,
-        false if ratio < QUICKEST => slowest.left_of_vanishing,
+        true => slowest.remaining_at_turn,
+        false if ratio < QUICKEST => slowest.remaining_if_vanishing,
         false => LEAST_SHARE,
     };
     Some(SAFETY * (share * last.abs()).max(least * former.abs()))
 }
 
-/// Whether the last two of the minimum films are alike.
+/// Whether the last two minimum films agree.
 pub fn is_settled(minimum: [Option<f64>; 3]) -> bool {
     let [Some(here), Some(before), _] = minimum else {
         return false;
@@ -334,19 +334,19 @@ pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64, least: [f64; 2]) -> Bars
             Figure::FilmCentral => least[0] * reading.size,
             _ => least[1] * reading.size,
         };
-        // No maximum: it would lose a number that is none.
+        // Not `max`: it would lose NaN.
         let value = if value < least { least } else { value };
-        // A film below zero is none: not resolved.
+        // A film below zero is not resolved.
         let value = match figure {
             Figure::FilmMinimum | Figure::FilmCentral if reading.value <= 0.0 => {
                 value.max(2.0 * reading.value.abs())
             }
             Figure::FilmCentral => value,
-            // Differences of both may turn by chance, and seldom at once.
+            // Differences of both may change sign by chance, but rarely at the same time.
             Figure::FilmMinimum => value
                 .max(reading.misfit)
                 .max(SAFETY * central * reading.size),
-            // Nothing is known better than the film that it goes with.
+            // No figure is more accurate than the film that it depends on.
             Figure::FilmCentrelineMinimum => value.max(minimum * reading.size),
             _ => {
                 let value = value.max(central * reading.size).max(reading.misfit);
@@ -371,13 +371,13 @@ pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64, least: [f64; 2]) -> Bars
     bars
 }
 
-/// The largest pressure is known no better than a narrow peak that no grid resolves and that may be higher: on the finest grids it still grows, by as much from grid to grid.
-/// Of one that fewer than three grids see nothing is known but that it is there.
+/// The largest pressure is no more accurate than a narrow peak that no grid resolves and that may be higher: on the finest grids it still grows by the same amount from grid to grid.
+/// A peak on fewer than three grids has no error bar.
 fn widen_by_peak(bars: &mut Bars, peak: Figure, of_grids: [Option<&Figures>; 3]) {
     let values = of_grids.map(|figures| figures?.value(peak));
     let largest = of_grids[0].and_then(|figures| figures.value(Figure::PressureMaximum));
     let (Some(height), Some(largest), Some(_)) = (values[0], largest, of_grids[1]) else {
-        // None of the figures of a single grid has a bar.
+        // Figures of a single grid have no bars.
         return;
     };
     let mut widen = |figure: Figure, error: f64| {
@@ -404,7 +404,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     /// By hand: 1.16, 1.04, 1.01 fall with the square and err by 0.01, held up to an eighth of 0.12; 1.4, 1.2, 1.1 with the cell and err by 0.1; a difference
-    /// that vanishes counts an eighth of the one before, one that turns a quarter; one grid more than another has no order to tell.
+    /// that vanishes counts an eighth of the one before, one that turns a quarter; two grids alone show no order.
     #[test]
     fn bars_by_hand() {
         let bar = |values, settled| bar(values, settled, Slowest::OF_FILMS);
@@ -426,8 +426,8 @@ mod tests {
         );
     }
 
-    /// Peaks of 0.65, 0.72 and 0.80 GPa beside a middle of 1.01 may grow beyond it: the largest pressure has the bar of the peak; ones of 0.25, 0.28 and
-    /// 0.30 may not; of one that the last grid alone sees nothing is known.
+    /// Peaks of 0.65, 0.72 and 0.80 GPa next to a central pressure of 1.01 may grow beyond it: the largest pressure has the bar of the peak; ones of 0.25, 0.28 and
+    /// 0.30 may not; a peak on the last grid alone has no bar.
     #[test]
     fn a_growing_peak_may_be_the_largest_pressure() {
         let bar_of = |peaks: [Option<f64>; 3]| {
@@ -444,15 +444,15 @@ mod tests {
             bars.get(Figure::PressureMaximum).unwrap().value / 1e9
         };
         let growing = bar_of([Some(0.80), Some(0.72), Some(0.65)]);
-        let left = SAFETY * (1.0 + std::f64::consts::SQRT_2) * 0.08;
-        assert_relative_eq!(growing, left, max_relative = 1e-9);
+        let remaining = SAFETY * (1.0 + std::f64::consts::SQRT_2) * 0.08;
+        assert_relative_eq!(growing, remaining, max_relative = 1e-9);
         assert!(bar_of([Some(0.30), Some(0.28), Some(0.25)]) < 1e-5);
         assert!(bar_of([None; 3]) < 1e-5);
         assert_relative_eq!(bar_of([Some(0.65), None, None]), 0.65, max_relative = 1e-9);
     }
 
     /// f = 3 + h^q errs by h^q: the bars of figures cover that at any order from ½ to 4, and are wider than needed by the factor alone below the second. Where
-    /// 0.3 h falls short of 0.4 h² on coarse grids and outweighs it on fine ones, the differences turn, and vanish at h = 0.25, while 0.05 is left.
+    /// 0.3 h falls short of 0.4 h² on coarse grids and outweighs it on fine ones, the differences change sign, and vanish at h = 0.25, while the error is 0.05.
     #[test]
     fn bars_cover_sequences_of_known_order() {
         let of = |f: &dyn Fn(f64) -> f64, h: f64| {
@@ -464,7 +464,7 @@ mod tests {
                 let error = h.powf(order);
                 let own = of(&|h: f64| 3.0 + h.powf(order), h);
                 assert!(own >= error, "order {order}: {own} of {error}");
-                // From the second order on the difference before holds it up.
+                // From second order on, the previous difference bounds it from below.
                 let factor = own / SAFETY / error;
                 match order {
                     ..2.0 => assert_relative_eq!(factor, 1.0, max_relative = 1e-9),
@@ -473,15 +473,15 @@ mod tests {
                 }
             }
         }
-        for (h, left) in [(0.5, 0.05), (0.4, 0.056), (0.3, 0.054), (0.25, 0.05_f64)] {
+        for (h, remaining) in [(0.5, 0.05), (0.4, 0.056), (0.3, 0.054), (0.25, 0.05_f64)] {
             let own = of(&|h: f64| 3.0 + 0.3 * h - 0.4 * h * h, h);
-            assert_relative_eq!(left, 0.3 * h - 0.4 * h * h, max_relative = 1e-9);
-            assert!(own >= left, "at {h}: {own} of {left}");
+            assert_relative_eq!(remaining, 0.3 * h - 0.4 * h * h, max_relative = 1e-9);
+            assert!(own >= remaining, "at {h}: {own} of {remaining}");
         }
     }
 
-    /// Round bodies beside the parabolas, from half of their radius on, by sums in 10,000 steps: ∫dA/h of a sphere, ∫dx/h of a cylinder. Both are smaller by
-    /// less than what bars hold of that part.
+    /// Round bodies compared with parabolas, from half of their radius on, by sums in 10,000 steps: ∫dA/h of a sphere, ∫dx/h of a cylinder. Both differ by
+    /// less than the error bars allow for that part.
     #[test]
     fn outer_half_of_round_bodies() {
         let n = 10_000;
@@ -501,7 +501,7 @@ mod tests {
         }
     }
 
-    /// A ball of 4.763 mm in a groove of 4.953 mm, across the motion from half of the ball's radius on, by the same sum: ∫dy/h is smaller by 0.39 than beside the parabola,
+    /// A ball of 4.763 mm in a groove of 4.953 mm, across the motion from half of the ball's radius on, by the same sum: ∫dy/h is smaller by 0.39 than for the parabola,
     /// whose curvatures nearly cancel.
     #[test]
     fn outer_half_of_a_ball_in_its_groove() {

@@ -8,7 +8,7 @@ use crate::contact::Shape;
 use crate::engine::region::Region;
 use crate::engine::{Film, Point, PointFields, PointTable};
 
-/// The film of grids, each inside the one before, with the table of its nodes.
+/// The film on nested grids, with the table of its nodes.
 pub struct PatchedFilm<'a> {
     shape: Shape,
     levels: &'a [Level],
@@ -19,9 +19,9 @@ pub struct PatchedFilm<'a> {
 const ROWS: usize = 8;
 
 impl<'a> PatchedFilm<'a> {
-    /// Of the first grids of a solve, the last of which is not looked beyond.
+    /// Of the first grids of a solve; grids finer than the last one are ignored.
     pub fn new(shape: &Shape, levels: &'a [Level]) -> PatchedFilm<'a> {
-        // Not by threads that wait for each other.
+        // Without threads that wait for each other.
         for level in levels {
             level.held();
         }
@@ -82,7 +82,7 @@ impl<'a> PatchedFilm<'a> {
     }
 }
 
-/// Share of its cell that a node of a level stands for beside the next one.
+/// Share of its cell that a node of a level represents outside the next one.
 pub fn share(levels: &[Level], l: usize, i: usize, j: usize) -> f64 {
     match l + 1 == levels.len() {
         true => levels[l].system.grid.share(i, j),
@@ -98,7 +98,7 @@ fn inside(region: &Region, grid: &Grid, i: usize, j: usize) -> f64 {
         let [x, y] = region.unit(grid.turn.to_motion(at));
         x.hypot(y)
     };
-    // Far from the end no distance to it is asked for: it does not change by more within a cell than what its sides are long.
+    // Far from the end the distance is not computed: within a cell it changes by no more than the length of the sides.
     let beyond = radius(0.0, 0.0) - 1.0;
     let sides = [[grid.spacing[0], 0.0], [0.0, grid.spacing[1]]];
     let most: f64 = (sides
@@ -211,7 +211,7 @@ fn at(shape: &Shape, level: &Level, place: [f64; 2]) -> Option<PointFields> {
         }
         let at = axes[d] / grid.spacing[d] - grid.first[d] as f64;
         let [first, last] = grid.ends(d).map(|n| (n - grid.first[d]) as f64);
-        // Rounding does not lead out of the grid.
+        // Rounding must not lead out of the grid.
         if !(first - ON_EDGE..=last + ON_EDGE).contains(&at) {
             return None;
         }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::rows::Rows;
 use crate::contact::{HertzZone, Turn};
 
-/// Layers of nodes along an edge whose pressure is given: what the third-order upwind fluxes reach for.
+/// Layers of nodes along an edge whose pressure is given: the reach of the third-order upwind fluxes.
 pub const RING: usize = 2;
 
 /// Nodes of a patch, lines along the principal directions of the bodies; one node is the centre of the contact.
@@ -82,7 +82,7 @@ impl Grid {
         }
     }
 
-    /// The grid of a line contact over these columns, counted from the middle at the distance h: one row that stands for a unit of length.
+    /// The grid of a line contact over these columns, counted from the middle at the distance h: one row that represents a unit of length.
     pub fn of_line(columns: [i64; 2], h: f64) -> Grid {
         Grid {
             spacing: [h, 1.0],
@@ -96,7 +96,7 @@ impl Grid {
         }
     }
 
-    /// Whether all is the same along the second direction, and nothing flows there.
+    /// Whether it is the grid of a line contact: nothing varies or flows along the second direction.
     #[inline(always)]
     pub fn is_line(&self) -> bool {
         self.n[1] == 1
@@ -122,7 +122,7 @@ impl Grid {
         }
     }
 
-    /// Numbers, counted from the centre, of the nodes along a direction at which what the grid stands for begins and ends.
+    /// Numbers, counted from the centre, of the first and last node of the area that the grid represents, along a direction.
     pub fn ends(&self, direction: usize) -> [i64; 2] {
         let first = self.first[direction];
         let [before, behind] = self.walls[direction].map(i64::from);
@@ -137,7 +137,7 @@ impl Grid {
         [self.spacing[0], self.spacing[1] / self.stretch]
     }
 
-    /// The box that it stands for, with its mirror image, in the plane in which the zone is the unit circle.
+    /// The box that it represents, with its mirror image, in the plane in which the zone is the unit circle.
     pub fn bounds(&self) -> [[f64; 2]; 2] {
         let cell = self.unit_cell();
         [0, 1].map(|d: usize| {
@@ -212,7 +212,7 @@ impl Grid {
         (RING..self.n[0] - RING).contains(&i) && self.inner_rows().contains(&j)
     }
 
-    /// Share of the length of its cell that a node stands for along a direction: none outside the contact area, half where the grid ends. The centreline of a half
+    /// Share of the length of its cell that a node represents along a direction: none outside the contact area, half where the grid ends. The centreline of a half
     /// counts with its mirror image.
     #[inline(always)]
     pub fn share_along(&self, direction: usize, at: usize) -> f64 {
@@ -234,7 +234,7 @@ impl Grid {
         }
     }
 
-    /// What a row of a half counts: one that is the centreline counts half.
+    /// Weight of a row of a half grid: the centreline counts half.
     #[inline(always)]
     pub fn mirrored_share(&self, j: usize) -> f64 {
         if self.half && j + 1 == self.n[1] {
@@ -244,7 +244,7 @@ impl Grid {
         }
     }
 
-    /// Share of its cell that a node stands for in sums.
+    /// Share of its cell that a node represents in sums.
     #[inline(always)]
     pub fn share(&self, i: usize, j: usize) -> f64 {
         self.share_along(0, i) * self.share_along(1, j) * self.mirrored_share(j)

@@ -1,4 +1,4 @@
-//! From a grid to one with cells of half the size on a smaller patch; pressures beyond the patch stand.
+//! From a grid to one with cells of half the size on a smaller patch; pressures outside the patch remain fixed.
 
 use std::sync::{Arc, OnceLock};
 
@@ -24,7 +24,7 @@ pub struct Level {
     pub patch: Option<[[usize; 2]; 2]>,
     /// Heat, where it counts.
     pub warm: Option<Warm>,
-    /// Contents of the nodes, once they are asked for.
+    /// Contents of the nodes, computed on first use.
     pub contents: OnceLock<Vec<f64>>,
 }
 
@@ -41,7 +41,7 @@ impl Level {
         }
     }
 
-    /// What each node lacks of a full gap, F.
+    /// Missing oil at each node compared with a full gap, F.
     pub fn missing(&self, k: usize) -> f64 {
         missing(self.films[k], self.held()[k], self.ambient_density())
     }
@@ -63,7 +63,7 @@ impl Level {
             .is_some_and(|[x, y]| (x[0]..=x[1]).contains(&i) && (y[0]..=y[1]).contains(&j))
     }
 
-    /// Share of its cell that a node stands for outside the next grid.
+    /// Share of its cell that a node represents outside the next grid.
     pub fn share(&self, i: usize, j: usize) -> f64 {
         let grid = &self.system.grid;
         let inside = (self.patch).map_or(0.0, |patch| within(patch, grid, i, j));
@@ -71,7 +71,7 @@ impl Level {
     }
 }
 
-/// Share of the cell of a node that lies on its grid and in a patch of it: of a node on the edge of both, what one of them leaves of the cell, not a quarter of it.
+/// Share of the cell of a node that lies on its grid and in a patch of it: for a node on the edge of both, the part of the cell inside both, not a quarter of it.
 fn within(patch: [[usize; 2]; 2], grid: &Grid, i: usize, j: usize) -> f64 {
     let along = |d: usize, at: usize| {
         let [low, high] = patch[d];
@@ -160,7 +160,7 @@ pub fn first_state<Plan>(problem: &Problem<Plan>, system: &System) -> State {
     state
 }
 
-/// System and start of a grid inside that of a level, with nodes at half the distance; the level learns where it lies.
+/// System and start of a grid inside that of a level, with nodes at half the distance; sets the patch of the level.
 pub fn refined<Plan>(
     problem: &Problem<Plan>,
     before: &mut Level,
@@ -262,7 +262,7 @@ impl<'a> Sampled<'a> {
         [[0, 0], [a, 0], [0, b], [a, b]].map(|[a, b]| self.at(values, x + a, y + b))
     }
 
-    /// Between the nodes by straight lines: no new extremum.
+    /// Linear between the nodes: no new extremum.
     pub fn linear(&self, values: &[f64], i: usize, j: usize) -> f64 {
         0.25 * self.corners(values, i, j).iter().sum::<f64>()
     }
@@ -277,7 +277,7 @@ impl<'a> Sampled<'a> {
         }
     }
 
-    /// Between the nodes by cubics.
+    /// Cubic between the nodes.
     pub fn cubic(&self, values: &[f64], i: usize, j: usize) -> f64 {
         let [[x, y], [a, b]] = self.node(i, j);
         let between = |v: [f64; 4]| (9.0 * (v[1] + v[2]) - v[0] - v[3]) / 16.0;

@@ -79,7 +79,7 @@ impl LineConvolution {
         for (wave, symbol) in waves.iter_mut().zip(&self.symbol) {
             *wave *= symbol * scale;
         }
-        // Of real numbers; all but rounding.
+        // Imaginary parts are rounding only.
         waves[0].im = 0.0;
         waves[self.padded / 2].im = 0.0;
         self.backward
@@ -107,8 +107,8 @@ impl LineConvolution {
                 }
             }
         }
-        let [centre, beside] = solve_small(matrix, right);
-        [centre, beside, 0.0, 0.0]
+        let [centre, off_diagonal] = solve_small(matrix, right);
+        [centre, off_diagonal, 0.0, 0.0]
     }
 }
 
@@ -150,13 +150,13 @@ mod tests {
     fn stencil_is_nearly_the_inverse() {
         let grid = Grid::of_line([-128, 128], 1.0 / 32.0);
         let convolution = LineConvolution::new(&grid, 1.3);
-        let [centre, beside, ..] = convolution.inverse();
+        let [centre, off_diagonal, ..] = convolution.inverse();
         for wave in [1.0, 0.5] {
             let values: Vec<f64> = (0..grid.n[0])
                 .map(|i| (PI * wave * (i as f64 - 128.0)).cos())
                 .collect();
             let w = convolution.apply(&values);
-            let back = centre * w[128] + beside * (w[127] + w[129]);
+            let back = centre * w[128] + off_diagonal * (w[127] + w[129]);
             assert!((0.4..1.6).contains(&back), "{wave}: {back}");
         }
     }

@@ -1,7 +1,7 @@
 //! Factors of the linearised film equation of a line on many nodes.
 //!
 //! ```text
-//!   M = A + B K,   K_ij = k(|i − j|)            A, B: each node and the two beside it
+//!   M = A + B K,   K_ij = k(|i − j|)            A, B: each node and its two neighbours
 //!   M = ⎡M₁       U₁V₁ᵀ⎤                       M₁, M₂ likewise, down to small dense matrices
 //!       ⎣U₂V₂ᵀ    M₂   ⎦
 //!   x₁ = M₁⁻¹b₁ − Y₁t₁,  x₂ = M₂⁻¹b₂ − Y₂t₂,   Y = M⁻¹U
@@ -9,21 +9,21 @@
 //!   ⎣V₂ᵀY₁  I    ⎦ ⎣t₂⎦ = ⎣V₂ᵀM₁⁻¹b₁⎦
 //! ```
 //! (Ambikasaran and Darve 2013, J. Sci. Comput. 57, 477.) The logarithm between two halves of a row is a sum of a few products of functions of either half, so that the factors
-//! cost n log² n. The sparse approximation of [`super::preconditioner`] has three points for the inverse of K: on ten thousand nodes it leaves smooth pressures to the Krylov
-//! iterations, which do not end.
+//! cost n log² n. The sparse approximation of [`super::preconditioner`] has three points for the inverse of K: on ten thousand nodes it does not treat smooth pressures, and the Krylov
+//! iterations do not converge.
 
 use nalgebra::{DMatrix, DMatrixViewMut, DVector, Dyn, LU};
 
 /// Nodes of a dense block at most.
 const DENSE: usize = 64;
 
-/// Error of the products, relative to the largest entry: a preconditioner need not have more.
+/// Error of the products, relative to the largest entry; enough for a preconditioner.
 const TOLERANCE: f64 = 1e-4;
 
-/// Nodes of a block whose halves go to threads of their own.
+/// Nodes of a block whose halves run on separate threads.
 const SPLIT: usize = 1024;
 
-/// A row of M: what stands at the node before, the node itself and the one behind.
+/// A row of M: entries of the node before, the node itself and the one behind.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Triple {
     /// Of A.
@@ -44,19 +44,19 @@ struct Products {
 
 impl Products {
     /// For halves of up to m nodes and the one beyond each, by crosses (Bebendorf 2000). Their largest entries are looked for on nodes ever farther
-    /// apart: along single rows and columns, as is usual, one may vanish by chance before the others are small.
+    /// apart: on single rows and columns, the usual choice, one may vanish by chance before the others are small.
     fn new(kernel: &[f64], m: usize) -> Products {
         let n = m + 1;
         let entry = |s: usize, t: usize| kernel[(s + 1 + t).min(kernel.len() - 1)];
         let looked_at = spread(n);
-        let mut left = DMatrix::from_fn(looked_at.len(), looked_at.len(), |i, j| {
+        let mut residual = DMatrix::from_fn(looked_at.len(), looked_at.len(), |i, j| {
             entry(looked_at[i], looked_at[j])
         });
         let largest = kernel.iter().fold(0.0_f64, |m, k| m.max(k.abs()));
         let mut terms: Vec<[DVector<f64>; 2]> = Vec::new();
         while terms.len() < looked_at.len() {
-            let at = left.iamax_full();
-            let pivot = left[at];
+            let at = residual.iamax_full();
+            let pivot = residual[at];
             if pivot.abs() <= TOLERANCE * largest {
                 break;
             }
@@ -65,8 +65,8 @@ impl Products {
                 |s: usize, t: usize| -> f64 { terms.iter().map(|[u, v]| u[s] * v[t]).sum() };
             let u = DVector::from_fn(n, |s, _| entry(s, column) - known(s, column));
             let v = DVector::from_fn(n, |t, _| (entry(row, t) - known(row, t)) / pivot);
-            let cross = left.column(at.1) * left.row(at.0) / pivot;
-            left -= cross;
+            let cross = residual.column(at.1) * residual.row(at.0) / pivot;
+            residual -= cross;
             terms.push([u, v]);
         }
         let columns = |side: usize| {
@@ -94,7 +94,7 @@ fn spread(n: usize) -> Vec<usize> {
     numbers
 }
 
-/// What all factors of a grid share.
+/// Data shared by all factors of a grid.
 pub struct LineKernel {
     n: usize,
     /// k(0), k(1), …
@@ -135,7 +135,7 @@ struct Halves {
     blocks: [Block; 2],
     /// Y of both.
     answers: [DMatrix<f64>; 2],
-    /// What the exact row beside the middle has of the other half: of the second for the first row, of the first for the second.
+    /// Entries of the exact rows next to the middle in the other half: in the second half for the first row, in the first for the second.
     exact: [DVector<f64>; 2],
     small: LU<f64, Dyn, Dyn>,
     /// Nodes of the first half.

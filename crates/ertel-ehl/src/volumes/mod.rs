@@ -1,5 +1,5 @@
-//! Finite volumes on regular grids: a monotone engine for line and point contacts and rollers between half-spaces, flooded or starved, Newtonian or thinned by stress, of one
-//! temperature or with the heat of film and bodies.
+//! Finite volumes on regular grids: a monotone engine for line and point contacts and rollers between half-spaces: flooded or starved, Newtonian or shear-thinning,
+//! isothermal or thermal.
 //!
 //! ```text
 //!   ∇·F = 0,  P ≥ 0,  F = ū ρ̄H − H₊³ρ̄/(μ̄λ) ∇P       one balance of mass for each node
@@ -16,8 +16,8 @@
 //! | [`convolution`] | deflection of the half-spaces |
 //! | [`rows_convolution`], [`line_convolution`], [`deflection`] | the same under rows of a roller, under a line |
 //! | [`faces`] | flux through a face and its derivatives |
-//! | [`thinning`] | how stress thins the film at a node |
-//! | [`contents`] | oil in gaps that it does not fill |
+//! | [`thinning`] | shear thinning of the film at a node |
+//! | [`contents`] | oil in partly filled gaps |
 //! | [`behind`] | oil behind the film |
 //! | [`passing`] | how contents change with the pressures |
 //! | [`system`], [`step`] | the equation and its linearisation; Newton's step |
@@ -25,16 +25,16 @@
 //! | [`multigrid`], [`transfer`] | a cycle over coarser grids that solves it |
 //! | [`stencil`], [`rectangle`] | its matrix, incomplete and complete factors |
 //! | [`newton`], [`ending`] | Newton's method with active sets, and when it ends |
-//! | [`beyond`], [`far_pressure`] | what lies beyond the first grid |
+//! | [`beyond`], [`far_pressure`] | the region beyond the first grid |
 //! | [`level`] | from a grid to one with cells of half the size on a smaller patch |
 //! | [`film`], [`composite`], [`fields`] | the film on all patches together; its mesh and fields |
 //! | [`extremes`], [`figures`], [`summary`] | figures, error bars, warnings |
 //! | [`heat`] | temperatures of film and surfaces |
-//! | [`reduction`] | the film beside that of the Newtonian fluid |
+//! | [`reduction`] | the film compared with that of the Newtonian fluid |
 //! | [`tangents`] | derivatives of the figures by inputs |
 //! | [`scope`] | which contacts it solves |
 //! | [`patches`] | which grids it solves them on |
-//! | [`engine`] | grids until the films are as accurate as asked for |
+//! | [`engine`] | grids until the films reach the target error |
 //!
 //! Theory: Finite volumes.
 

@@ -5,8 +5,8 @@
 //!   w ← w + P M_c⁻¹ R (r − M w),    M_c = R M P          P: linear between coarse nodes, R = ¼Pᵀ: balances add up
 //!   w ← w + (L U)⁻¹ (r − M w)
 //! ```
-//! M_c⁻¹ is a cycle again, on the coarsest grid a factorisation. Coefficients change by ten decades from node to node; M_c by the product has what they are
-//! together, where coefficients of the coarse grid have not. R takes the balances of the fine grid in their own units, so that those add up to that of the coarse
+//! M_c⁻¹ is a cycle again, on the coarsest grid a factorisation. Coefficients change by ten decades from node to node; M_c as a product averages them
+//! correctly, coefficients of the coarse grid do not. R takes the balances of the fine grid in their own units, so that those add up to that of the coarse
 //! one, and rows P = 0 of the broken film for themselves (Trottenberg, Oosterlee and Schüller, Multigrid, 2001, chapters 2 and 7).
 
 use std::sync::Arc;
@@ -54,7 +54,7 @@ impl Grids {
         })
     }
 
-    /// Whether a factorisation is all.
+    /// Whether it is only a factorisation.
     pub fn is_direct(&self) -> bool {
         self.finer.is_empty()
     }

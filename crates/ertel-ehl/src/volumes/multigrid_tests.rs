@@ -30,7 +30,7 @@ fn some_matrix(layout: Layout) -> Matrix {
     }
 }
 
-/// The coarse matrix times a vector is what interpolation, the fine matrix and restriction make of it, one after the other: odd and even numbers of
+/// The coarse matrix times a vector equals interpolation, fine matrix and restriction, one after the other: odd and even numbers of
 /// nodes, halves and wholes.
 #[test]
 fn coarse_matrix_is_the_product() {
@@ -105,8 +105,12 @@ fn cycles_converge_on_all_grids() {
             all().for_each(|(k, at)| x[at] += w[k] as f32);
             residual(&cycle.levels[0].lines, &b, &x, &mut r);
         }
-        let left = norm(&r) / norm(&b);
-        assert!(left < 0.6_f64.powi(6), "{}: {left:.1e}", grid.n_nodes());
+        let residual = norm(&r) / norm(&b);
+        assert!(
+            residual < 0.6_f64.powi(6),
+            "{}: {residual:.1e}",
+            grid.n_nodes()
+        );
         let params = GmresParams {
             tolerance: 1e-7,
             max_iterations: 60,

@@ -9,10 +9,10 @@ use super::system::{Linearised, State, System};
 use crate::engine::Observer;
 use crate::solution::IterationRecord;
 
-/// When to stop, and what steps are cut to.
+/// Stopping criteria and step limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NewtonParams {
-    /// What may be left at the end.
+    /// Allowed remaining errors.
     pub ends: Ends,
     /// Most iterations.
     pub max_iterations: usize,
@@ -22,7 +22,7 @@ pub struct NewtonParams {
     pub krylov_tolerance: f64,
     /// Most Krylov iterations in a step.
     pub max_krylov_iterations: usize,
-    /// Imbalance of a node, over what is entrained, beyond which it is given up.
+    /// Imbalance of a node, over the entrained flow, above which the attempt stops.
     pub most_imbalance: f64,
 }
 
@@ -39,10 +39,10 @@ impl Default for NewtonParams {
     }
 }
 
-/// How it went.
+/// Convergence and effort.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct NewtonInfo {
-    /// Whether what a further step would change is small.
+    /// Whether a further step would change little.
     pub converged: bool,
     /// Iterations, with as many preconditioners.
     pub iterations: usize,
@@ -50,7 +50,7 @@ pub struct NewtonInfo {
     pub krylov_iterations: usize,
     /// Largest change of a pressure in the last step, in p_h.
     pub change: f64,
-    /// Largest imbalance of mass of a wetted node before it, over what is entrained.
+    /// Largest mass imbalance of a wetted node before it, over the entrained flow.
     pub imbalance: f64,
     /// Whether the observer asked to stop.
     pub interrupted: bool,
@@ -59,7 +59,7 @@ pub struct NewtonInfo {
 }
 
 impl NewtonInfo {
-    /// With the effort of a run before another one, whose end counts.
+    /// Adds the effort of this run to a later one, whose result counts.
     #[must_use]
     pub fn and(self, next: NewtonInfo) -> NewtonInfo {
         NewtonInfo {
@@ -71,11 +71,11 @@ impl NewtonInfo {
     }
 }
 
-/// Imbalance of a node, over what is entrained, below which mass is kept where contents are unknown: pressures before a meniscus are so low that their
-/// changes do not tell of the mass that moves it.
+/// Imbalance of a node, over the entrained flow, below which mass is conserved where contents are unknown: pressures before a meniscus are so low that their
+/// changes do not show the mass that moves it.
 const MOST_IMBALANCE: f64 = 1e-3;
 
-/// Largest imbalance of mass of a wetted node, over what is entrained.
+/// Largest mass imbalance of a wetted node, over the entrained flow.
 fn imbalance(system: &System, at: &Linearised) -> f64 {
     let [i, j] = system.grid.centre();
     let wetted = at
@@ -87,13 +87,13 @@ fn imbalance(system: &System, at: &Linearised) -> f64 {
     largest * system.grid.spacing[0] / at.nodes[system.grid.index(i, j)].film.abs()
 }
 
-/// Share of the ends below which balances of mass count for nothing: the linear solves close those of thick films far from the contact no further.
-const SETTLED: f64 = 2e-2;
+/// Updates this far below tolerance end the iteration even if the mass balance is open: the linear solves cannot close it further in thick films far from the contact.
+const NEGLIGIBLE_UPDATE: f64 = 2e-2;
 
-/// Mass that a node with pressure may gain, over what is entrained there. Nodes by the ridge have the most.
+/// Mass that a node with pressure may gain, over the entrained flow there. Nodes by the ridge gain most.
 const MOST_GAIN: f64 = 5e-2;
 
-/// Whether no further step is worth its while.
+/// Whether the iteration has converged.
 fn has_ended(
     system: &System,
     state: &State,
@@ -101,7 +101,7 @@ fn has_ended(
     progress: &Progress,
     ends: &Ends,
 ) -> bool {
-    let [film, pressure, load] = progress.left();
+    let [film, pressure, load] = progress.remaining();
     let is_kept = at.contents.is_empty() || imbalance(system, at) < MOST_IMBALANCE;
     if !(film < ends.film && pressure < ends.pressure && load < ends.load && is_kept) {
         return false;
@@ -114,10 +114,11 @@ fn has_ended(
     let is_balanced = is_kept_by_nodes
         && balance_error(system, at).abs() < ends.balance
         && entered(system, state, at) < ends.balance;
-    is_balanced || (film < SETTLED * ends.film && pressure < SETTLED * ends.pressure)
+    is_balanced
+        || (film < NEGLIGIBLE_UPDATE * ends.film && pressure < NEGLIGIBLE_UPDATE * ends.pressure)
 }
 
-/// Solves on a grid from a state, which it leaves at the solution. `film_scale` is a²/R in m.
+/// Solves on a grid, starting from `state` and ending with the solution in it. `film_scale` is a²/R in m.
 pub fn newton(
     system: &System,
     pattern: &Pattern,
@@ -139,7 +140,7 @@ pub fn newton(
     let is_given = |k: usize| !system.grid.is_unknown(k % nx, k / nx);
     let mut direct = false;
     let mut progress = Progress::default();
-    // A step that the linear solver left half way says nothing.
+    // A step from an unfinished linear solve is no evidence of convergence.
     let mut exact = false;
     loop {
         if observer.cancelled() {
@@ -175,7 +176,7 @@ pub fn newton(
         let failed =
             step.krylov_iterations >= params.max_krylov_iterations || !step.separation.is_finite();
         if failed && !preconditioner.is_direct {
-            // Beyond the cycle: a factorisation from here on.
+            // The cycle is not enough: a factorisation from here on.
             direct = true;
             info.krylov_iterations += step.krylov_iterations;
             if let Some(mut factorised) = Preconditioner::factorised(pattern, &at) {
@@ -189,23 +190,22 @@ pub fn newton(
         let mut moved = vec![0.0; step.pressure.len()];
         for (k, (p, change)) in state.pressure.iter_mut().zip(&step.pressure).enumerate() {
             let most = params.largest_change;
-            // No clamp: it would lose a number that is none.
+            // Not `clamp`: it would turn NaN into a bound.
             let next = *p
                 + if change.abs() > most {
                     most.copysign(*change)
                 } else {
                     *change
                 };
-            // The set of the next step goes by what this one asks for, not by what is left of it: else nodes by the edge of the film
-            // come and go.
+            // The active set uses the full Newton step, not the limited one: otherwise nodes at the edge of the film oscillate.
             state.wetted[k] = at.wetted[k] && next > 0.0;
-            // Where it has broken there is no pressure, not even what a linear solver leaves.
+            // Zero pressure where the film has cavitated, without the residual of the linear solver.
             let next = match at.wetted[k] {
                 true => next.max(0.0),
                 false if is_given(k) => *p,
                 false => 0.0,
             };
-            // No maximum: it would lose a number that is none.
+            // Not `max`: it would lose NaN.
             let size = (next - *p).abs();
             if size > info.change || !change.is_finite() {
                 info.change = if change.is_finite() { size } else { f64::NAN };
@@ -229,7 +229,7 @@ pub fn newton(
         if info.imbalance > params.most_imbalance {
             return info;
         }
-        // Nothing to tell of a step into nowhere: the next attempt begins anew.
+        // A diverged step is not reported: the next attempt starts again.
         if !(info.change.is_finite() && state.separation.is_finite()) {
             return info;
         }

@@ -1,20 +1,20 @@
-//! How contents of gaps that are not full change with the pressures.
+//! Change of the contents of partly filled gaps with the pressures.
 //!
 //! ```text
 //!   ∂G_k/∂c_k δc_k = −δG_k − Σ ∂G_k/∂c_u δc_u        broken nodes k with nodes u upstream of them, in the order of the flow
 //! ```
-//! G stays zero there, so that contents are no unknowns of the linear systems: what flows back into a node by pressure leaves it again, downstream.
+//! G stays zero there, so contents are not unknowns of the linear systems: backflow into a node by pressure leaves it again, downstream.
 
 use super::contents::{downstream, rounds, sides, upstream};
 use super::faces::Face;
 use super::grid::Grid;
 
-/// How contents change with what flows into their nodes.
+/// Change of contents with the inflow of their nodes.
 #[derive(Clone, Debug, Default)]
 pub struct Passing {
-    /// Nodes that are not wetted, each behind those upstream of it, then those that get something from them.
+    /// Nodes that are not wetted, each behind those upstream of it, then those that receive flow from them.
     nodes: Vec<Passed>,
-    /// Nodes that each of them gets something from, and how its balance changes with their contents.
+    /// Nodes upstream of each, and the change of its balance with their contents.
     from: Vec<(u32, f64)>,
     turns: bool,
 }
@@ -30,7 +30,7 @@ struct Passed {
 }
 
 impl Passing {
-    /// Of faces with the fluxes of contents; `stores` is how what a node stores changes with its own content.
+    /// Of faces with the fluxes of contents; `stores` is the change of the storage of a node with its content.
     pub fn new(
         grid: &Grid,
         faces: &[Vec<Face>; 2],
@@ -67,7 +67,7 @@ impl Passing {
         passing
     }
 
-    /// From changes of the balances with contents held to those where they follow: none where they do.
+    /// From changes of the balances at fixed contents to those with dependent contents: zero where contents change.
     pub fn follow(&self, change: &mut [f64]) {
         if self.nodes.is_empty() {
             return;

@@ -1,4 +1,4 @@
-//! Which grids a problem is solved on: cells and box of the first one, and patches within it.
+//! Grids for a problem: cells and box of the first one, and patches within it.
 
 use super::contents::Arrival;
 use super::engine::Plan;
@@ -14,7 +14,7 @@ const FIRST_CELL: f64 = 0.375;
 const FIRST_CELLS: f64 = 80.0;
 
 /// Multiple of that distance within which edges of flooded contacts are those of the first grid, whose cells grow instead. Pressures that end there differ from those of
-/// rigid parabolas by (r_0/r_1)^3.2 at the distance r_0, by 3 % of a pressure that carries next to nothing.
+/// rigid parabolas by (r_0/r_1)^3.2 at the distance r_0, by 3 % of a pressure that carries almost no load.
 const COARSER: f64 = 3.0;
 
 /// Cells of the first grid between the centre and an edge at least.
@@ -27,7 +27,7 @@ const FITS_FAR: f64 = 2e-3;
 const MORE_CELLS: f64 = 1.5;
 const CHEAP: f64 = 32.0;
 
-/// Share of the margin of flooded contacts that patches of starved ones have, so that cells at the meniscus are small beside its distance: with 1 the film
+/// Share of the margin of flooded contacts that patches of starved ones have, so that cells at the meniscus are small compared with its distance: with 1 the film
 /// of a layer of four times its thickness errs by 0.15 %.
 const MENISCUS: f64 = 2.0;
 
@@ -101,8 +101,8 @@ pub fn widest<P>(problem: &Problem<P>) -> f64 {
     }
 }
 
-/// The box, in the plane in which the zone is the unit circle, that a problem is solved in. Beyond a meniscus it holds the nodes that fluxes there
-/// reach for.
+/// The box, in the plane in which the zone is the unit circle, that a problem is solved in. Beyond a meniscus it includes the nodes that the fluxes there
+/// use.
 pub fn bounds<P>(problem: &Problem<P>) -> [[f64; 2]; 2] {
     let e = &problem.extents;
     if problem.shape.zone.turn.is_none() {
@@ -112,7 +112,7 @@ pub fn bounds<P>(problem: &Problem<P>) -> [[f64; 2]; 2] {
         };
         return [[inlet, e.outlet], [-e.side, e.side]];
     }
-    // The motion enters and leaves by any side, unless what enters by a nearer one passes the dry contact.
+    // The flow may enter and leave by any side, unless inflow by a nearer one passes the dry contact.
     let along = e.inlet.abs().max(e.outlet);
     match problem.shape.zone.is_passed_from(e.side, along) {
         true => [[-along, along], [-e.side, e.side]],
@@ -167,7 +167,7 @@ fn covering<P>(problem: &Problem<P>, region: [[f64; 2]; 2], cell: [f64; 2]) -> G
     Grid::covering(region, cell, half, zone)
 }
 
-/// Rows of a first grid over its columns, in the lengths by which elements are drawn out along a roller, and the fewest of them before and behind the
+/// Rows of a first grid over its columns, in the lengths by which elements are stretched along a roller, and the fewest of them before and behind the
 /// middle.
 const ROWS: f64 = 2.0;
 const FEWEST_ROWS: f64 = 4.0;

@@ -3,7 +3,7 @@
 //! ```text
 //!   δP = S w,   S ≈ K⁻¹ by nine points        (A S + B) w = r,   A: fluxes by the pressures, B: by the films, upwind of first order
 //! ```
-//! The compliance is long-range, its inverse is not. Long lines have factors of their own ([`super::line_factors`]). Small grids are factorised; on large ones a cycle over coarser grids does as well: GMRES takes as many iterations.
+//! The compliance is long-range, its inverse is not. Long lines have special factors ([`super::line_factors`]). Small grids are factorised; on large ones a cycle over coarser grids does as well: GMRES takes as many iterations.
 
 use std::sync::OnceLock;
 
@@ -18,13 +18,13 @@ use super::stencil::{PLACES, REACH, Row, SIDE};
 use super::system::Linearised;
 use super::transfer::Matrix;
 
-/// What all preconditioners of a grid share.
+/// Data shared by all preconditioners of a grid.
 pub struct Pattern {
     grid: Grid,
     /// Unknown nodes along each direction: a rectangle within the given ones.
     n: [usize; 2],
     pub(super) grids: Grids,
-    /// The same with a factorisation of all, once it is asked for.
+    /// The same with a complete factorisation, computed on first use.
     direct: OnceLock<Option<Grids>>,
     /// S.
     inverse: Stencils,
@@ -32,13 +32,13 @@ pub struct Pattern {
     line: Option<LineKernel>,
 }
 
-/// Unknowns up to which a factorisation is all; it costs as much as the cycle at about a half of them. That of a row costs no more than its nodes.
+/// Most unknowns for a complete factorisation; at about half of them it costs as much as the cycle. That of a row is proportional to its nodes.
 const DIRECT: usize = 10_000;
 
 /// Unknowns up to which the coarsest grid of a cycle is factorised: in some milliseconds.
 const COARSEST: usize = 4_000;
 
-/// Nodes of a line from which it has factors of its own: on fewer, Krylov iterations cost little, and 10 to 46 of them do.
+/// Fewest nodes of a line with special factors: on fewer, Krylov iterations cost little, and 10 to 46 of them do.
 const LONG_LINE: usize = 2_000;
 
 /// Unknowns whose rows a thread takes at a time.
@@ -175,7 +175,7 @@ impl Pattern {
     }
 }
 
-/// What a row of the equation has at its node and the four beside it: centre, west, east, south, north.
+/// Entries of a row of the equation at its node and the four neighbours: centre, west, east, south, north.
 #[derive(Clone, Copy, Debug, Default)]
 struct Cross {
     by_pressure: [f64; 5],
@@ -224,7 +224,7 @@ impl Cross {
         is_first: bool,
     ) {
         let f = &at.faces[direction][face];
-        // What a gap that is not full passes on does not change with the pressure behind it: what flows back into it comes again.
+        // The outflow of a partly filled gap does not depend on the pressure behind it: backflow into it returns.
         if f.by_content != 0.0 && f.from_second == is_first {
             return;
         }
@@ -243,13 +243,13 @@ impl Cross {
     }
 }
 
-/// Position in a stencil of a place beside its centre.
+/// Position in a stencil of a neighbour of its centre.
 fn at_square([i, j]: [i64; 2]) -> usize {
     let [i, j] = [i, j].map(|along| (along + REACH as i64) as usize);
     j * SIDE + i
 }
 
-/// How it is solved.
+/// Solver of the approximation.
 enum Approximation<'a> {
     /// In w, as a sparse matrix.
     Sparse(Cycle),
@@ -273,7 +273,7 @@ impl<'a> Preconditioner<'a> {
         Preconditioner::with(pattern, &pattern.grids, at)
     }
 
-    /// Factorised as a whole, whatever that costs.
+    /// Factorised as a whole, whatever the cost.
     pub fn factorised(pattern: &'a Pattern, at: &Linearised) -> Option<Preconditioner<'a>> {
         if pattern.grids.is_direct() {
             return Preconditioner::new(pattern, at);
@@ -337,8 +337,8 @@ impl<'a> Preconditioner<'a> {
         let mut pressure = vec![0.0; grid.n_nodes()];
         for k in (0..p.len()).map(|unknown| p.node(unknown)) {
             let [s0, sx, sy, sd] = *p.inverse.of(k / nx);
-            let beside = |k: usize| film[k - 1] + film[k + 1];
-            let along = s0 * film[k] + sx * beside(k);
+            let neighbours = |k: usize| film[k - 1] + film[k + 1];
+            let along = s0 * film[k] + sx * neighbours(k);
             if grid.is_line() {
                 pressure[k] = along;
                 continue;
@@ -348,8 +348,9 @@ impl<'a> Preconditioner<'a> {
                 true => below,
                 false => k + nx,
             };
-            pressure[k] =
-                along + sy * (film[below] + film[above]) + sd * (beside(below) + beside(above));
+            pressure[k] = along
+                + sy * (film[below] + film[above])
+                + sd * (neighbours(below) + neighbours(above));
         }
         pressure
     }

@@ -49,7 +49,7 @@ pub fn pattern(layout: Layout) -> Result<FrontalPattern, OrderingError> {
     FrontalPattern::new(&blocks, &entries)
 }
 
-/// What that pattern factorises.
+/// A factorisation with that pattern.
 pub fn values(layout: Layout, rows: &[Row]) -> Vec<f64> {
     (rows.iter().enumerate())
         .flat_map(|(k, row)| neighbours(layout, k).map(|(place, _)| f64::from(row[place])))

@@ -1,5 +1,5 @@
-//! Where the pressure of a roller ends, by its film on a few coarse grids: slices of the dry contact are off by up to a tenth where ends carry much, and rows
-//! lie near to each other where they say.
+//! End of the pressure zone of a roller, from its film on a few coarse grids: slices of the dry contact err by up to a tenth where ends carry much load, and they
+//! decide where rows are close together.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use crate::solve::SolveError;
 const GRIDS: usize = 4;
 
 /// The same problem, rows drawn around where the loads per length end that the film carries; as it is where these grids are not solved. The zone stays that of
-/// the slices: what is told of it is that of the dry contact.
+/// the slices: its reported figures are those of the dry contact.
 ///
 /// # Errors
 /// When the observer cancels.
@@ -42,7 +42,7 @@ pub fn with_rows_by_film(
                 };
                 between(&loads, y)
             };
-            problem.shape.zone.roller = Some(Arc::new(roller.drawn_around(at)));
+            problem.shape.zone.roller = Some(Arc::new(roller.graded_around(at)));
             Ok(problem)
         }
     }

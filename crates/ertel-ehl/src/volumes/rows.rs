@@ -1,7 +1,7 @@
-//! Rows of nodes at uneven distances along the axis of a roller: near to each other where its dry contact ends or its profile has a kink.
+//! Rows of nodes at uneven distances along the axis of a roller: close together where its dry contact ends or its profile has a kink.
 //!
 //! ```text
-//!   y_j = Y(v_j),  v_j at even distances         Y: the map by which elements are drawn out along rollers (see [`RollerZone`])
+//!   y_j = Y(v_j),  v_j at even distances         Y: the map by which elements are stretched along rollers (see [`RollerZone`])
 //! ```
 //! Y is smooth but for a kink of its slope here and there, so that differences over neighbouring rows are of the second order.
 
@@ -15,15 +15,15 @@ use crate::contact::roller::RollerZone;
 pub struct Rows {
     /// Places along the axis, rising.
     places: Vec<f64>,
-    /// What a row stands for: from half-way from the row before to half-way to the next one, from the end of the roller on; of a centreline with its mirror image.
+    /// Length that a row represents: from half-way from the row before to half-way to the next one, from the end of the roller on; of a centreline with its mirror image.
     heights: Vec<f64>,
     /// Whether the last row is the centreline, beyond which all is mirrored.
     half: bool,
 }
 
 impl Rows {
-    /// Of a roller, with this many steps from its end y < 0 to the middle and from there to the other end. [`RING`] rows lie beyond each end: they stand for
-    /// nothing.
+    /// Of a roller, with this many steps from its end y < 0 to the middle and from there to the other end. [`RING`] rows lie beyond each end, with
+    /// zero length.
     pub fn new(zone: &RollerZone, steps: [usize; 2], half: bool) -> Rows {
         let (side, middle) = (zone.side(), zone.unit(0.0));
         let [left, right] = steps;
@@ -77,7 +77,7 @@ impl Rows {
     #[must_use]
     pub fn drawn_to(self: &Arc<Rows>, half_length: f64) -> Arc<Rows> {
         let ratio = -half_length / self.places[RING];
-        // All but rounding: the same.
+        // Equal except for rounding.
         if (ratio - 1.0).abs() < 1e-12 {
             return Arc::clone(self);
         }
@@ -99,7 +99,7 @@ impl Rows {
         &self.places
     }
 
-    /// What a row stands for.
+    /// Length that a row represents.
     #[inline(always)]
     pub fn height(&self, j: usize) -> f64 {
         self.heights[j]
@@ -131,7 +131,7 @@ impl Rows {
     pub fn find(&self, y: f64) -> Option<(usize, f64)> {
         let last = self.places.len() - 1 - if self.half { 0 } else { RING };
         let [low, high] = [self.places[RING], self.places[last]];
-        // Rounding does not lead out of the roller.
+        // Rounding must not lead out of the roller.
         let slack = 1e-12 * (high - low);
         if !(low - slack..=high + slack).contains(&y) {
             return None;

@@ -4,7 +4,7 @@
 //!   δ_ij = C/π Σ_m Σ_n K_jn(i − m) P_mn,    K_jn = ∫∫ t_n(y) dA/r over the column of node m, seen from node (i, j)
 //!   ∫∫ dA/r → G_0 = x asinh(y/|x|) + y asinh(x/|y|),    ∫∫ y dA/r → G_1 = ½(x r + y² asinh(x/|y|))
 //! ```
-//! The pressure is constant over a cell along the rows (as in [`super::convolution`]) and linear between rows: t_n is 1 on row n and 0 on those beside it.
+//! The pressure is constant over a cell along the rows (as in [`super::convolution`]) and linear between rows: t_n is 1 on row n and 0 on its neighbours.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -31,7 +31,7 @@ pub struct RowsConvolution {
     compliance: f64,
 }
 
-/// What a row sees of the others, wave by wave: C/π K of those from `first` on, up to the next `end`.
+/// Influence of the other rows on a row, wave by wave: C/π K of those from `first` on, up to the next `end`.
 #[derive(Default)]
 struct Seen {
     first: Vec<u32>,
@@ -42,7 +42,7 @@ struct Seen {
 /// Rows that a thread takes at a time.
 const ROWS: usize = 8;
 
-/// Share of what a row does to itself below which that of another counts for nothing: waves of the length l fall off with e^(−2πy/l).
+/// Influence of another row, over that of a row on itself, below which it is neglected: waves of the length l fall off with e^(−2πy/l).
 const LEAST: f64 = 1e-9;
 
 /// Transformed length over that of a row. Between the largest distance of nodes and the half of that the kernel is levelled out, so that it has no kink there
@@ -55,7 +55,7 @@ const STRIDES: [usize; 6] = [1, 2, 4, 8, 16, 32];
 const SAMPLES: f64 = 8.0;
 const SAMPLES_LEVELLED: f64 = 16.0;
 
-/// Distance of a row in lengths of its hat, and in cells, from which a quadrature tells its kernel to 1e-7.
+/// Distance of a row in lengths of its hat, and in cells, from which a quadrature gives its kernel to 1e-7.
 const FAR: f64 = 4.0;
 const FAR_CELLS: f64 = 8.0;
 
@@ -191,7 +191,7 @@ impl RowsConvolution {
     }
 }
 
-/// Nodes along the sides of a grid that tells the stencil of a row.
+/// Nodes along the sides of the grid from which the stencil of a row is computed.
 const PATCH: usize = 24;
 
 impl Seen {

@@ -1,15 +1,15 @@
 //! Which contacts finite volumes solve.
 
-/// What of a contact decides whether finite volumes solve it.
+/// Properties of a contact that decide whether finite volumes solve it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct About {
     /// The bodies are half-spaces.
     pub has_half_spaces: bool,
-    /// What of its heat finite volumes have to do with, where its temperature varies.
+    /// Properties of its heat, where its temperature varies.
     pub heat: Option<HeatAbout>,
 }
 
-/// What of the heat of a contact decides.
+/// Properties of the heat of a contact that decide.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HeatAbout {
     /// A roller whose surfaces slide along its axis or spin.
@@ -28,7 +28,7 @@ pub fn why_not(about: &About) -> Option<&'static str> {
     let reasons = [
         (
             !about.has_half_spaces,
-            "need half-spaces, no finite-element bodies",
+            "need half-spaces, not finite-element bodies",
         ),
         (
             heat.slides_along_roller,
@@ -59,7 +59,7 @@ mod tests {
 
     /// Heat is no reason in itself, but what finite volumes cannot do with it is.
     #[test]
-    fn what_heat_they_solve_for() {
+    fn supported_heat() {
         let about = |heat| About {
             has_half_spaces: true,
             heat,

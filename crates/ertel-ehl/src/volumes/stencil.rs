@@ -23,7 +23,7 @@ const CENTRE: usize = PLACES / 2;
 /// A row.
 pub type Row = [f32; PLACES];
 
-/// θ. Without it pivots vanish in the operator of third order that wetted rows are under low pressure, and GMRES takes 40 iterations in place of 4.
+/// θ. Without it pivots vanish in the operator of third order that wetted rows are under low pressure, and GMRES takes 40 iterations instead of 4.
 const STRENGTHENED: f32 = 0.3;
 
 /// Least pivot of a row whose largest entry is 1.
@@ -36,7 +36,7 @@ pub const BATCH: usize = 16;
 const BLOCKS: usize = 2;
 const LEAST_LINES: usize = 32;
 
-/// Where an unknown and what lies beside it stand in vectors.
+/// Position of an unknown and its neighbours in vectors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Layout {
     /// Unknowns along each direction.
@@ -105,7 +105,7 @@ impl Lines {
         &self.values[(line * PLACES + place) * nx..][..nx]
     }
 
-    /// What stands at a place of the rows of a line in a vector.
+    /// Values at a place of the rows of a line in a vector.
     #[inline(always)]
     fn at<'a>(&self, x: &'a [f32], line: usize, place: usize) -> &'a [f32] {
         let layout = self.layout;
@@ -144,7 +144,7 @@ pub struct Incomplete {
     lines: Lines,
 }
 
-/// What the elimination by one lower place adds to.
+/// Entries that the elimination by one lower place changes.
 struct Update {
     /// Places of the row of the pivot, and where they fall in the eliminated row.
     kept: Vec<(usize, usize)>,
@@ -203,7 +203,7 @@ impl Incomplete {
         let rows = &self.lines;
         let ([nx, _], width) = (rows.layout.n, rows.layout.width());
         let n = r.len() / width;
-        // The lines before and behind, then what depends on the values beside.
+        // The lines before and behind, then the terms of the neighbours.
         let [before, behind] = [REACH * SIDE, (REACH + 1) * SIDE];
         for j in 0..n {
             let (done, line) = r.split_at_mut(j * width);
@@ -250,7 +250,7 @@ fn block(layout: Layout) -> usize {
     layout.n[1].div_ceil(BLOCKS).max(LEAST_LINES)
 }
 
-/// The factors of a block of lines; what lies beyond it counts for nothing.
+/// The factors of a block of lines; entries outside it are neglected.
 fn factorised(nx: usize, rows: &[Row], updates: &[Update]) -> Vec<Row> {
     let mut done: Vec<Row> = Vec::with_capacity(rows.len());
     for (k, row) in rows.iter().enumerate() {
@@ -290,14 +290,14 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// A matrix with a diagonal of 1 and these entries beside it, zero beyond the rectangle.
-    fn matrix(layout: Layout, beside: &[([i64; 2], f32)]) -> Vec<Row> {
+    /// A matrix with a diagonal of 1 and these off-diagonal entries, zero beyond the rectangle.
+    fn matrix(layout: Layout, off_diagonal: &[([i64; 2], f32)]) -> Vec<Row> {
         let [nx, ny] = layout.n.map(|n| n as i64);
         let row = |k: usize| {
             let [i, j] = [k % layout.n[0], k / layout.n[0]].map(|i| i as i64);
             let mut row = [0.0; PLACES];
             row[CENTRE] = 1.0;
-            for ([di, dj], v) in beside {
+            for ([di, dj], v) in off_diagonal {
                 if (0..nx).contains(&(i + di)) && (0..ny).contains(&(j + dj)) {
                     row[((dj + 2) * 5 + di + 2) as usize] = *v;
                 }
@@ -328,8 +328,8 @@ mod tests {
             let (mut x, mut r) = (vec![0.0; layout.size()], b.clone());
             Incomplete::new(layout, &rows).add_solution(&mut r, &mut x);
             residual(&Lines::new(layout, &rows), &b, &x, &mut r);
-            let left = r.iter().fold(0.0_f32, |m, v| m.max(v.abs()));
-            assert!(left < most, "{y}: {left}");
+            let residual = r.iter().fold(0.0_f32, |m, v| m.max(v.abs()));
+            assert!(residual < most, "{y}: {residual}");
         }
     }
 

@@ -25,7 +25,7 @@ pub struct Equation<'a> {
     at: &'a Linearised,
     /// Size of each row.
     scale: Vec<f64>,
-    /// What each node stands for.
+    /// Area that each node represents.
     areas: Vec<f64>,
 }
 
@@ -48,8 +48,8 @@ impl<'a> Equation<'a> {
         self.areas.len() + 1
     }
 
-    /// The right side for which G changes by `rows` where the film is wetted, P elsewhere, and the load by `missing`. What stands at nodes whose
-    /// pressure is given counts for nothing.
+    /// The right side for which G changes by `rows` where the film is wetted, P elsewhere, and the load by `missing`. Values at nodes with given
+    /// pressure are ignored.
     pub fn right(&self, rows: &[f64], missing: f64) -> Vec<f64> {
         let grid = &self.system.grid;
         let mut right = vec![0.0; self.n_rows()];
@@ -74,7 +74,7 @@ impl<'a> Equation<'a> {
         y[n] = self.load(&x[..n], x[n]);
     }
 
-    /// Change of what the balance misses, with the opposite sign.
+    /// Change of the force residual, with the opposite sign.
     fn load(&self, pressure: &[f64], separation: f64) -> f64 {
         let sum: f64 = pressure.iter().zip(&self.areas).map(|(p, a)| p * a).sum();
         let balance = &self.system.balance;
@@ -86,7 +86,7 @@ impl<'a> Equation<'a> {
 pub struct Inverse<'a, 'p> {
     equation: &'a Equation<'a>,
     preconditioner: &'a mut Preconditioner<'p>,
-    /// What the preconditioner makes of the change of G by the separation, and its load.
+    /// The preconditioner applied to the change of G by the separation, and its load.
     by_separation: Vec<f64>,
     load_by_separation: f64,
 }

@@ -1,4 +1,4 @@
-//! What a solve by finite volumes comes to, and what a user should know about it.
+//! Summary and warnings of a solve by finite volumes.
 
 use super::engine::{Plan, Volumes};
 use super::fields::profile;
@@ -26,7 +26,7 @@ pub fn summarise(problem: &Problem<Plan>, volumes: &Volumes, measured: &Measured
     }
 }
 
-/// Warnings about a solve: films that are not as accurate as asked for, or too thin for a continuum; a contact area that is too small.
+/// Warnings about a solve: films that miss the target error, or are too thin for a continuum; a contact area that is too small.
 pub fn warnings(
     problem: &Problem<Plan>,
     volumes: &Volumes,
@@ -60,7 +60,7 @@ pub fn warnings(
             .map_or(0.0, |reading| reading.misfit);
         let end = match volumes.stopped {
             _ if misfit > 0.0 && misfit >= film.value => {
-                "it lies on the edge of the contact area, or where no finer grid reaches; move the edge outward ([mesh] outlet, side)".to_owned()
+                "it lies on the edge of the contact area, or outside the finer grids; move the edge outward ([mesh] outlet, side)".to_owned()
             }
             _ if volumes.edge_effects.into_iter().fold(0.0, f64::max) > 0.5 * relative => {
                 "the edges of the contact area are near; move them outward ([mesh] inlet, side)".to_owned()

@@ -1,10 +1,10 @@
-//! The film equation on a grid, and what Newton's method asks of it.
+//! The film equation on a grid, and its linearisation for Newton's method.
 //!
 //! ```text
 //!   G_i = Σ F through the faces of node i / its area + ∂m_i/∂T,    P_i ≥ 0,  G_i ≥ 0,  P_i G_i = 0
 //!   H = H_0 + G + δ_outer + K P,    ΣP dA = load of the grid
 //! ```
-//! Where the film has broken P = 0, and more flows out than in; everywhere else as much as in.
+//! Where the film has cavitated, P = 0 and the outflow exceeds the inflow; elsewhere they are equal.
 
 use std::sync::Arc;
 
@@ -24,7 +24,7 @@ use crate::contact::Planar;
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 
-/// A film on a grid: what does not change during a solve.
+/// A film on a grid: data that do not change during a solve.
 #[derive(Clone)]
 pub struct System {
     /// The nodes.
@@ -35,9 +35,9 @@ pub struct System {
     pub gap: Vec<f64>,
     /// Load that the grid carries.
     pub load: f64,
-    /// What lies beyond its edges, where the contact area does not end there.
+    /// The gap beyond its edges, where the contact area does not end there.
     pub beyond: Option<Beyond>,
-    /// What enters it along its edges where the film has broken.
+    /// Oil that enters along its edges where the film has cavitated.
     pub edges: Edges,
     /// The fluid.
     pub fluid: FilmFluid,
@@ -47,15 +47,15 @@ pub struct System {
     pub entrainment: Planar,
     /// How oil arrives.
     pub arrival: Arrival,
-    /// What temperatures make of the film at the nodes; none where there is one temperature.
+    /// Temperature-dependent film coefficients at the nodes; none where there is one temperature.
     pub warmth: Vec<Warmth>,
-    /// What the film held before, where time counts.
+    /// Mass of the film at earlier instants; none in steady contacts.
     pub storage: Option<Storage>,
-    /// What the pressures balance.
+    /// The force balance of the pressures.
     pub balance: Balance,
 }
 
-/// What the pressures balance: s_p (load − ∫P) + s_h H_0 + g = 0. A steady contact bears its load; in time a body may move by its inertia, or as it is given.
+/// The force balance: s_p (load − ∫P) + s_h H_0 + g = 0. A steady contact bears its load; in time a body may move by its inertia, or as it is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Balance {
     /// s_p.
@@ -74,7 +74,7 @@ impl Balance {
         given: 0.0,
     };
 
-    /// What is missing.
+    /// The missing oil.
     fn missing(&self, load: f64, separation: f64) -> f64 {
         self.load * load + self.separation * separation + self.given
     }
@@ -98,13 +98,13 @@ pub struct State {
     pub separation: f64,
     /// Where the film had not broken after the last step.
     pub wetted: Vec<bool>,
-    /// What the flow carries away from each node where the film has broken, infinite where the gap is full; none where all gaps are.
+    /// Oil that the flow carries away from each node where the film has cavitated, infinite where the gap is full; none where all gaps are.
     pub contents: Vec<f64>,
 }
 
 impl State {
-    /// Moves on by some of the changes of pressures, where the film is wetted, and of the separation. Where the film has broken there is no pressure, not even what a
-    /// linear solver leaves: the next grid would take that for a full gap.
+    /// Moves on by some of the changes of pressures, where the film is wetted, and of the separation. Where the film has cavitated the pressure is exactly zero, without the
+    /// residual of the linear solver: the next grid would take that for a filled gap.
     pub fn moved(&mut self, changes: &[f64], share: f64, wetted: &[bool]) {
         for (p, (change, wetted)) in self.pressure.iter_mut().zip(changes.iter().zip(wetted)) {
             if *wetted {
@@ -119,7 +119,7 @@ impl State {
 pub struct Linearised {
     /// Fields at the nodes.
     pub nodes: Vec<Node>,
-    /// How stress thins the film there, none where it does not.
+    /// Shear thinning there, none for Newtonian films.
     pub thinned: Vec<Thinned>,
     /// Faces towards the next node along the first direction, and along the second.
     pub faces: [Vec<Face>; 2],
@@ -127,11 +127,11 @@ pub struct Linearised {
     pub outflow: Vec<f64>,
     /// Nodes whose pressure is solved for: unknown, and not where the film has broken.
     pub wetted: Vec<bool>,
-    /// Contents that go with the pressures, none where all gaps are full.
+    /// Contents for these pressures; none where all gaps are full.
     pub contents: Vec<f64>,
     /// How they change.
     pub passing: Passing,
-    /// What the balance of the load misses.
+    /// Residual of the force balance.
     pub missing_load: f64,
     /// c_0 of the storage, 0 where time does not count.
     pub storage_rate: f64,
@@ -178,8 +178,8 @@ impl System {
         })
     }
 
-    /// The same where it differs little from another state and system: how stress thins the film is asked anew at the nodes that are `near`.
-    pub fn linearise_beside(&self, state: &State, other: &Linearised, near: &[bool]) -> Linearised {
+    /// The same where it differs little from another state and system: shear thinning is evaluated again only at the nodes that are `near`.
+    pub fn linearise_nearby(&self, state: &State, other: &Linearised, near: &[bool]) -> Linearised {
         self.linearise_by(state, |nodes| {
             let mut thinned = self.thinned(nodes, &state.pressure, |k| near[k]);
             for (k, (own, other)) in thinned.iter_mut().zip(&other.thinned).enumerate() {
@@ -243,7 +243,7 @@ impl System {
         }
     }
 
-    /// How stress thins the film at the nodes that are asked for.
+    /// Shear thinning at the selected nodes.
     fn thinned(
         &self,
         nodes: &[Node],
@@ -299,7 +299,7 @@ impl System {
         let ([mut rho, mut rho_p, _], [mut mu, mut mu_p, _]) = (point.density, point.viscosity);
         if let Some(warmth) = warmth {
             (rho, rho_p) = (warmth.density * rho, warmth.density * rho_p);
-            // Where nothing thins, it is all in the viscosity.
+            // Without shear thinning, the viscosity alone determines it.
             if self.fluid.is_newtonian() {
                 (mu, mu_p) = (mu / warmth.flow[0], mu_p / warmth.flow[0]);
             }
@@ -346,7 +346,7 @@ impl System {
                     (Some(a), Some(b)) => 0.5 * (a.drift[direction] + b.drift[direction]),
                     _ => 0.0,
                 };
-                // Nothing is dragged across the rows of a half.
+                // No entrainment across the rows of a half.
                 let u = match grid.half && direction == 1 {
                     true => 0.0,
                     false => velocity[direction] + drift,
@@ -364,7 +364,7 @@ impl System {
         faces
     }
 
-    /// Sum of what goes through the faces of each unknown node over its area.
+    /// Net outflow through the faces of each unknown node, over its area.
     fn balance(&self, through: impl Fn(usize, usize) -> f64 + Sync) -> Vec<f64> {
         let grid = &self.grid;
         let [nx, ny] = grid.n;
@@ -391,7 +391,7 @@ impl System {
         sums
     }
 
-    /// Adds what is stored at each unknown node to its balance.
+    /// Adds the storage at each unknown node to its balance.
     fn store(&self, balance: &mut [f64], stored: impl Fn(usize, &Storage) -> f64) {
         let Some(storage) = &self.storage else {
             return;
@@ -452,7 +452,7 @@ impl System {
         change
     }
 
-    /// Change of what goes through the faces.
+    /// Change of the flux through the faces.
     fn change_through<'a>(
         &'a self,
         at: &'a Linearised,
@@ -469,7 +469,7 @@ impl System {
             let step = [1, nx][direction];
             let next = k + step;
             let [uu, u, d] = face.by_mass;
-            // Without entrainment a step may lead out of the grid.
+            // Without entrainment the upstream node may be outside the grid.
             let entrained = match (face.by_mass == [0.0; 3], face.from_second) {
                 (true, _) => 0.0,
                 (_, false) => uu * mass[k - step] + u * mass[k] + d * mass[next],

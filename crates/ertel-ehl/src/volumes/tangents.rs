@@ -1,12 +1,12 @@
-//! Derivatives of the figures by inputs: how the solution on each grid moves with an input.
+//! Derivatives of the figures by inputs: the change of the solution on each grid with an input.
 //!
 //! ```text
 //!   R_l(q_l; q_(l−1), θ) = 0  on grid l, inside grid l − 1:      ∂R_l/∂q_l q̇_l = −(∂R_l/∂q_(l−1) q̇_(l−1) + ∂R_l/∂θ)
 //!   j(q_0 … q_n; θ):      dj/dθ = (j(q + s q̇; θ + s) − j(q; θ))/s
 //! ```
-//! The right sides are differences of the equation with the pressures of the solution, so that all that an input moves is in them:
+//! The right sides are differences of the equation at the pressures of the solution, and include every effect of an input:
 //! scales, gap, fluid, the shape of the ellipse and with it the cells. One linear solve for each input and grid; any figure then takes one
-//! evaluation. The finest grids are left out: relative derivatives change with the error of the grid, which is far below what they are asked to.
+//! evaluation. The finest grids are omitted: relative derivatives change with the error of the grid, which is far below their required accuracy.
 
 use std::sync::Arc;
 
@@ -49,16 +49,16 @@ const FIGURES: [Figure; 13] = [
     Figure::TemperatureBody2Mean,
 ];
 
-/// Grids that are left out, the finest first, and how many are taken at least: derivatives were compared with those of the adjoint on cells of 0.023
+/// Finest grids that are omitted, and the fewest that are used: derivatives were compared with those of the adjoint on cells of 0.023
 /// half-widths, which is the fifth grid. Coarse grids of lines need not be solutions: the last one that is taken is.
-const LEFT_OUT: usize = 3;
+const OMITTED_GRIDS: usize = 3;
 const LEAST: usize = 5;
 
-/// The least where heat counts, whose equations take many times as long.
+/// The fewest in thermal contacts, whose equations take many times as long.
 const LEAST_WARM: usize = 4;
 
-/// How exactly the linear systems are solved. Radii that nearly cancel, as those of a ball and its groove do, move the equation by a hundred times what is
-/// left of that in the film: with 1e-3 the exponents of lengths by which a film scales add up to 0.79 in place of 1, with 1e-5 to 1.00.
+/// Tolerance of the linear systems. Radii that nearly cancel, as those of a ball and its groove, change the equation a hundred times more than
+/// the film: with 1e-3 the exponents of lengths by which a film scales add up to 0.79 instead of 1, with 1e-5 to 1.00.
 const LINEAR: GmresParams = GmresParams {
     tolerance: 1e-5,
     max_iterations: 100,
@@ -68,7 +68,7 @@ const LINEAR: GmresParams = GmresParams {
 /// Right sides, as heights of the film, that are rounding: steps of inputs that count make some of 1e-7 to 1e-3.
 const ROUNDING: f64 = 1e-11;
 
-/// A solution whose derivatives are asked for.
+/// A solution whose derivatives are computed.
 pub struct Tangents<'a, Plan> {
     problem: &'a Problem<Plan>,
     levels: &'a [Level],
@@ -90,7 +90,7 @@ impl<'a, Plan: Sync> Tangents<'a, Plan> {
             Some(_) => LEAST_WARM,
             None => LEAST,
         };
-        let least = n.saturating_sub(LEFT_OUT).max(taken_at_least).min(n);
+        let least = n.saturating_sub(OMITTED_GRIDS).max(taken_at_least).min(n);
         let is_solved = |taken: &usize| (solved.stats.get(taken - 1)).is_some_and(|s| s.converged);
         let taken = (least.max(1)..=n).find(is_solved).unwrap_or(n);
         let levels = &solved.levels[..taken];
@@ -110,12 +110,12 @@ impl<'a, Plan: Sync> Tangents<'a, Plan> {
         }
     }
 
-    /// How many grids are taken, from the coarsest on.
+    /// Number of grids used, from the coarsest on.
     pub fn grids(&self) -> usize {
         self.levels.len()
     }
 
-    /// What keeps derivatives by an input from being known.
+    /// The reason why derivatives by an input are unavailable, if there is one.
     fn obstacle(&self, problem: &Problem<Plan>) -> Option<NoDerivative> {
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs();
         let own = self.problem;
@@ -171,7 +171,7 @@ impl<Plan: Sync> Tangents<'_, Plan> {
     }
 }
 
-/// The grids of the solution for a problem beside it; none where the input does not move the equation.
+/// The grids of the solution for a perturbed problem; none where the input does not change the equation.
 struct Side<'a, Plan> {
     problem: &'a Problem<Plan>,
     levels: Vec<Level>,
@@ -255,7 +255,7 @@ impl<'a, Plan> Side<'a, Plan> {
     }
 }
 
-/// A grid of the solution for a problem beside it, and the equation there with the pressures of the solution.
+/// A grid of the solution for a perturbed problem, and the equation there with the pressures of the solution.
 struct Moved {
     system: System,
     state: State,
@@ -313,7 +313,7 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
     fn derivatives(&self, inputs: &[Perturbed<Plan>]) -> Vec<Result<Vec<f64>, NoDerivative>> {
         let mut sides: Vec<MovedSide<Plan>> = (inputs.iter())
             .map(|input| {
-                // The one above: a second one would take as long again and tell no more than what a step of 1e-5 leaves out.
+                // The one above: a second one would double the time and improve no more than the error of a step of 1e-5.
                 let [_, problem] = &input.problems;
                 match self.obstacle(problem) {
                     Some(obstacle) => Err(obstacle),
@@ -349,14 +349,14 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
                     let side = side.as_mut().ok().filter(|_| *moves)?;
                     let moved = side.moved(level);
                     let right = moved.right(&here, &at, &equation);
-                    // What does not move the first grid moves none.
+                    // An input without effect on the first grid has none on the others.
                     let moves = !is_first || dot(&right, &right) >= ROUNDING * ROUNDING;
                     moves.then_some((moved, right))
                 })
                 .collect();
             own.advance(here, &at, None);
             let mut inverse = Inverse::new(&equation, &mut preconditioner);
-            // Inputs move the equation in few ways, as speed and viscosity do: what serves one of them serves the others.
+            // Many inputs, such as speed and viscosity, change the equation in the same way: directions of one are reused for others.
             let mut recycled = Recycled::default();
             let mut solve = |right: &[f64]| {
                 let mut x = vec![0.0; equation.n_rows()];

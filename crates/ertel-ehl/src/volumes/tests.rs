@@ -142,7 +142,7 @@ fn jacobian_in_time_against_differences() {
         past: past.collect(),
     });
     assert_changes(&system, &state, 1e-6);
-    // c_0 m + h is what it adds.
+    // It adds c_0 m + h.
     let with = system.linearise(&state);
     system.storage = None;
     let without = system.linearise(&state);
@@ -156,7 +156,7 @@ fn jacobian_in_time_against_differences() {
     );
 }
 
-/// The same where Eyring's fluid thins, sliding along the grid, or at an angle to it with spin: the gradients beside a node count, too.
+/// The same where Eyring's fluid thins, sliding along the grid, or at an angle to it with spin: the gradients at neighbours of a node count, too.
 #[test]
 fn jacobian_of_thinned_films_against_differences() {
     let motion = Motion::straight(0.8, 0.0);
@@ -391,7 +391,7 @@ fn tangents_against_differences_of_solves() {
     .into_iter()
     .zip(derivatives)
     {
-        // So narrow that the minimum stays with its node: over 4 % what is read off between nodes differs by 0.3 % of it.
+        // So narrow that the minimum stays with its node: over 4 % the value between nodes differs by 0.3 %.
         let wide = 0.002;
         let [below, above] = [-wide, wide].map(|d| figures_of(&of(d * size), n));
         for (figure, derivative) in tangents.figures().into_iter().zip(derivatives.unwrap()) {

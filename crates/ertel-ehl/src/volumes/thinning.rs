@@ -1,11 +1,11 @@
-//! How stress thins the film at a node.
+//! Shear thinning of the film at a node.
 //!
 //! ```text
 //!   q = K G/12,  K = κ_∥ e eᵀ + κ_⊥ (I − e eᵀ),   G = H∇P,  e along the sliding velocity
-//!   κ_∥ = 12 q_∥/G_∥,  κ_⊥ = 12 q_⊥/G_⊥           of the closure for G and Ω = σμ̄/H, both 1 where nothing thins
+//!   κ_∥ = 12 q_∥/G_∥,  κ_⊥ = 12 q_⊥/G_⊥           of the closure for G and Ω = σμ̄/H, both 1 in Newtonian films
 //! ```
 //! Each κ is even in both gradients, so that it is taken at a small gradient where there is none. A face sees the resistance μ̄/K_dd along its own
-//! direction d in place of μ̄, and what the gradient along the other one drives through it, K_xy/μ̄ · ∂P.
+//! direction d instead of μ̄, and the flow that the gradient along the other one drives through it, K_xy/μ̄ · ∂P.
 //!
 //! Theory: Shear thinning by finite volumes.
 
@@ -31,14 +31,14 @@ const NO_GRADIENT: f64 = 1e-4;
 
 /// Film below which κ is that of this film, in h²: half of what a parabola rises by over a cell. Stresses grow without bound as a film vanishes, and on
 /// grids too coarse for the smallest one, where it is below zero, Newton's method then does not converge (a ball at 1.9 GPa with L 19 and Eyring's
-/// fluid; it does from 0.1 on). What the last grids find does not change with it.
+/// fluid; it does from 0.1 on). Results on the last grids do not depend on it.
 pub(super) const UNRESOLVED: f64 = 0.25;
 
-/// e-folds of the fluidity by the stress at the walls from which on κ is that of this gradient: many more than a solution has.
-pub(super) const FOLDS: f64 = 40.0;
+/// e-folds of the fluidity by the wall stress above which κ stays constant: many more than a solution has.
+pub(super) const MAX_LN_FLUIDITY: f64 = 40.0;
 
-/// e-folds below the ambient viscosity at which that of a thinned film levels off: gradients on the way to a solution would make it vanish.
-const GONE: f64 = 10.0;
+/// e-folds below the ambient viscosity at which that of a thinned film levels off: gradients of early iterates would make it vanish.
+const MAX_LN_THINNING: f64 = 10.0;
 
 /// κ and its derivatives by G_∥, G_⊥, Ω and P.
 #[derive(Clone, Copy, Debug)]
@@ -48,7 +48,7 @@ struct Factor {
 }
 
 impl Factor {
-    /// Where nothing thins.
+    /// Without shear thinning.
     const NONE: Factor = Factor {
         value: 1.0,
         by: [0.0; 4],
@@ -82,7 +82,7 @@ fn factors(
     demand: &Demand,
     rule: &mut CrossFilm,
 ) -> Option<[Factor; 2]> {
-    let [smallest, largest] = fluid.stresses_between(pressure, FOLDS)?;
+    let [smallest, largest] = fluid.stresses_between(pressure, MAX_LN_FLUIDITY)?;
     let (own, omega) = (demand.gradient, demand.omega);
     let least = NO_GRADIENT * smallest;
     if own[0].abs().max(own[1].abs()).max(omega) < least {
@@ -98,9 +98,9 @@ fn factors(
     (along.value > 0.0 && across.value > 0.0).then_some([along, across])
 }
 
-/// What a film sees of the gradient of the pressure and of the sliding, in the frame of the latter.
+/// Pressure gradient and sliding at a node, in the frame of the sliding.
 pub(super) struct Demand {
-    /// H, or what counts in place of it.
+    /// H, or its substitute for unresolved films.
     pub film: f64,
     /// Direction of the sliding along the grid.
     pub direction: [f64; 2],
@@ -117,7 +117,7 @@ impl Demand {
     pub fn new(node: &Node, h: f64, gradient: [f64; 2], slide: [f64; 2]) -> Demand {
         let film = node.film.max(UNRESOLVED * h * h);
         let speed = slide[0].hypot(slide[1]);
-        // Without sliding the fluid knows no direction.
+        // Without sliding the fluid has no preferred direction.
         let [c, s] = match speed > 0.0 {
             true => slide.map(|u| u / speed),
             false => [1.0, 0.0],
@@ -185,8 +185,8 @@ impl Thinned {
         let (along, across) = (jet(&along), jet(&across));
         let weighed =
             |[a, b]: [f64; 2]| -> Jet { std::array::from_fn(|k| a * along[k] + b * across[k]) };
-        // Levels off where the lubricant would be all but gone.
-        let most = ln_mu + GONE;
+        // Levels off before the viscosity vanishes.
+        let most = ln_mu + MAX_LN_THINNING;
         let ln = |k: Jet| -> Jet {
             let beyond = (k[0].ln() - most).max(0.0);
             std::array::from_fn(|i| match i {

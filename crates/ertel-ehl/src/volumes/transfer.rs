@@ -1,4 +1,4 @@
-//! From a grid to one with nodes at twice the distance and back: interpolation, restriction and the matrix between them.
+//! From a grid to one with nodes at twice the distance and back: interpolation, restriction and the coarse matrix.
 
 use rayon::prelude::*;
 
@@ -8,7 +8,7 @@ use super::stencil::{BATCH, Layout, PLACES, REACH, Row, SIDE};
 pub struct Matrix {
     /// Rows, the largest entry of each is 1.
     pub rows: Vec<Row>,
-    /// What they were divided by.
+    /// The divisor of the values.
     pub sizes: Vec<f32>,
     /// Whether they are balances, not P = 0.
     pub wetted: Vec<bool>,
@@ -119,7 +119,7 @@ impl Transfer {
         let [nx, _] = self.fine.n;
         let width = self.coarse.width();
         // The coarse nodes on either side, in vectors with zeros around; the centreline is a coarse line.
-        let beside = |d: usize, i: usize| {
+        let neighbours = |d: usize, i: usize| {
             let from = i + 2 * REACH - self.first[d];
             [from / 2, from.div_ceil(2)]
         };
@@ -128,9 +128,9 @@ impl Transfer {
             let Some(j) = self.fine.line(of_vector) else {
                 return;
             };
-            let [below, above] = beside(1, j).map(|line| line * width);
+            let [below, above] = neighbours(1, j).map(|line| line * width);
             for i in 0..nx {
-                let [before, behind] = beside(0, i);
+                let [before, behind] = neighbours(0, i);
                 let sum =
                     w[below + before] + w[below + behind] + w[above + before] + w[above + behind];
                 x[i + REACH] += 0.25 * sum;

@@ -25,21 +25,21 @@ impl Severity {
     }
 }
 
-/// What `ertel explain` prints of a kind.
+/// Explanation of a kind, as printed by `ertel explain`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Explanation {
-    /// What the warning means.
+    /// Meaning of the warning.
     pub meaning: &'static str,
     /// When it is raised, and the source of that limit.
     pub limit: &'static str,
-    /// What to do.
+    /// Remedy.
     pub remedy: &'static str,
 }
 
 /// Kinds as `/// meaning` of the code, `Name "code" Severity, meaning, limit, remedy;`.
 macro_rules! kinds {
     ($($(#[$doc:meta])* $name:ident $code:literal $severity:ident, $meaning:literal, $limit:literal, $remedy:literal;)*) => {
-        /// What a warning is about. Its code is stable: case files name it in `[output] silence`.
+        /// Kind of a warning. Its code is stable: case files name it in `[output] silence`.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
         #[serde(rename_all = "kebab-case")]
         pub enum WarningKind {
@@ -60,7 +60,7 @@ macro_rules! kinds {
                 match self { $(WarningKind::$name => Severity::$severity,)* }
             }
 
-            /// What it means, its limit and what to do.
+            /// Its meaning, limit and remedy.
             pub fn explanation(self) -> Explanation {
                 match self {
                     $(WarningKind::$name => Explanation { meaning: $meaning, limit: $limit, remedy: $remedy },)*
@@ -109,7 +109,7 @@ kinds! {
         "A number of the asperities differs from those quoted for engineering surfaces.",
         "Asperity group 0.03 to 0.07; rms height over asperity radius 1e-4 to 1e-2 (range usually quoted with Greenwood and Tripp's model).",
         "Check the roughness data.";
-    /// What was done to a measured profile.
+    /// Changes made to a measured profile.
     MeasuredProfile "measured-profile" Caution,
         "The measured profile of a roller was levelled, averaged, shifted or made monotone before it was used.",
         "Any change of the measured heights.",
@@ -201,8 +201,8 @@ kinds! {
         "Contact area beyond the radius of a body.",
         "Nothing: friction is summed to the end of the bodies, and its error bar includes what the outer half of them adds.";
 
-    // What the model neglects.
-    /// Heat that an isothermal contact leaves out.
+    // Neglected effects.
+    /// Heat that an isothermal contact neglects.
     HeatLeftOut "heat-left-out" Caution,
         "The contact is isothermal, yet shear heats the inlet or friction heats the film so much that films or losses are too high.",
         "Mean rise beyond 10 K (oils lose 3 to 5 % of their viscosity per kelvin), or a thermal reduction factor below 0.9.",
@@ -212,7 +212,7 @@ kinds! {
         "Inertia or turbulence of the film may count; Reynolds' equation has neither.",
         "Reynolds number beyond 2000 (Habchi 2008, section 6.1), or inertia beyond 0.1 of the viscous forces.",
         "Take films as indications.";
-    /// What formulas of an estimate neglect.
+    /// Effects that the formulas of an estimate neglect.
     EstimateScope "estimate-scope" Caution,
         "The formulas of an estimate neglect a part of the case.",
         "Starved inlet, shear thinning, or the points of a curve.",
@@ -345,7 +345,7 @@ kinds! {
         "Rollers are solved as lines under their mean load per length, but one slice carries much more.",
         "Heaviest slice beyond 1.5 times the mean.",
         "Set `roller_contacts = \"finite\"`.";
-    /// Data without which figures of a machine are left out.
+    /// Data without which figures of a machine are omitted.
     MissingData "missing-data" Caution,
         "A figure of the machine is not computed, or neglects an effect, because data are missing.",
         "The message names the key.",
@@ -432,7 +432,7 @@ mod tests {
         }
     }
 
-    /// What is not to be used, is shown.
+    /// Warnings about unusable figures cannot be silenced.
     #[test]
     fn unusable_figures_are_not_silenced() {
         assert!(!WarningKind::Friction.may_be_silenced());

@@ -1,6 +1,6 @@
 //! Dense symmetric compliance of the loaded surface, applied on all cores.
 //!
-//! The lower triangle is kept in square tiles. A tile serves twice while it is at hand, for its
+//! The lower triangle is kept in square tiles. A tile is used twice while it is in cache, for its
 //! rows and, transposed, for its columns: a product is bound by the memory that it reads. Tiles are
 //! dealt to a fixed number of tasks whose sums are added in a fixed order: the result does not
 //! depend on the number of threads.

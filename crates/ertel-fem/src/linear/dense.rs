@@ -15,7 +15,7 @@ impl Real for f64 {}
 
 pub use pulp::NullaryFnOnce as Kernel;
 
-/// Runs a kernel, and what is inlined into it, with the widest vector instructions at hand.
+/// Runs a kernel, and what is inlined into it, with the widest vector instructions available.
 ///
 /// A closure will do where it is short: a long one is not inlined, and compiled without those instructions. Others
 /// are declared by [`kernel!`](crate::kernel).
@@ -147,7 +147,7 @@ fn four<T>(columns: &[T], m: usize) -> [&[T]; COLUMNS] {
 mod tests {
     use super::*;
 
-    /// Against plain sums, for sizes at and beside the widths of the loops.
+    /// Against plain sums, for sizes at and next to the widths of the loops.
     #[test]
     fn products_equal_plain_sums() {
         for (m, n) in [(1, 1), (3, 5), (16, 8), (37, 22), (0, 3), (4, 0)] {

@@ -72,7 +72,7 @@ pub struct Blocks<'a> {
     /// Groups `n_inner..` come last, all in one root front, whatever the graph says.
     pub n_inner: usize,
     /// Vertices, ascending in number, on whose common edge, face or cell each inner group lies, filled up
-    /// with `u32::MAX`; every vertex has a group of its own. With them only the vertices are
+    /// with `u32::MAX`; every vertex is a separate group. With them only the vertices are
     /// ordered by the graph, in a small part of the time, and the other groups follow.
     pub carriers: Option<Vec<[u32; 4]>>,
     /// How the order is found.

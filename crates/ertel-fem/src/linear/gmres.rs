@@ -23,7 +23,7 @@ impl Default for GmresParams {
     }
 }
 
-/// How it went.
+/// Statistics of the iteration.
 #[derive(Clone, Copy, Debug)]
 pub struct GmresInfo {
     /// Iterations, one product with the matrix and one preconditioner each.
@@ -148,7 +148,7 @@ pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     dot_by(a, b, |a, b| a.iter().zip(b).map(|(x, y)| x * y).sum())
 }
 
-/// a·b, of parts by a rule of their own, in one order whatever threads there are.
+/// a·b, with `serial` for each part, in the same order for any number of threads.
 pub(super) fn dot_by(a: &[f64], b: &[f64], serial: impl Fn(&[f64], &[f64]) -> f64 + Sync) -> f64 {
     if a.len() <= 2 * CHUNK {
         return serial(a, b);
@@ -159,7 +159,7 @@ pub(super) fn dot_by(a: &[f64], b: &[f64], serial: impl Fn(&[f64], &[f64]) -> f6
     sums.iter().sum()
 }
 
-/// a + c b in place of a.
+/// a ← a + c b.
 pub fn add(a: &mut [f64], c: f64, b: &[f64]) {
     let serial = |a: &mut [f64], b: &[f64]| a.iter_mut().zip(b).for_each(|(a, b)| *a += c * b);
     match a.len() <= 2 * CHUNK {

@@ -13,7 +13,7 @@ use faer::{Conj, MatMut, Par};
 pub struct LuError {
     /// Order of the matrix.
     pub n: usize,
-    /// What the library said.
+    /// Message of the library.
     pub reason: String,
 }
 

@@ -154,8 +154,8 @@ mod tests {
         (0..N).map(|i| (k * i as f64).sin() + 0.1).collect()
     }
 
-    /// A known solution comes back, in as many iterations as GMRES takes; a mixture of right sides that were solved for takes none, and one near
-    /// them fewer than anew.
+    /// A known solution comes back, in as many iterations as GMRES takes; a linear combination of earlier right sides takes none, and one near
+    /// them fewer than a fresh solve.
     #[test]
     fn directions_serve_again() {
         let params = GmresParams {
@@ -196,7 +196,7 @@ mod tests {
 
     /// Iterations that run out, a matrix that makes nothing new, and nothing to solve for.
     #[test]
-    fn what_it_cannot_solve_is_an_error() {
+    fn unsolvable_problems_are_errors() {
         let few = GmresParams {
             max_iterations: 3,
             ..GmresParams::default()

@@ -45,7 +45,7 @@ impl AxisMap {
     }
 }
 
-/// What one refinement did.
+/// Result of one refinement.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RefineInfo {
     /// cells bisected, closure included
@@ -328,7 +328,7 @@ impl Bisection {
         pass.n_bisections += 1;
     }
 
-    /// The mesh as it stands; cells in the same order, two vertices swapped where the orientation asks for it.
+    /// The current mesh; cells in the same order, two vertices swapped where the orientation asks for it.
     #[must_use]
     pub fn mesh(&self) -> SimplexMesh {
         let mut cells = self.cells.clone();

@@ -134,7 +134,7 @@ pub struct BodyMesh {
 /// Meshes the body so that no longest edge exceeds the size field: that of a cell at its barycentre, that of a facet
 /// on the upper side (z = 0) at its vertices and barycentre.
 ///
-/// The surface, where the load acts, so has the size asked for, while the cells below may grow at once; sampling
+/// The surface, where the load acts, so has the requested size, while the cells below may grow at once; sampling
 /// them at their vertices too costs about a third more nodes for the same error of the deflection. The patch is met
 /// exactly, however coarse the size field. A field that varies by more than about 1 per unit length can hide a fine
 /// zone between the sample points of coarse cells.
@@ -215,7 +215,7 @@ impl BodyMesh {
         }
     }
 
-    /// What the body was built from.
+    /// Parameters of the body.
     #[must_use]
     pub fn params(&self) -> &BodyParams {
         &self.params
@@ -227,7 +227,7 @@ impl BodyMesh {
         &self.bisection
     }
 
-    /// The contact patch as a mesh of its own.
+    /// The contact patch as a separate mesh.
     #[must_use]
     pub fn contact_mesh(&self) -> ContactMesh {
         ContactMesh::extract(&self.mesh, &self.contact, |x| self.params.on_patch_edge(x))

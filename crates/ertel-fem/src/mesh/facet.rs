@@ -1,4 +1,4 @@
-//! Facets of the body's boundary, and the contact surface as a mesh of its own.
+//! Facets of the body's boundary, and the contact surface as a separate mesh.
 
 use super::simplex::SimplexMesh;
 
@@ -63,7 +63,7 @@ fn outward_facet(cell: &[u32], opposite: usize) -> [u32; 3] {
     facet
 }
 
-/// The contact patch as a mesh of its own: triangles in x-y, or segments along x.
+/// The contact patch as a separate mesh: triangles in x-y, or segments along x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactMesh {
     /// the surface; cell i is facet i of the body's contact facets, vertices in the same order
@@ -75,7 +75,7 @@ pub struct ContactMesh {
 }
 
 impl ContactMesh {
-    /// Surface of `body` made of the facets `contact`; `on_patch_edge` tells vertices on the patch's edge.
+    /// Surface of `body` made of the facets `contact`; `on_patch_edge` selects vertices on the patch's edge.
     pub fn extract(
         body: &SimplexMesh,
         contact: &FacetMesh,

@@ -31,7 +31,7 @@ pub enum MeshError {
         name: &'static str,
         /// the value given
         value: f64,
-        /// what it has to satisfy
+        /// the requirement
         expected: &'static str,
     },
     /// The size field is not a positive number somewhere in the body.

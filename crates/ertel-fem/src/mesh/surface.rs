@@ -61,7 +61,7 @@ pub fn surface_mesh(
         let maps = [linear(1, x0, x1), AxisMap::default(), AxisMap::default()];
         Bisection::from_cubes(&[0], [0.0; 3], 1.0, [1, 0, 0], maps)
     } else {
-        // The line y = 0 is met exactly: profiles and symmetric meshes go by it.
+        // The line y = 0 is met exactly: profiles and symmetric meshes use it.
         let crossed = y0 < 0.0 && y1 > 0.0;
         let [nx, half] = squares(length, if crossed { 0.5 * width } else { width });
         let ny = if crossed { 2 * half } else { half };
@@ -120,7 +120,7 @@ impl SurfaceMesh {
         }
     }
 
-    /// The mesh as it stands.
+    /// The current mesh.
     #[must_use]
     pub fn mesh(&self) -> &SimplexMesh {
         &self.mesh

@@ -467,7 +467,7 @@ fn marked_cells_are_refined_in_place() {
 }
 
 #[test]
-fn refinement_that_asks_for_nothing_changes_nothing() {
+fn empty_refinement_changes_nothing() {
     let field = hertz_zone(0.5, 1.0);
     let mut body = body_mesh(&THESIS, &|x| field.size(x)).unwrap();
     let before = body.mesh.clone();

@@ -5,7 +5,7 @@
 //!   M_β = Σ_q w_q T_β(y_q)               moments of a box;  those of its parent follow from them exactly
 //!   φ(x) = Σ_α T_α(x) Σ_β K_αβ M_β
 //! ```
-//! A black-box fast multipole method (Fong and Darve, J. Comput. Phys. 228 (2009) 8712-8725) in coefficients in place of
+//! A black-box fast multipole method (Fong and Darve, J. Comput. Phys. 228 (2009) 8712-8725) in coefficients instead of
 //! values at nodes, cut at a total degree: T_α = T_a(x) T_b(y) with a + b < p.
 
 use std::sync::{Arc, Mutex, PoisonError};
@@ -17,7 +17,7 @@ use super::Kernel;
 pub struct Basis {
     /// p.
     pub degree: usize,
-    /// Exponents (a, b), by total degree: the basis of a smaller p stands at the front.
+    /// Exponents (a, b), by total degree: the basis of a smaller p comes first.
     pub exponents: Vec<[usize; 2]>,
 }
 

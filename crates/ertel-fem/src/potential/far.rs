@@ -67,7 +67,7 @@ impl Links {
 pub struct Ends<T> {
     /// Entries of each box in `columns`; empty for boxes with children.
     pub ranges: Vec<Range<usize>>,
-    /// Where the values stand.
+    /// Positions of the values.
     pub columns: Vec<u32>,
     /// One column of moments, padded, for each of them.
     pub values: Vec<T>,

@@ -1,4 +1,4 @@
-//! What a unit density at one point gives at another.
+//! Kernels: potential at one point of a unit density at another.
 
 /// Kernel of a potential.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

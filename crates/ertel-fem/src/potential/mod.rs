@@ -1,7 +1,7 @@
 //! Potentials of piecewise polynomial densities on a surface or a line, φ(x) = ∫ p(y) K(|x − y|) dy.
 //!
 //! The density has nodal values in a Lagrange space; the potential is wanted at points of the same plane. Elements around a point are integrated
-//! in closed form ([`integrals`]), the others by Gauss sums whose far field goes through expansions: work and memory grow
+//! in closed form ([`integrals`]), the others by Gauss sums whose far field is evaluated by expansions: work and memory grow
 //! like the number of elements. Products are exact transposes of each other up to rounding, and have the same
 //! bits on any number of threads.
 
@@ -118,7 +118,7 @@ fn mixed_dot<S: Number, T: Number>(a: &[S], b: &[T]) -> T {
     sum
 }
 
-/// The near field: where films are thin beside the deflection, as along lines, single precision would be seen.
+/// The near field: where films are thin compared with the deflection, as along lines, single precision would be visible.
 enum Near {
     Single(NearField<f32>),
     Double(NearField<f64>),
@@ -229,7 +229,7 @@ impl<'a> Sources<'a> {
         &self.table[q * n..(q + 1) * n]
     }
 
-    /// What takes nodal densities to moments of the leaves.
+    /// Operators from nodal densities to moments of the leaves.
     fn ends(&self, tree: &Tree, basis: &Basis) -> Ends<f64> {
         use rayon::prelude::*;
         let per_element = self.per_element();
@@ -281,7 +281,7 @@ impl<'a> Sources<'a> {
     }
 }
 
-/// What takes local expansions to the targets of the leaves.
+/// Operators from local expansions to the targets of the leaves.
 fn target_ends(tree: &Tree, targets: &[[f64; 2]], basis: &Basis) -> Ends<f64> {
     use rayon::prelude::*;
     let leaves: Vec<(Vec<u32>, Vec<f64>)> = (0..tree.cells.len())

@@ -1,7 +1,7 @@
 //! Entries of the near field: closed forms and Gauss sums over the elements around the targets of a leaf.
 //!
 //! ```text
-//!   entry = ∫ N_j K  −  Σ_q w_q N_j K over the points that expansions see
+//!   entry = ∫ N_j K  −  Σ_q w_q N_j K over the points that expansions include
 //! ```
 
 use std::ops::Range;
@@ -42,13 +42,13 @@ pub struct Scratch {
     gauss: Vec<usize>,
 }
 
-/// What blocks are built from.
+/// Input of the blocks.
 pub struct Builder<'a> {
     sources: &'a Sources<'a>,
     targets: &'a [[f64; 2]],
     tree: &'a Tree,
     integrals: &'a ElementIntegrals,
-    /// Where each source stands in the tree.
+    /// Position of each source in the tree.
     position: Vec<u32>,
 }
 
@@ -157,7 +157,7 @@ impl<'a> Builder<'a> {
         }
         nodes.sort_unstable();
         nodes.dedup();
-        // Whole vectors: the last target stands for the places beyond.
+        // Whole vectors: the last target pads the places beyond.
         let n = targets.len().next_multiple_of(POINTS);
         points.iter_mut().for_each(Vec::clear);
         for k in 0..n {
@@ -177,7 +177,7 @@ impl<'a> Builder<'a> {
             gauss.clear();
             let position = |q: usize| self.position[first + q];
             let far = self.is_far(element, [&points[0], y]);
-            // Of a far element those points that expansions do not see, in place of the whole less those that they see.
+            // Of a far element only the points that expansions omit, instead of all points less those included.
             gauss
                 .extend((0..per_element).filter(|q| direct.has(position(*q), around.image) == far));
             let vertices = sources.vertices(element);

@@ -38,14 +38,14 @@ struct Candidate {
     score: (usize, bool),
 }
 
-/// The separator that the first line tells, as in `sep=;`, and where the others begin.
-fn told_separator(text: &str, start: usize) -> Option<(Separator, usize)> {
+/// The separator declared in the first line, as in `sep=;`, and the start of the next line.
+fn declared_separator(text: &str, start: usize) -> Option<(Separator, usize)> {
     let line = text[start..].lines().next()?;
-    let told = line.trim_matches('"').trim_end_matches('\r');
-    let mark = told
+    let declared = line.trim_matches('"').trim_end_matches('\r');
+    let mark = declared
         .get(..4)
         .filter(|head| head.eq_ignore_ascii_case("sep="))
-        .map(|_| &told[4..])?;
+        .map(|_| &declared[4..])?;
     let mut marks = mark.trim_matches('"').chars();
     let mark = marks.next().filter(|_| marks.next().is_none())?;
     let end = start + line.len();
@@ -60,9 +60,9 @@ pub(super) fn find(
     vocabulary: &Vocabulary<'_>,
     params: &CsvParams,
 ) -> Result<Head, NoHead> {
-    let told = told_separator(text, start);
-    let (start, line) = told.map_or((start, 1), |(_, next)| (next, 2));
-    let separators: Vec<Separator> = match told {
+    let declared = declared_separator(text, start);
+    let (start, line) = declared.map_or((start, 1), |(_, next)| (next, 2));
+    let separators: Vec<Separator> = match declared {
         Some((separator, _)) => vec![separator],
         None => Separator::ALL.to_vec(),
     };
@@ -73,8 +73,8 @@ pub(super) fn find(
         if let Some(is_known) = known.get(cell) {
             return *is_known;
         }
-        let is_told = params.columns.iter().any(|map| map.title == cell);
-        let is_known = is_told || vocabulary.knows(cell);
+        let is_mapped = params.columns.iter().any(|map| map.title == cell);
+        let is_known = is_mapped || vocabulary.knows(cell);
         known.insert(cell.to_owned(), is_known);
         is_known
     };
@@ -89,7 +89,7 @@ pub(super) fn find(
         for candidate in candidates(text, (start, line), *separator, &is_known) {
             // A column alone: a comma in its numbers would be a decimal comma or a second cell.
             let is_alone = candidate.head.row.cells.len() == 1;
-            if is_alone && told.is_none() && *separator != Separator::Char(',') {
+            if is_alone && declared.is_none() && *separator != Separator::Char(',') {
                 continue;
             }
             let is_better = best.first().is_none_or(|best| candidate.score > best.score);
@@ -109,7 +109,11 @@ pub(super) fn find(
             Err(NoHead::Two(first.head.row.line, second.head.row.line))
         }
         (Some(first), _) => Ok(first.head),
-        (None, _) => guess(text, (start, line), told.map(|(separator, _)| separator)),
+        (None, _) => guess(
+            text,
+            (start, line),
+            declared.map(|(separator, _)| separator),
+        ),
     }
 }
 
@@ -203,14 +207,14 @@ fn head(text: &str, row: Row, separator: Separator) -> Head {
 fn guess(
     text: &str,
     (start, line): (usize, usize),
-    told: Option<Separator>,
+    declared: Option<Separator>,
 ) -> Result<Head, NoHead> {
     let mut lines = text[start..].lines();
     let first = lines.find(|line| !line.trim().is_empty() && !is_comment(line));
     let first = first.ok_or(NoHead::Empty)?;
     let outside: String = first.split('"').step_by(2).collect();
     let separators = [';', '\t', ','];
-    let separator = told.unwrap_or_else(|| {
+    let separator = declared.unwrap_or_else(|| {
         let found = separators.into_iter().find(|c| outside.contains(*c));
         Separator::Char(found.unwrap_or(','))
     });
@@ -252,7 +256,7 @@ pub(super) fn with_units(titles: &[String], row: &Row, below: Option<&Row>) -> O
         if is_number(cell) || i >= titles.len() {
             return None;
         }
-        // A title with a unit of its own is followed by no other one.
+        // A title with a unit is not followed by another unit.
         let has_unit = readings(&titles[i])
             .iter()
             .any(|r| r.is_exact && !r.unit.is_empty() && unit_of(&r.unit).is_some());

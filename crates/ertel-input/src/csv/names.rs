@@ -1,14 +1,14 @@
 //! Names of quantities in the titles of columns, in English and German.
 
-/// What a quantity is called.
+/// Names of a quantity.
 struct Names {
     /// The name by which the program calls it.
     own: &'static str,
     /// Other names.
     others: &'static [&'static str],
-    /// Symbols; they also stand behind or before a name.
+    /// Symbols; they may also follow or precede a name.
     symbols: &'static [&'static str],
-    /// Names that leave open which quantity of its kind is meant; what they are taken for is told.
+    /// Ambiguous names; a note states the quantity assumed.
     open: &'static [&'static str],
 }
 
@@ -357,7 +357,7 @@ const NAMES: &[Names] = &[
     },
 ];
 
-/// Words beside a name that do not change what it names.
+/// Words next to a name that do not change its meaning.
 const FILLERS: [&str; 6] = [
     "measured",
     "gemessen",

@@ -1,10 +1,10 @@
-//! Numbers of cells: decimal points and commas, thousands, cells that say that nothing was measured.
+//! Numbers of cells: decimal points and commas, thousands, cells for missing values.
 
 use std::borrow::Cow;
 
 use super::super::excerpt;
 
-/// The decimal mark that a user tells.
+/// The decimal mark given by the user.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Decimal {
     /// 1234.5
@@ -19,19 +19,19 @@ const MISSING: [&str; 22] = [
     "n.a.", "nan", "#n/a", "#na", "#nv", "null", "none", "k.a.", "nv", "*",
 ];
 
-/// Whether a cell says that nothing stands there.
+/// Whether a cell marks a missing value.
 #[must_use]
 pub fn is_missing(cell: &str) -> bool {
     // No longer word is one of them.
     cell.is_empty() || (cell.len() < 8 && MISSING.contains(&cell.to_lowercase().as_str()))
 }
 
-/// What a cell with digits is, apart from its sign.
+/// Form of a number in a cell, apart from its sign.
 enum Form {
     /// Without marks, or with one that can only be a decimal point; as Rust reads it.
     Plain(String),
     /// With a point, a comma or none as its decimal mark, and thousands apart by the other one.
-    Told {
+    Clear {
         number: String,
         decimal: Option<char>,
         thousands: Option<char>,
@@ -97,10 +97,10 @@ fn form(cell: &str) -> Option<Form> {
         (commas, points)
     };
     let sign = &cell[..cell.len() - unsigned.len()];
-    let told = |whole: String, decimal, thousands| {
+    let clear = |whole: String, decimal, thousands| {
         let number = format!("{sign}{whole}{exponent}");
         number.parse::<f64>().ok()?;
-        Some(Form::Told {
+        Some(Form::Clear {
             number,
             decimal,
             thousands,
@@ -108,13 +108,13 @@ fn form(cell: &str) -> Option<Form> {
     };
     match (n_mark, n_other) {
         (1, 0) if exponent.is_empty() && are_groups(mantissa, mark) => Some(Form::Open(mark)),
-        (1, 0) => told(mantissa.replace(mark, "."), Some(mark), None),
-        (1, _) if are_groups(&mantissa[..last], other) => told(
+        (1, 0) => clear(mantissa.replace(mark, "."), Some(mark), None),
+        (1, _) if are_groups(&mantissa[..last], other) => clear(
             mantissa.replace(other, "").replace(mark, "."),
             Some(mark),
             Some(other),
         ),
-        (_, 0) if are_groups(mantissa, mark) => told(mantissa.replace(mark, ""), None, Some(mark)),
+        (_, 0) if are_groups(mantissa, mark) => clear(mantissa.replace(mark, ""), None, Some(mark)),
         _ => None,
     }
 }
@@ -124,33 +124,33 @@ pub(super) fn is_number(cell: &str) -> bool {
     form(cell).is_some()
 }
 
-/// What the cells of a table tell about its marks.
+/// Decimal and thousands marks found in the cells of a table.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Marks {
-    /// The mark that the user told.
-    told: Option<Decimal>,
+    /// The mark given by the user.
+    given: Option<Decimal>,
     /// Whether a cell has a point, or a comma, that can only be a decimal mark.
     decimal: [bool; 2],
-    /// Whether a cell has points, or commas, that can only stand between thousands.
+    /// Whether a cell has points, or commas, that can only separate thousands.
     thousands: [bool; 2],
 }
 
 impl Marks {
-    /// Of a table of which nothing is seen.
-    pub(super) fn new(told: Option<Decimal>) -> Self {
+    /// Marks before any cell is seen.
+    pub(super) fn new(given: Option<Decimal>) -> Self {
         Self {
-            told,
+            given,
             ..Self::default()
         }
     }
 
-    /// Takes a cell in.
+    /// Adds a cell.
     pub(super) fn see(&mut self, cell: &str) {
-        // Most cells tell nothing.
+        // Most cells have no marks.
         if !cell.contains(['.', ',']) || !cell.starts_with(|c: char| !c.is_alphabetic()) {
             return;
         }
-        if let Some(Form::Told {
+        if let Some(Form::Clear {
             decimal, thousands, ..
         }) = form(cell)
         {
@@ -174,14 +174,14 @@ impl Marks {
             None => return Ok(None),
             Some(Form::Plain(number)) if number == cell => return Ok(Some(Cow::Borrowed(cell))),
             Some(Form::Plain(number)) => return Ok(Some(Cow::Owned(number))),
-            Some(Form::Told {
+            Some(Form::Clear {
                 number, decimal, ..
             }) => {
-                let is_told = match (self.told, decimal) {
+                let is_number = match (self.given, decimal) {
                     (Some(Decimal::Point), Some(',')) | (Some(Decimal::Comma), Some('.')) => false,
                     (Some(_) | None, _) => true,
                 };
-                return Ok(is_told.then_some(Cow::Owned(number)));
+                return Ok(is_number.then_some(Cow::Owned(number)));
             }
             Some(Form::Open(mark)) => mark,
         };
@@ -189,8 +189,8 @@ impl Marks {
         let as_decimal = plain.replace(mark, ".");
         let as_thousands = plain.replace(mark, "");
         let own = usize::from(mark == ',');
-        let is_decimal = match self.told {
-            Some(told) => Some((told == Decimal::Comma) == (mark == ',')),
+        let is_decimal = match self.given {
+            Some(given) => Some((given == Decimal::Comma) == (mark == ',')),
             None => {
                 let is_decimal =
                     self.decimal[own] && !self.thousands[own] && !self.decimal[1 - own];
@@ -208,7 +208,7 @@ impl Marks {
             Some(true) => Ok(Some(Cow::Owned(as_decimal))),
             Some(false) => Ok(Some(Cow::Owned(as_thousands))),
             None => Err(format!(
-                "`{}` may be {as_decimal} or {as_thousands}, and no other cell tells which; write more or fewer decimals, or tell the \
+                "`{}` may be {as_decimal} or {as_thousands}, and no other cell shows which; write more or fewer decimals, or give the \
                  decimal mark (`--decimal comma` or `--decimal point`)",
                 excerpt(cell)
             )),
@@ -228,7 +228,7 @@ mod tests {
     }
 
     #[test]
-    fn marks_are_told_by_the_other_cells() {
+    fn marks_are_found_from_the_other_cells() {
         for (cells, expected) in [
             (&["112,052", "9,53843"][..], Ok(Some("112.052"))),
             (&["0,052"], Ok(Some("0.052"))),
@@ -266,12 +266,12 @@ mod tests {
                 "{cells:?}"
             );
         }
-        let told = |told| Marks::new(Some(told));
+        let with = |decimal| Marks::new(Some(decimal));
         assert_eq!(
-            told(Decimal::Comma).read("1,203").unwrap().unwrap(),
+            with(Decimal::Comma).read("1,203").unwrap().unwrap(),
             "1.203"
         );
-        assert_eq!(told(Decimal::Point).read("1,203").unwrap().unwrap(), "1203");
-        assert_eq!(told(Decimal::Point).read("1,2").unwrap(), None);
+        assert_eq!(with(Decimal::Point).read("1,203").unwrap().unwrap(), "1203");
+        assert_eq!(with(Decimal::Point).read("1,2").unwrap(), None);
     }
 }

@@ -1,16 +1,16 @@
-//! What a user tells about a table: columns by their titles, columns to leave out, the decimal mark.
+//! Options for reading a table: columns by their titles, columns to ignore, the decimal mark.
 
 use super::super::{InputError, Table};
 use super::number::Decimal;
 use super::title::{readings, unit_of};
 use super::{CsvError, CsvTable, names};
 
-/// What a user tells about a table.
+/// Options for reading a table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CsvParams {
     /// Quantities and their columns.
     pub columns: Vec<ColumnMap>,
-    /// Titles of columns that are not looked at.
+    /// Titles of columns to ignore.
     pub ignored: Vec<String>,
     /// The decimal mark; `None` for that of the cells.
     pub decimal: Option<Decimal>,
@@ -58,7 +58,7 @@ impl CsvParams {
         Ok(params)
     }
 
-    /// These with others behind them, which count where both say something.
+    /// Combines both; `others` has priority.
     #[must_use]
     pub fn with(mut self, others: &Self) -> Self {
         let is_other = |map: &ColumnMap| others.columns.iter().any(|other| other.name == map.name);
@@ -70,7 +70,7 @@ impl CsvParams {
     }
 }
 
-/// What the columns of a table may be.
+/// Quantities that the columns of a table may have.
 pub struct Vocabulary<'a> {
     /// Quantities, by the names of the program.
     pub names: &'a [&'static str],
@@ -148,7 +148,7 @@ impl CsvTable {
             .or_else(number)
     }
 
-    /// Gives columns the titles that the user tells, and blots out those that are not looked at.
+    /// Applies the user's titles of columns, and blots out the ignored columns.
     pub(super) fn apply(
         &mut self,
         params: &CsvParams,
@@ -170,7 +170,7 @@ impl CsvTable {
             }
             places.into_iter().for_each(|place| self.blot_out(place));
         }
-        let mut told: Vec<(usize, String)> = Vec::new();
+        let mut mapped: Vec<(usize, String)> = Vec::new();
         for map in &params.columns {
             let Some((place, unit)) = map.find(self) else {
                 let problem = format!(
@@ -194,7 +194,7 @@ impl CsvTable {
                     return Err(self.error(&self.header, place, problem));
                 }
             };
-            if let Some((_, former)) = told
+            if let Some((_, former)) = mapped
                 .iter()
                 .find(|(other, former)| *other == place || *former == name)
             {
@@ -203,7 +203,7 @@ impl CsvTable {
                 );
                 return Err(self.error(&self.header, place, problem));
             }
-            told.push((place, name.clone()));
+            mapped.push((place, name.clone()));
             let cell = self.header.cell(place);
             let own_unit = || {
                 let units = readings(cell).into_iter();
@@ -217,12 +217,12 @@ impl CsvTable {
                 None => name,
             };
             self.titles[place] = title;
-            // What the table itself calls so is another column.
+            // A column of that name in the table is another one.
             let Some(own) = own else { continue };
             for other in 0..self.titles.len() {
-                let is_told = told.iter().any(|(place, _)| *place == other);
-                if !is_told && vocabulary.own_of_title(&self.titles[other]) == Some(own) {
-                    let note = format!("column `{}` is not looked at", self.header.cell(other));
+                let is_mapped = mapped.iter().any(|(place, _)| *place == other);
+                if !is_mapped && vocabulary.own_of_title(&self.titles[other]) == Some(own) {
+                    let note = format!("column `{}` is ignored", self.header.cell(other));
                     self.notes.push(note);
                     self.blot_out(other);
                 }

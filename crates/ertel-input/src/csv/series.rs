@@ -39,7 +39,7 @@ impl CsvTable {
         Ok((table, [first, second]))
     }
 
-    /// The unit of the last digit of a column's numbers, SI, as its largest numbers are written: small ones may have more digits, and zeros at an end be left out.
+    /// The unit of the last digit of a column's numbers, SI, as its largest numbers are written: small ones may have more digits, and zeros at the end may be omitted.
     /// 0 without a number.
     #[must_use]
     pub fn last_digit(&self, column: &Column) -> f64 {
@@ -68,7 +68,7 @@ impl CsvTable {
         Ok(None)
     }
 
-    /// The only column with such a unit besides `taken`.
+    /// The only column with such a unit other than `taken`.
     fn only(&self, wanted: Wanted<'_>, taken: Option<usize>) -> Result<Column, CsvError> {
         let name = wanted.names.first().copied().unwrap_or_default();
         let mut found = (0..self.titles.len())
@@ -168,7 +168,7 @@ mod tests {
         }
     }
 
-    /// The last digit of the largest numbers: zeros at the end may be left out, and small numbers have more digits where digits are significant ones.
+    /// The last digit of the largest numbers: zeros at the end may be omitted, and small numbers have more digits where digits are significant ones.
     #[test]
     fn last_digits() {
         for (cells, digit) in [

@@ -6,7 +6,7 @@ use std::ops::Range;
 /// Lines over which a quoted title may go, as spreadsheets write one with a break in it.
 const LINES_OF_A_TITLE: usize = 4;
 
-/// What stands between cells.
+/// Separators of cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Separator {
     /// A character.

@@ -134,18 +134,18 @@ fn two_units_in_a_title_are_a_quotient_or_a_product() {
     assert!(table.find("speed", Dimension::FORCE).unwrap().is_none());
 }
 
-/// A table as any of its readers takes it, in any of the ways in which it may be told.
+/// Reads a table with every reader and with default and given options.
 fn read_all(text: &str) {
     let vocabulary = Vocabulary {
         names: &["pressure", "absolute pressure", "temperature", "viscosity"],
         is_key: &|title| title.contains('.'),
     };
-    let told = CsvParams {
+    let given = CsvParams {
         columns: vec![ColumnMap::parse("viscosity=#2:mPa.s").unwrap()],
         ignored: vec!["T".to_owned()],
         decimal: Some(Decimal::Comma),
     };
-    for params in [CsvParams::default(), told] {
+    for params in [CsvParams::default(), given] {
         let Ok(table) = CsvTable::parse_for("x.csv", text, &vocabulary, &params) else {
             continue;
         };

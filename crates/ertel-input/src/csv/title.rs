@@ -6,7 +6,7 @@ use super::names::{self, Match};
 use super::number::is_number;
 use ertel_quantity::{Dimension, Unit};
 
-/// What pressures are counted from.
+/// Zero of a pressure scale.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Zero {
     /// The ambient pressure, as `psig` and `bar(g)` say.
@@ -30,9 +30,9 @@ const LONGEST_TITLE: usize = 300;
 /// One way of reading a title.
 #[derive(Clone, Debug)]
 pub(super) struct Reading<'a> {
-    /// The name, as it stands there.
+    /// The name, as written.
     pub name: Cow<'a, str>,
-    /// The unit, as it stands there; empty where the title has none.
+    /// The unit, as written; empty where the title has none.
     pub unit: Cow<'a, str>,
     /// Whether the name ends there for certain: a bracket follows, ` / `, ` in `, or nothing.
     pub is_exact: bool,
@@ -233,7 +233,7 @@ pub(super) fn unit_of(text: &str) -> Option<NamedUnit> {
 /// A title read as one of a quantity.
 #[derive(Clone, Debug)]
 pub(super) struct Title {
-    /// The text of the unit, as it stands there.
+    /// The text of the unit, as written.
     pub given: String,
     /// The unit; `None` of one that is not known.
     pub unit: Option<NamedUnit>,

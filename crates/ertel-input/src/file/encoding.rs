@@ -19,7 +19,7 @@ const BINARY: [(&[u8], &str); 5] = [
     (b"\x1f\x8b", "a compressed file (gzip)"),
 ];
 
-/// Bytes by which UTF-16 without a mark of the byte order is told.
+/// Bytes by which UTF-16 without a byte-order mark is recognised.
 const SAMPLE: usize = 4096;
 
 /// The text of a table.

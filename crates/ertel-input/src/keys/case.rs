@@ -22,7 +22,7 @@ rows! {
         title: Text => "text for report and pictures; optional";
         contact: Table(CONTACT) => "kind, size and load of the contact";
         motion: Table(MOTION) => "speeds of both surfaces";
-        machine: Machine(MACHINES) => "dimensions, loads and speeds of a machine element, in place of `[contact]` and `[motion]`";
+        machine: Machine(MACHINES) => "dimensions, loads and speeds of a machine element, instead of `[contact]` and `[motion]`";
         bodies: Table(BODIES) => "both bodies: elastic constants, thermal properties, radii of ellipses, composite roughness";
         surface_roughness: Table(ROUGHNESS) => "optional: rough surfaces and their asperities, for the model of mixed lubrication";
         inlet: Table(INLET) => "optional: how much oil reaches the contact; without this section the inlet is fully flooded";
@@ -49,7 +49,7 @@ rows! {
             absent)"#;
         load: Quantity(&[D::FORCE, D::FORCE_PER_LENGTH]), usual [LOAD, LINE_LOAD] => r#"load F, a force (circular, elliptical, roller); load per
             length w, such as `"50 kN/m"` (line)"#;
-        hertz_pressure: PRESSURE, usual [HERTZ_PRESSURE] => r"largest pressure of the dry contact, in place of `load`; for a roller that of the
+        hertz_pressure: PRESSURE, usual [HERTZ_PRESSURE] => r"largest pressure of the dry contact, instead of `load`; for a roller that of the
             line contact under F/l";
         length: LENGTH, usual [LENGTHS] => "length l; at least four half-widths of the contact";
         profile: Table(PROFILE) => "total drop z(y) of roller and raceway from the cylinder; its `kind` is one of those below";
@@ -62,7 +62,7 @@ rows! {
         straight_length: LENGTH, aside "s of a straight profile: no drop up to |y| = s/2";
         end_radius: LENGTH, usual [CROWNS], aside "radius of the arcs beyond it";
         crown_radius: LENGTH, usual [CROWNS], aside "radius of a crown, one arc";
-        end_drop: LENGTH, usual [COATINGS], aside "drop of a crown at the ends, in place of its radius";
+        end_drop: LENGTH, usual [COATINGS], aside "drop of a crown at the ends, instead of its radius";
         design_load: Quantity(&[D::FORCE]), usual [LOAD], aside "load Q under which the pressure of a logarithmic profile is uniform";
         diameter: LENGTH, aside "diameter D of the roller, for the profile of ISO 16281";
         position: Quantities(&[D::LENGTH]), aside "positions along the axis, increasing, three at least";
@@ -79,7 +79,7 @@ rows! {
             value the surfaces move in opposite directions, which gives a warning";
         slide_to_roll_ratio_across: Number => r"the same for the velocities across the entrainment direction, (v_2 - v_1)/u_m, from x towards y;
             optional, 0";
-        body_1_speed, body_2_speed: SPEED, aside "speeds of both bodies, in place of entrainment speed and slide-to-roll ratios";
+        body_1_speed, body_2_speed: SPEED, aside "speeds of both bodies, instead of entrainment speed and slide-to-roll ratios";
         plane_speed, ball_speed: SPEED, aside "older names of `body_1_speed` and `body_2_speed`";
         skew_angle: ANGLE, aside "angle from the velocity of body 1 to that of body 2; optional, 0";
         body_1_spin, body_2_spin: ROTATION => r"angular velocities of both surfaces about the contact normal, from x towards y, in `rad/s` or
@@ -105,9 +105,9 @@ rows! {
     }
     /// `[surface_roughness]`.
     pub ROUGHNESS {
-        body_1_rms_height, body_2_rms_height: LENGTH, usual [HEIGHTS] => r"rms heights of both surfaces, 0 to 1 mm, both or neither; in place of
+        body_1_rms_height, body_2_rms_height: LENGTH, usual [HEIGHTS] => r"rms heights of both surfaces, 0 to 1 mm, both or neither; instead of
             `roughness` in `[bodies]`";
-        body_1_ra, body_2_ra, body_1_rq, body_2_rq, body_1_rz, body_2_rz: LENGTH, usual [HEIGHTS] => r"in place of an rms height, for each body
+        body_1_ra, body_2_ra, body_1_rq, body_2_rq, body_1_rz, body_2_rz: LENGTH, usual [HEIGHTS] => r"instead of an rms height, for each body
             one of them: Rq is the rms height; Ra is taken as σ/1.25, as of normally distributed heights; Rz is taken as 6 Ra (DIN 3991),
             between 4 and 8 Ra by other quotations, so σ is uncertain by −25 to +50 %. The report shows the rule";
         asperity_group: Number => r"σβη, composite rms height times tip radius times density of asperities; above 0, below 1; usually 0.03 to
@@ -123,54 +123,54 @@ rows! {
             product with the entrainment speed is the oil supply per width. The meniscus position and the side flow around the contact are
             computed";
         meniscus_distance: LENGTH, usual [COATINGS] => r"distance from the centre to a straight meniscus across the motion, downstream of which
-            the gap is full; larger than the half-width of the dry contact. The mesh ends there, so `[mesh] inlet` must not be given; not for
+            the gap is filled; larger than the half-width of the dry contact. The mesh ends there, so `[mesh] inlet` must not be given; not for
             ellipses whose axes are at an angle to the motion";
     }
     /// `[transient]`.
     pub TRANSIENT {
-        duration: TIME => r"length of the time that is solved; it begins with the steady contact of `[contact]` and `[motion]`, unless `start` says otherwise. Of a pair of
-            teeth along its path and of a cam over a turn: optional, as long as that takes";
-        tolerance: Number, bounds [1e-4, 0.05], default "3e-3" => "relative error of the films that the steps in time may make{}; grids err beside that";
-        output_times: Quantities(&[D::TIME]) => "times whose centrelines are written to `profiles.csv`; without them eleven at equal distances";
-        entrainment_speed, slide_to_roll_ratio: Table(COURSE) => "how the speed, or the ratio, changes; where neither is given it stays that of `[motion]`";
-        body_1_speed, body_2_speed: Table(COURSE) => "how the speeds of the bodies change, in place of both";
-        slide_to_roll_ratio_across: Table(COURSE) => "how the ratio of the velocities across the entrainment changes; beside `entrainment_speed` and `slide_to_roll_ratio`";
+        duration: TIME => r"length of the time that is solved; it begins with the steady contact of `[contact]` and `[motion]`, unless `start` is given. For a pair of
+            teeth along its path and a cam over a turn: optional, by default the whole path or turn";
+        tolerance: Number, bounds [1e-4, 0.05], default "3e-3" => "relative error of the films from the time steps{}; grid errors are in addition";
+        output_times: Quantities(&[D::TIME]) => "times whose centrelines are written to `profiles.csv`; default: eleven at equal intervals";
+        entrainment_speed, slide_to_roll_ratio: Table(COURSE) => "how the speed, or the ratio, changes; if neither is given, that of `[motion]` stays constant";
+        body_1_speed, body_2_speed: Table(COURSE) => "how the speeds of the bodies change, instead of both";
+        slide_to_roll_ratio_across: Table(COURSE) => "how the ratio of the velocities across the entrainment changes; in addition to `entrainment_speed` and `slide_to_roll_ratio`";
         body_1_spin, body_2_spin: Table(COURSE) => "how the angular velocities of the bodies about the contact normal change, of point contacts; not with heat";
         load: Table(COURSE) => "how the load changes";
         radius: Table(COURSE) => "how the radius of a ball on a plane or of a cylinder changes";
-        temperature: Table(COURSE) => "how the temperature of bodies and oil changes together; with `[thermal]`, that with which they come";
-        oil_layer: Table(COURSE) => "how the layer of oil changes that arrives, of a contact with `oil_layer` in `[inlet]`; at the edge of the contact area, from where it is carried on";
-        cavities: Choice(&["refilled", "conserved"]), default "refilled" => r"what the gap holds where the film has broken, with more oil than the contact takes: as much as fits, as
-            in steady contacts, or what has flown in, so that a cavity that comes back in front of the contact starves it";
+        temperature: Table(COURSE) => "how the common temperature of bodies and oil changes; with `[thermal]`, their temperature at the inlet";
+        oil_layer: Table(COURSE) => "how the supplied oil layer changes at the inlet edge of the contact area; for contacts with `oil_layer` in `[inlet]`";
+        cavities: Choice(&["refilled", "conserved"]), default "refilled" => r#"oil in the cavitated region with a flooded inlet: `"refilled"` (default), as in steady contacts, assumes a filled gap
+            ahead of the contact; `"conserved"` follows the oil, and a cavity that returns to the inlet starves the contact"#;
         at_rest: Switch, default "false" => "`true`: the surfaces do not move along the contact, as where a ball falls on a plane; `[motion]` then has no effect";
-        start: Choice(&["steady", "apart"]), default "steady" => r"what time begins with: the steady contact, or bodies that are apart, without pressure between them";
-        gap: LENGTH => "of bodies that are apart at t = 0: the distance between them at the centre, 1 nm to 10 mm";
-        approach_velocity: SPEED => "the velocity at which they come near then; of a body with `mass`";
+        start: Choice(&["steady", "apart"]), default "steady" => r"initial state: the steady contact, or separated bodies without pressure between them";
+        gap: LENGTH => "initial central gap of separated bodies, 1 nm to 10 mm";
+        approach_velocity: SPEED => "approach velocity at t = 0; for a body with `mass`";
         mass: Quantity(&[D::MASS, D::MASS.per(D::LENGTH)]) => "mass m of the body that moves along the normal; of a line contact per length. Without it the film carries the load at each instant";
         damping: Quantity(&[D::FORCE.per(D::SPEED), D::FORCE.per(D::SPEED).per(D::LENGTH)]) => "damping c of its motion, in N.s/m, of a line contact per length; 0 if absent";
-        stiffness: Quantity(&[D::FORCE_PER_LENGTH, D::FORCE_PER_LENGTH.per(D::LENGTH)]) => "stiffness k of its spring, which bears nothing at t = 0; of a line contact per length; 0 if absent";
-        approach: Table(COURSE) => "the distance by which the bodies come nearer than at t = 0, in place of the load and of `mass`; it begins at 0";
+        stiffness: Quantity(&[D::FORCE_PER_LENGTH, D::FORCE_PER_LENGTH.per(D::LENGTH)]) => "stiffness k of its spring, unloaded at t = 0; of a line contact per length; 0 if absent";
+        approach: Table(COURSE) => "approach of the bodies since t = 0, instead of the load and of `mass`; it begins at 0";
     }
     /// How a quantity changes in time.
     pub COURSE {
-        course: Choice(&["table", "ramp", "sine", "step"]) => r"straight lines between `times` and `values`; from the value of the case at `start` to another one
-            at `end`; a sine about the value of the case; another value after an instant";
+        course: Choice(&["table", "ramp", "sine", "step"]) => r"linear interpolation of `times` and `values`; a ramp from the value of the case at `start` to `to`
+            at `end`; a sine about the value of the case; a step to `to` at `at`";
         times: Quantities(&[D::TIME]) => "increasing times of a table, from 0 to the end of the duration at least";
         values: List => "the values at these times";
-        file: Text => "a CSV file with a column of the time and one of the quantity (or `value`) with their units, in place of both lists";
-        interpolation: Choice(&["linear", "smooth"]), default "linear" => r"`smooth`: cubics through the rows of a table that make no new extremum. A straight line has a
-            kink at each row, after which steps begin short";
+        file: Text => "a CSV file with a column of the time and one of the quantity (or `value`) with their units, instead of both lists";
+        interpolation: Choice(&["linear", "smooth"]), default "linear" => r"`smooth`: monotone cubics through the rows of a table. Linear interpolation has a
+            kink at each row, after which the time steps are short";
         start: TIME => "when a ramp or a sine begins; 0 if absent";
         end: TIME => "when a ramp ends";
         to: Scalar => "value at the end of a ramp, or after a step";
-        at: TIME => "when a step happens";
+        at: TIME => "time of a step";
         amplitude: Scalar => "amplitude of a sine";
         period: TIME => "its period";
     }
     /// `[[surface]]`.
     pub SURFACE {
-        kind: Choice(&["dent", "bump", "groove", "ridge", "waves", "map", "generated"]) => r"round; straight; waves behind a first crest that fade out before it
-            over a wavelength; heights of a file; a self-affine surface with random phases";
+        kind: Choice(&["dent", "bump", "groove", "ridge", "waves", "map", "generated"]) => r"round; straight; waves that begin at a first crest and fade out ahead of it
+            over a wavelength; heights from a file; a self-affine surface with random phases";
         body: Choice(&["body_1", "body_2"]) => "the body that it moves with";
         radius: LENGTH, usual [RELIEFS] => "r_0 of a dent or a bump, whose height falls to zero at 1.2 r_0";
         half_width: LENGTH, usual [RELIEFS] => "the same of a groove or a ridge, across it";
@@ -180,26 +180,26 @@ rows! {
         amplitude: LENGTH, usual [HEIGHTS] => "amplitude of the waves";
         pitch: LENGTH, usual [RELIEFS] => r"distance at which a dent or bump is repeated against the motion behind the first one, a groove or ridge across itself (to both sides if it lies
             along the motion); not less than its whole width, 2.4 r_0; optional";
-        count: Count, bounds [1.0, 1e6] => "how many there are with `pitch`; without it there is no end of them";
+        count: Count, bounds [1.0, 1e6] => "number of repetitions with `pitch`; unlimited if absent";
         pitch_across: LENGTH, usual [RELIEFS] => "the same of dents and bumps across the motion, half of them on either side of `y`";
-        count_across: Count, bounds [1.0, 1e6] => "how many there are with `pitch_across`";
+        count_across: Count, bounds [1.0, 1e6] => "number of repetitions with `pitch_across`";
         file: Text => "a file with the heights of a map: rows of heights, points, CSV, SDF or X3P ([formats](#maps))";
-        layout: Choice(&["rows", "points"]), default "rows" => "what a plain text has in a line: a row of heights, or x, y and z of a point";
+        layout: Choice(&["rows", "points"]), default "rows" => "content of a line of a plain text file: a row of heights, or x, y and z of a point";
         spacing, row_spacing: LENGTH, usual [RELIEFS] => "distances of the points in a row, and of the rows, of a text in rows; `row_spacing` is `spacing` if absent";
-        height_unit: Text => "what the heights of a plain text are in, such as `\"um\"`";
-        length_unit: Text => "what the places of points in a plain text are in";
-        missing_share: Number, bounds [0.0, 0.5], default "0.05" => "share of the points of a map that may have no height{}; they are filled by a membrane through those about them";
+        height_unit: Text => "unit of the heights of a plain text file, such as `\"um\"`";
+        length_unit: Text => "unit of the coordinates of points in a plain text file";
+        missing_share: Number, bounds [0.0, 0.5], default "0.05" => "share of the points of a map that may have no height{}; they are interpolated by a membrane through their neighbours";
         level: Choice(&["none", "mean", "plane", "quadratic"]), default "plane" => "form that is subtracted from a map, by least squares";
-        high_pass: LENGTH, usual [RELIEFS] => "cutoff of a Gaussian filter that takes longer waves out of a map, half of those of this length; optional";
-        low_pass: LENGTH, usual [RELIEFS] => r"cutoff of a Gaussian filter that takes shorter waves out of a map; the grids resolve waves of this length, without it waves of two distances of
+        high_pass: LENGTH, usual [RELIEFS] => "cutoff of a Gaussian high-pass filter of a map, with half the amplitude at this wavelength; optional";
+        low_pass: LENGTH, usual [RELIEFS] => r"cutoff of a Gaussian low-pass filter of a map; the grids resolve this wavelength, without it twice the distance of
             points";
         length, width: LENGTH, usual [RELIEFS] => "sides of a generated surface, along its rows and across them; line contacts have no width";
         rolloff_wavelength: LENGTH, usual [RELIEFS] => "wavelength above which the spectral density of a generated surface is constant";
-        shortest_wavelength: LENGTH, usual [RELIEFS] => "wavelength below which it is zero";
-        hurst_exponent: Number, bounds [0.0, 1.0] => "Hurst exponent between both";
+        shortest_wavelength: LENGTH, usual [RELIEFS] => "wavelength below which the spectral density is zero";
+        hurst_exponent: Number, bounds [0.0, 1.0] => "Hurst exponent between these wavelengths";
         rms_height: LENGTH, usual [HEIGHTS] => "root mean square height Sq of a generated surface";
-        anisotropy: Number, bounds [0.01, 100.0], default "1" => "how much longer its hills are along the rows than across them";
-        seed: Count, bounds [0.0, 4294967295.0] => "number of the surface: the same one gives the same heights";
+        anisotropy: Number, bounds [0.01, 100.0], default "1" => "ratio of the hill lengths along and across the rows";
+        seed: Count, bounds [0.0, 4294967295.0] => "random seed: the same seed gives the same heights";
         taper: LENGTH, usual [RELIEFS] => "width over which the heights of a map or a generated surface fall to zero along the rim, by a cosine; a tenth of the shorter side if absent";
         direction: ANGLE, default "0 deg" => r"direction across a groove or a ridge, in which waves follow each other, or of the rows of a map, from the motion: -90 to 90
             degrees, of maps -180 to 180; 0 where grooves and waves lie across the motion";
@@ -232,9 +232,9 @@ rows! {
             "machine.width", "machine.top_dwell", "machine.lift_tolerance", "machine.eccentricity", "machine.follower_radius",
             "machine.follower_offset", "machine.roller_slip", "machine.pivot_x", "machine.pivot_y", "machine.arm_length",
             "machine.spring_rate", "machine.preload", "machine.moving_mass", "machine.extra_force",
-        ]) => r"key path of what varies, which the case must contain; the values of the curve replace its value. One of";
+        ]) => r"key path of the quantity to vary, which the case must contain; the curve replaces its value. One of";
         values: List => "2 to 1000 different values, in the order of solving";
-        from, to: Number => "in place of `values`: a range, ends included; decreasing ranges are allowed";
+        from, to: Number => "instead of `values`: a range, ends included; decreasing ranges are allowed";
         points: Count => "number of points of the range";
         spacing: Choice(&["linear", "log"]), default "linear" => "equal steps or equal ratios";
         folders: Switch, default "false" => "`true`: also write the full results of each point in a separate folder";
@@ -260,7 +260,7 @@ rows! {
     pub AXIS {
         key: Text => "path of the input: `contact.load`, `lubricant.name`, `mesh.target_error`. The base case need not contain it";
         values: List => r#"a list: quantities with units, numbers, names, switches, tables such as `{ law = "barus", ... }`; all of one type"#;
-        from, to: Scalar => "a range in place of the list; values between the ends are rounded to six digits";
+        from, to: Scalar => "a range instead of the list; values between the ends are rounded to six digits";
         points: Count => "number of points of the range, ends included";
         spacing: Choice(&["linear", "log"]), default "linear" => "equal steps or equal ratios";
         zip: Text => r"axes with the same name here vary together, value by value; single values may repeat, whole points may not; all other

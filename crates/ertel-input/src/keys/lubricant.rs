@@ -25,7 +25,7 @@ pub(super) const CONDUCTIVITY: super::Kind = LawOr(&CONDUCTIVITIES, D::THERMAL_C
 /// A heat capacity, or its law.
 pub(super) const HEAT_CAPACITY: super::Kind = LawOr(&HEAT_CAPACITIES, D::SPECIFIC_HEAT);
 
-/// Laws, each as `name: what it needs, optional what may be left out`.
+/// Laws, each as `name: required keys, optional optional keys`.
 macro_rules! laws {
     ($($(#[$doc:meta])* $name:ident of $keys:ident { $($law:literal: $needs:literal $(, optional $optional:literal)?;)* })*) => {$(
         $(#[$doc])* pub static $name: Laws = Laws {
@@ -72,7 +72,7 @@ laws! {
         "ree-eyring": "`tau_0`", optional "`limit`";
         "rabinowitsch": "`tau_0`, `n` (0.01 to below 1; 1/3 is the cubic law)", optional "`limit`";
         "limiting-stress": "`tau_l0`, `lambda` (0 to 10)";
-        "estimate": "the kind of the base oil, by `base_oil` beside it or of the database: `ree-eyring` with a limit";
+        "estimate": "the kind of the base oil, from `base_oil` next to it or from the database: `ree-eyring` with a limit";
     }
     /// Laws of the thermal conductivity.
     CONDUCTIVITIES of CONDUCTIVITY_KEYS {
@@ -93,12 +93,12 @@ laws! {
 }
 
 rows! {
-    /// `[lubricant]`; from `kinematic_viscosity_40` on what data sheets have.
+    /// `[lubricant]`; from `kinematic_viscosity_40` on, values of data sheets.
     pub LUBRICANT {
         temperature: TEMPERATURE => "temperature of the film, required";
         name: Fluid => "a fluid of the database (`ertel fluids` lists them), or your own file, see below";
-        blend: Tables(BLEND) => "oil blended of others, each with its share of the mass; see [blends](lubricant-laws.md#blends)";
-        density: OfLaw(&DENSITIES) => "density [law](lubricant-laws.md#density); with `name` optional, in place of that of the fluid";
+        blend: Tables(BLEND) => "blend of oils, each with its mass fraction; see [blends](lubricant-laws.md#blends)";
+        density: OfLaw(&DENSITIES) => "density [law](lubricant-laws.md#density); with `name` optional, instead of that of the fluid";
         viscosity: OfLaw(&VISCOSITIES) => "viscosity [law](lubricant-laws.md#viscosity), likewise";
         shear_thinning: OfLaw(&SHEAR_LAWS) => "[law](lubricant-laws.md#shear_thinning) of shear thinning, likewise; without it the lubricant is
             Newtonian";
@@ -115,7 +115,7 @@ rows! {
             one at 40 °C follows; if absent, it follows from the viscosity index";
         kinematic_viscosity_20, kinematic_viscosity_25, kinematic_viscosity_30, kinematic_viscosity_50, kinematic_viscosity_60,
             kinematic_viscosity_80: KINEMATIC, usual [KINEMATIC_VISCOSITIES] => r"kinematic viscosity at that temperature in °C: any two of these
-            keys and the next, or one with `viscosity_index` or `iso_vg`, in place of those at 40 and 100 °C";
+            keys and the next, or one with `viscosity_index` or `iso_vg`, instead of those at 40 and 100 °C";
         dynamic_viscosity_20, dynamic_viscosity_25, dynamic_viscosity_30, dynamic_viscosity_40, dynamic_viscosity_50, dynamic_viscosity_60,
             dynamic_viscosity_80, dynamic_viscosity_100: VISCOSITY => r"dynamic viscosity at that temperature, divided by the density there";
         kinematic_viscosity: KINEMATIC, usual [KINEMATIC_VISCOSITIES] => r"kinematic viscosity at `viscosity_temperature`, instead of one of the keys above";
@@ -128,15 +128,15 @@ rows! {
         relative_density_15: Number => "density at 15 °C relative to that of water at 15 °C, dimensionless";
         base_oil: AnyCase(&["mineral", "PAO", "ester", "PAG", "naphthenic", "Group III"]) => r#"kind of the base oil:
             `"mineral"`, `"PAO"`, `"ester"`, `"PAG"`, `"naphthenic"` or `"Group III"`, in any case of letters, also `"Group I"` and `"Group II"`
-            (mineral) and `"Group IV"` (PAO) of API 1509; needed if something is to be estimated. It may be given with
-            laws, too: [heat and shear](#heat-and-shear-by-the-kind-of-oil) are estimated by it. There is no correlation with a source for
-            silicones, PFPE and water-glycol: their error says what to give instead, that of other names also the nearest kind"#;
+            (mineral) and `"Group IV"` (PAO) of API 1509; needed for estimates. It may be given with
+            laws, too, for estimates of [heat and shear](#heat-and-shear-by-the-kind-of-oil). There is no correlation with a source for
+            silicones, PFPE and water-glycol: the error message lists what to give instead, and for other names the nearest kind"#;
         pressure_viscosity_coefficient: PER_PRESSURE, usual [COEFFICIENT] => r"measured initial slope of ln μ at `reference_temperature`; if
             absent, correlation of Gold and others for the type of base oil, centred in 44 measured slopes, ± 21 % (PAG ± 30 %, Group III about −34 to +40 %)";
         pressure_viscosity_coefficient_20, pressure_viscosity_coefficient_25, pressure_viscosity_coefficient_30,
             pressure_viscosity_coefficient_40, pressure_viscosity_coefficient_50, pressure_viscosity_coefficient_60,
             pressure_viscosity_coefficient_80, pressure_viscosity_coefficient_100: PER_PRESSURE, usual [COEFFICIENT] => r"the same at that
-            temperature in °C: one of them in place of the former, or two; with one, the index of Roelands' law is the same at every
+            temperature in °C: one of them instead of the former, or two; with one, the index of Roelands' law is the same at every
             temperature";
         reference_temperature: TEMPERATURE => r"temperature of `pressure_viscosity_coefficient`, preferably the temperature of the contact;
             40 °C if absent";
@@ -151,7 +151,7 @@ rows! {
         temperature: Quantities(&[D::TEMPERATURE]), aside "lowest and highest temperature";
         source: Text, aside "where these are from";
     }
-    /// What the law `table` of every property has.
+/// Keys of the law `table`, of every property.
     pub(super) TABLE_KEYS {
         file: Text, aside "table of states";
         columns: Texts, aside "titles of its columns";
@@ -188,7 +188,7 @@ rows! {
         beta: Quantity(&[D::INVERSE_TEMPERATURE, D::TEMPERATURE_DIFFERENCE]), aside "coefficient β of the temperature";
         gamma: Quantity(&[D::TEMPERATURE_PER_PRESSURE]), aside "coefficient γ of p/T";
         reference_temperature: TEMPERATURE, aside "where the constants hold";
-        z: Number, aside "index Z of Roelands, in place of `alpha`";
+        z: Number, aside "index Z of Roelands, instead of `alpha`";
         p_0: PRESSURE, aside "pressure p₀ of Roelands";
         mu_g: VISCOSITY, usual [GLASS_VISCOSITY], aside "viscosity at the glass transition";
         t_g0: TEMPERATURE, aside "glass transition at ambient pressure";
@@ -205,7 +205,7 @@ rows! {
         epsilon: PER_KELVIN, aside "ε, thermal expansion of the occupied volume";
         equation_of_state: Table(DENSITY_KEYS), aside "law of Tait for the volume, without `rho_0`";
         q: Number, aside "exponent q of McEwen";
-        mu_inf: VISCOSITY, aside "viscosity factor μ∞, in place of `mu_0`";
+        mu_inf: VISCOSITY, aside "viscosity factor μ∞, instead of `mu_0`";
         c_f: Number, aside "fragility C_F";
         p_inf: PRESSURE, aside "pressure p∞ at which the viscosity diverges";
         pressure: PRESSURE_LAW, aside "law of the pressure dependence";

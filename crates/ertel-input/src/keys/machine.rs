@@ -11,7 +11,7 @@ use crate::usual::{
     RADII, ROTATIONS, SCUFFING, SPEEDS, TORQUE,
 };
 
-/// Of thermal resistances.
+/// Dimension of thermal resistances.
 const PER_WATT: D = D::TEMPERATURE_DIFFERENCE.per(D::POWER);
 const RINGS: super::Kind = Choice(&["inner", "outer"]);
 const POSITION: super::Kind = QuantityOr(&["pitch point", "path"]);
@@ -36,9 +36,9 @@ pub static MACHINES: &[(&str, &[Row])] = &[
 rows! {
     BALL_ON_DISC {
         ball_diameter: LENGTH, usual [RADII] => "D; or `ball_radius`";
-        ball_radius: LENGTH, usual [RADII], aside "in place of `ball_diameter`";
+        ball_radius: LENGTH, usual [RADII], aside "instead of `ball_diameter`";
         load: FORCE, usual [LOAD] => "load F; or `hertz_pressure`";
-        hertz_pressure: PRESSURE, usual [HERTZ_PRESSURE], aside "largest pressure of the dry contact, in place of the load";
+        hertz_pressure: PRESSURE, usual [HERTZ_PRESSURE], aside "largest pressure of the dry contact, instead of the load";
         ball_speed, disc_speed: SPEED => r"speeds of both surfaces, with `skew_angle` between them; or `entrainment_speed` and
             `slide_to_roll_ratio`; spin and all other keys as in [`[motion]`](#motion)";
         entrainment_speed: SPEED, usual [SPEEDS], aside "mean of the speeds of disc and ball";
@@ -57,35 +57,35 @@ rows! {
         contact_angle: ANGLE => "α, 0 to 90 deg";
         inner_ring_speed, outer_ring_speed: ROTATION, usual [ROTATIONS] => "ω_i and ω_o, signed; the latter is optional, 0 if absent";
         ball_load: FORCE, usual [LOAD] => "load of the ball, normal to the contact; or `hertz_pressure`";
-        hertz_pressure: PRESSURE, usual [HERTZ_PRESSURE], aside "largest pressure of the dry contact, in place of the load";
+        hertz_pressure: PRESSURE, usual [HERTZ_PRESSURE], aside "largest pressure of the dry contact, instead of the load";
         raceway_control: Choice(&["outer", "inner"]) => r#"optional: `"outer"` or `"inner"`, the raceway on which the ball rolls without spin
             (Jones 1959). Without this key the spin of a single contact is neglected; under bearing loads it is `"outer"`"#;
-        designation: Text => r#"a bearing of the catalogue, such as `"6206"`, `"6306-2RS/C3"` or `"7210 B"`, in place of dimensions; each of them may
+        designation: Text => r#"a bearing of the catalogue, such as `"6206"`, `"6306-2RS/C3"` or `"7210 B"`, instead of dimensions; each of them may
             still be given and then replaces that of the catalogue"#;
         balls: Count => "number of balls Z";
-        radial_clearance: LENGTH, usual [CLEARANCES] => "radial internal clearance, negative where the balls are squeezed; in place of `contact_angle`";
+        radial_clearance: LENGTH, usual [CLEARANCES] => "radial internal clearance, negative where the balls are squeezed; instead of `contact_angle`";
         radial_load: FORCE => r#"force on the inner ring across the axis, at ball 0; with this key, `axial_load` or `axial_preload` the file describes
             [a bearing under its loads](#a-bearing-under-its-loads)"#;
-        axial_load: FORCE => "force on the inner ring along the axis; optional, 0, but for angular contact bearings, which it must press together";
-        axial_preload: LENGTH, usual [CLEARANCES] => "axial shift of the rings against each other beyond first touch, in place of `axial_load`";
+        axial_load: FORCE => "force on the inner ring along the axis; optional, 0, except for angular contact bearings, which it must press together";
+        axial_preload: LENGTH, usual [CLEARANCES] => "axial shift of the rings against each other beyond first touch, instead of `axial_load`";
         moment: Quantity(&[D::ENERGY]) => "tilting moment on the inner ring in the plane of the radial load; optional: the rings do not tilt";
-        misalignment: ANGLE => "tilt of the inner ring in that plane, in place of `moment`";
+        misalignment: ANGLE => "tilt of the inner ring in that plane, instead of `moment`";
         element: Count => "number of one ball, from 0 at the radial load on: with `ring`, its contact alone";
-        folders: Switch => "whether the results of each contact are written into a folder of its own, too; optional, false";
+        folders: Switch => "whether the results of each contact are written into a separate folder, too; optional, false";
         dynamic_load_rating, static_load_rating, fatigue_load_limit: FORCE => "C, C_0 and C_u of the bearing's maker; optional";
         contamination_factor: Number => "e_C of ISO 281, above 0 up to 1; without it, `cleanliness` or `grease_cleanliness` there is no modified life";
         grease_cleanliness: Choice(&["high", "normal", "typical-contamination", "severe-contamination", "very-severe-contamination"]) => r"e_C of a
-            grease by its cleanliness, in place of `contamination_factor`";
+            grease by its cleanliness, instead of `contamination_factor`";
         cleanliness: Choice(&["extreme", "high", "normal", "slight-contamination", "typical-contamination", "severe-contamination",
-            "very-severe-contamination"]) => r"e_C by the cleanliness of any lubricant, in place of `contamination_factor`: the middle of the guide values of
+            "very-severe-contamination"]) => r"e_C by the cleanliness of any lubricant, instead of `contamination_factor`: the middle of the guide values of
             ISO 281, table 13";
         reliability: Number => "per cent, 90 to 99.95; optional, 90";
         ep_additives: Switch => "whether effective extreme-pressure additives are in the lubricant; optional, false";
-        lubrication: Choice(&["oil-bath", "grease"]) => "how it comes to the bearing, for the models of friction beside the result; optional";
-        thermal_resistance: Quantity(&[PER_WATT]) => r#"from the bearing to its surroundings (`"0.5 K/W"`), optional: the report tells the temperature
-            that the heat of the contacts leads to"#;
+        lubrication: Choice(&["oil-bath", "grease"]) => "lubrication of the bearing, for the friction models shown with the result; optional";
+        thermal_resistance: Quantity(&[PER_WATT]) => r#"from the bearing to its surroundings (`"0.5 K/W"`), optional: the report shows the temperature
+            that results from the heat of the contacts"#;
         ambient_temperature: Quantity(&[D::TEMPERATURE]) => "of the surroundings, with `thermal_resistance`";
-        heat_balance: Switch => r"whether the contacts are solved again, with the lubricant at the temperature that their heat leads to, until both agree within 0.1 K;
+        heat_balance: Switch => r"whether the contacts are solved again, with the lubricant at the temperature that results from their heat, until both agree within 0.1 K;
             starts at the temperature of the lubricant; optional, false";
     }
     ROLLER_BEARING {
@@ -95,10 +95,10 @@ rows! {
         pitch_diameter: LENGTH, usual [LENGTHS] => "d_m";
         inner_ring_speed, outer_ring_speed: ROTATION, usual [ROTATIONS] => "ω_i and ω_o, signed; the latter is optional, 0 if absent";
         roller_load: FORCE, usual [LOAD] => "load Q of the roller; or `hertz_pressure`";
-        hertz_pressure: PRESSURE, usual [HERTZ_PRESSURE], aside "largest pressure of the dry contact, in place of the load";
+        hertz_pressure: PRESSURE, usual [HERTZ_PRESSURE], aside "largest pressure of the dry contact, instead of the load";
         profile: Table(PROFILE) => "as for [rollers](#rollers); optional";
         misalignment: ANGLE => "as for [rollers](#rollers), only with a profile; under bearing loads the tilt of the inner ring; optional";
-        designation: Text => r#"a bearing of the catalogue, such as `"NU 206 E"` or `"30206"`, in place of dimensions"#;
+        designation: Text => r#"a bearing of the catalogue, such as `"NU 206 E"` or `"30206"`, instead of dimensions"#;
         contact_angle: ANGLE => "α of the cup, half of its angle: with it, or by their designation, the rollers are tapered";
         rollers: Count => "number of rollers Z";
         radial_clearance: LENGTH, usual [CLEARANCES] => "radial internal clearance; not of tapered rollers";
@@ -106,25 +106,25 @@ rows! {
         radial_load: FORCE => r#"force on the inner ring across the axis, at roller 0; with this key the file describes
             [a bearing under its loads](#a-bearing-under-its-loads)"#;
         axial_load: FORCE => "of tapered rollers: force on the inner ring along the axis that presses the rings together";
-        axial_preload: LENGTH, usual [CLEARANCES] => "of tapered rollers: axial shift of the rings against each other beyond first touch, in place of `axial_load`";
-        moment: Quantity(&[D::ENERGY]) => "tilting moment on the inner ring, in place of `misalignment`";
+        axial_preload: LENGTH, usual [CLEARANCES] => "of tapered rollers: axial shift of the rings against each other beyond first touch, instead of `axial_load`";
+        moment: Quantity(&[D::ENERGY]) => "tilting moment on the inner ring, instead of `misalignment`";
         roller_contacts: Choice(&["lines", "finite"]), default "lines" => r#"how contacts are solved: `"lines"` under the mean load per length, or `"finite"`
             rollers over their whole length with relief and tilt"#;
         element: Count => "number of one roller, from 0 at the radial load on: with `ring`, its contact alone";
-        folders: Switch => "whether the results of each contact are written into a folder of its own, too; optional, false";
+        folders: Switch => "whether the results of each contact are written into a separate folder, too; optional, false";
         dynamic_load_rating, static_load_rating, fatigue_load_limit: FORCE => "C, C_0 and C_u of the bearing's maker; optional";
         contamination_factor: Number => "e_C of ISO 281, above 0 up to 1; without it, `cleanliness` or `grease_cleanliness` there is no modified life";
         grease_cleanliness: Choice(&["high", "normal", "typical-contamination", "severe-contamination", "very-severe-contamination"]) => r"e_C of a
-            grease by its cleanliness, in place of `contamination_factor`";
+            grease by its cleanliness, instead of `contamination_factor`";
         cleanliness: Choice(&["extreme", "high", "normal", "slight-contamination", "typical-contamination", "severe-contamination",
-            "very-severe-contamination"]) => r"e_C by the cleanliness of any lubricant, in place of `contamination_factor`: the middle of the guide values of
+            "very-severe-contamination"]) => r"e_C by the cleanliness of any lubricant, instead of `contamination_factor`: the middle of the guide values of
             ISO 281, table 13";
         reliability: Number => "per cent, 90 to 99.95; optional, 90";
         ep_additives: Switch => "whether effective extreme-pressure additives are in the lubricant; optional, false";
-        lubrication: Choice(&["oil-bath", "grease"]) => "how it comes to the bearing, for the models of friction beside the result; optional";
+        lubrication: Choice(&["oil-bath", "grease"]) => "lubrication of the bearing, for the friction models shown with the result; optional";
         thermal_resistance: Quantity(&[PER_WATT]) => r#"from the bearing to its surroundings (`"0.5 K/W"`), optional"#;
         ambient_temperature: Quantity(&[D::TEMPERATURE]) => "of the surroundings, with `thermal_resistance`";
-        heat_balance: Switch => r"whether the contacts are solved again, with the lubricant at the temperature that their heat leads to, until both agree within 0.1 K;
+        heat_balance: Switch => r"whether the contacts are solved again, with the lubricant at the temperature that results from their heat, until both agree within 0.1 K;
             starts at the temperature of the lubricant; optional, false";
     }
     SPUR_GEAR {
@@ -140,20 +140,20 @@ rows! {
             `load_sharing`";
         addendum_pinion, addendum_wheel: LENGTH => r"h_a, optional; the module if absent. Pointed teeth and contact ratios below 1 are errors;
             undercut is a warning";
-        template: TEMPLATES => "optional: test gears of the FZG rig; every other key takes the place of a dimension of theirs";
-        load_stage: Count => "stage of the FZG rig, 1 to 14, in place of `pinion_torque`; only with a template";
+        template: TEMPLATES => "optional: test gears of the FZG rig; every other key replaces one of their dimensions";
+        load_stage: Count => "stage of the FZG rig, 1 to 14, instead of `pinion_torque`; only with a template";
         lever_arm: Choice(&["long", "short"]), default "long" => r#"of a load stage: `"long"` (0.5 m, ISO 14635-1) or `"short"` (0.35 m)"#;
         pinion_profile_shift, wheel_profile_shift: Number => r"x_1 and x_2, optional; that of the pinion is 0 if absent, that of the wheel
             follows from the centre distance, or is 0";
         centre_distance: LENGTH, usual [LENGTHS] => "a_w, optional; that without backlash if absent";
-        pinion_tip_diameter, wheel_tip_diameter: LENGTH, usual [RADII] => r"d_a, optional, in place of the addenda; from the basic rack of ISO 53 if both are
+        pinion_tip_diameter, wheel_tip_diameter: LENGTH, usual [RADII] => r"d_a, optional, instead of the addenda; from the basic rack of ISO 53 if both are
             absent";
         pinion_root_diameter, wheel_root_diameter: LENGTH, usual [RADII] => "d_f, optional; from the basic rack if absent";
         keep_tip_clearance: Switch => "tips from the basic rack are shortened so as to keep its clearance; optional";
         internal: Switch => "whether the teeth of the wheel are inside; optional";
-        pinion_face_width, wheel_face_width: LENGTH, usual [LENGTHS], aside "of gears of two widths, in place of `face_width`";
-        tip_relief: LENGTH, usual [CLEARANCES] => "C_a of both gears, normal to the flank; optional. Load sharing by stiffness knows of it";
-        pinion_tip_relief, wheel_tip_relief: LENGTH, usual [CLEARANCES], aside "of one gear, in place of `tip_relief`";
+        pinion_face_width, wheel_face_width: LENGTH, usual [LENGTHS], aside "of gears of two widths, instead of `face_width`";
+        tip_relief: LENGTH, usual [CLEARANCES] => "C_a of both gears, normal to the flank; optional. Load sharing by stiffness includes it";
+        pinion_tip_relief, wheel_tip_relief: LENGTH, usual [CLEARANCES], aside "of one gear, instead of `tip_relief`";
         tip_relief_length: LENGTH => "along the path of contact, from its ends";
         tip_relief_shape: Choice(&["linear", "parabolic"]), default "linear" => "optional";
         load_sharing: SHARING => r#"optional: how pairs of teeth share the load. `"uniform"`: evenly over the contact lines (default of a path);
@@ -161,10 +161,10 @@ rows! {
             ISO 6336-1 or `tooth_stiffness`; `"beams"`: by the stiffness of teeth as beams"#;
         tooth_stiffness: PRESSURE => "c' per face width (`\"14 GPa\"` is 14 N/(mm µm)); optional";
         blank_factor: Number => "C_R of ISO 6336-1; optional, 1";
-        pinion_bore_diameter, wheel_bore_diameter: LENGTH, usual [RADII] => "of the rings that teeth as beams stand on";
-        points: Count => "equally spaced points of a path, with B, C and D besides; optional, 30";
+        pinion_bore_diameter, wheel_bore_diameter: LENGTH, usual [RADII] => "bore of the gear rim, for the teeth as beams";
+        points: Count => "equally spaced points of a path, plus B, C and D; optional, 30";
         folders: Switch => "of a path: whether each contact has a folder of its results; optional";
-        bulk_temperature: TEMPERATURE => "of the teeth and, as oil on them has taken it, of the oil that enters the contacts; with `[thermal]` of both bodies, unless that gives `body_1_temperature` and `body_2_temperature`; optional, that of the lubricant";
+        bulk_temperature: TEMPERATURE => "of the teeth and of the oil that enters the contacts, which is assumed to be as warm; with `[thermal]` of both bodies, unless that gives `body_1_temperature` and `body_2_temperature`; optional, that of the lubricant";
         scuffing_temperature: TEMPERATURE, usual [SCUFFING] => "contact temperature at which teeth scuff with this oil; optional, for a safety";
         permissible_lambda: Number => "specific film λ_GFP without micropitting; optional, for a safety";
         pinion_ra, wheel_ra: LENGTH, usual [HEIGHTS] => "roughness Ra of the flanks; optional, for specific films and models of friction";
@@ -182,20 +182,20 @@ rows! {
             action in a transverse section"#;
         load_share: Number => "of a single contact, optional: X in w = X T_1/(r_b1 b); `load_sharing` or 1/ε_α if absent";
         addendum_pinion, addendum_wheel: LENGTH => "h_a, optional; the normal module if absent";
-        template: TEMPLATES => "optional: test gears of the FZG rig; every other key takes the place of a dimension of theirs";
-        load_stage: Count => "stage of the FZG rig, 1 to 14, in place of `pinion_torque`; only with a template";
+        template: TEMPLATES => "optional: test gears of the FZG rig; every other key replaces one of their dimensions";
+        load_stage: Count => "stage of the FZG rig, 1 to 14, instead of `pinion_torque`; only with a template";
         lever_arm: Choice(&["long", "short"]), default "long" => r#"of a load stage: `"long"` (0.5 m, ISO 14635-1) or `"short"` (0.35 m)"#;
         pinion_profile_shift, wheel_profile_shift: Number => r"x_1 and x_2, optional; that of the pinion is 0 if absent, that of the wheel
             follows from the centre distance, or is 0";
         centre_distance: LENGTH, usual [LENGTHS] => "a_w, optional; that without backlash if absent";
-        pinion_tip_diameter, wheel_tip_diameter: LENGTH, usual [RADII] => r"d_a, optional, in place of the addenda; from the basic rack of ISO 53 if both are
+        pinion_tip_diameter, wheel_tip_diameter: LENGTH, usual [RADII] => r"d_a, optional, instead of the addenda; from the basic rack of ISO 53 if both are
             absent";
         pinion_root_diameter, wheel_root_diameter: LENGTH, usual [RADII] => "d_f, optional; from the basic rack if absent";
         keep_tip_clearance: Switch => "tips from the basic rack are shortened so as to keep its clearance; optional";
         internal: Switch => "whether the teeth of the wheel are inside; optional";
-        pinion_face_width, wheel_face_width: LENGTH, usual [LENGTHS], aside "of gears of two widths, in place of `face_width`";
-        tip_relief: LENGTH, usual [CLEARANCES] => "C_a of both gears, normal to the flank; optional. Load sharing by stiffness knows of it";
-        pinion_tip_relief, wheel_tip_relief: LENGTH, usual [CLEARANCES], aside "of one gear, in place of `tip_relief`";
+        pinion_face_width, wheel_face_width: LENGTH, usual [LENGTHS], aside "of gears of two widths, instead of `face_width`";
+        tip_relief: LENGTH, usual [CLEARANCES] => "C_a of both gears, normal to the flank; optional. Load sharing by stiffness includes it";
+        pinion_tip_relief, wheel_tip_relief: LENGTH, usual [CLEARANCES], aside "of one gear, instead of `tip_relief`";
         tip_relief_length: LENGTH => "along the path of contact, from its ends";
         tip_relief_shape: Choice(&["linear", "parabolic"]), default "linear" => "optional";
         load_sharing: SHARING => r#"optional: how pairs of teeth share the load. `"uniform"`: evenly over the contact lines (default of a path);
@@ -203,10 +203,10 @@ rows! {
             ISO 6336-1 or `tooth_stiffness`; `"beams"`: by the stiffness of teeth as beams"#;
         tooth_stiffness: PRESSURE => "c' per face width (`\"14 GPa\"` is 14 N/(mm µm)); optional";
         blank_factor: Number => "C_R of ISO 6336-1; optional, 1";
-        pinion_bore_diameter, wheel_bore_diameter: LENGTH, usual [RADII] => "of the rings that teeth as beams stand on";
-        points: Count => "equally spaced points of a path, with B, C and D besides; optional, 30";
+        pinion_bore_diameter, wheel_bore_diameter: LENGTH, usual [RADII] => "bore of the gear rim, for the teeth as beams";
+        points: Count => "equally spaced points of a path, plus B, C and D; optional, 30";
         folders: Switch => "of a path: whether each contact has a folder of its results; optional";
-        bulk_temperature: TEMPERATURE => "of the teeth and, as oil on them has taken it, of the oil that enters the contacts; with `[thermal]` of both bodies, unless that gives `body_1_temperature` and `body_2_temperature`; optional, that of the lubricant";
+        bulk_temperature: TEMPERATURE => "of the teeth and of the oil that enters the contacts, which is assumed to be as warm; with `[thermal]` of both bodies, unless that gives `body_1_temperature` and `body_2_temperature`; optional, that of the lubricant";
         scuffing_temperature: TEMPERATURE, usual [SCUFFING] => "contact temperature at which teeth scuff with this oil; optional, for a safety";
         permissible_lambda: Number => "specific film λ_GFP without micropitting; optional, for a safety";
         pinion_ra, wheel_ra: LENGTH, usual [HEIGHTS] => "roughness Ra of the flanks; optional, for specific films and models of friction";
@@ -219,7 +219,7 @@ rows! {
         cam_speed: ROTATION, usual [ROTATIONS] => "ω";
         width: LENGTH, usual [LENGTHS] => "width b of the contact";
         load: FORCE, usual [LOAD] => "load F; or `hertz_pressure`";
-        hertz_pressure: PRESSURE, usual [HERTZ_PRESSURE], aside "largest pressure of the dry contact, in place of the load";
+        hertz_pressure: PRESSURE, usual [HERTZ_PRESSURE], aside "largest pressure of the dry contact, instead of the load";
     }
     CAM {
         base_radius: LENGTH, usual [RADII] => "radius r_b of the base circle";
@@ -227,10 +227,10 @@ rows! {
         rise: Table(PART) => "the rise from θ = 0 on: `angle` and `law`";
         top_dwell: ANGLE => "angle at full lift; optional, 0";
         return: Table(PART) => "the return; optional, as the rise. The rest of the turn is the base circle";
-        lobes: Count => "in place of `rise`: harmonic lobes, s = (h/2)(1 − cos nθ)";
+        lobes: Count => "instead of `rise`: harmonic lobes, s = (h/2)(1 − cos nθ)";
         lift_table: Text => "instead of these: a CSV table with a column of the angle and one of the lift, each with its unit";
-        lift_tolerance: LENGTH, usual [COATINGS] => "root mean square of the errors of the lifts, by which they are smoothed; optional, that of rounding the last digit";
-        eccentricity: LENGTH => "in place of these: a disc on an axis beside its centre, s = e cos θ";
+        lift_tolerance: LENGTH, usual [COATINGS] => "root mean square error of the lifts, which sets their smoothing; optional, that of rounding the last digit";
+        eccentricity: LENGTH => "instead of these: an eccentric disc, s = e cos θ";
         follower: Choice(&["flat", "roller", "curved", "finger"]) => "kind of the follower";
         follower_radius: LENGTH, usual [RADII] => "of a roller, a curved face, or the face of a finger";
         follower_offset: LENGTH => "of the path of a roller or a curved face from the axis of the cam; optional, 0";
@@ -241,15 +241,15 @@ rows! {
         width: LENGTH, usual [LENGTHS] => "width b of the contact";
         spring_rate: Quantity(&[D::FORCE_PER_LENGTH]) => "c, optional";
         preload: FORCE, usual [LOAD] => "force of the spring at s = 0";
-        moving_mass: Quantity(&[D::MASS]) => "of the follower and what moves with it; optional";
+        moving_mass: Quantity(&[D::MASS]) => "of the follower and the parts that move with it; optional";
         extra_force: FORCE => "other force towards the cam; optional";
-        load: FORCE, usual [LOAD] => "in place of these: a force at all angles";
+        load: FORCE, usual [LOAD] => "instead of these: a force at all angles";
         angle: CAM_ANGLE => r#"`"turn"` for all contacts over a turn, or the angle θ of one"#;
         points: Count => "equal steps of a turn; optional, 90";
         folders: Switch => "of a turn: whether each contact has a folder of its results; optional";
     }
     PART {
-        angle: ANGLE => "angle of the cam that it takes";
-        law: LIFT_LAWS => "how it runs";
+        angle: ANGLE => "cam angle that it covers";
+        law: LIFT_LAWS => "motion law";
     }
 }

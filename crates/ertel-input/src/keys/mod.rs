@@ -1,13 +1,13 @@
-//! The keys of cases and studies: what each value is, its bounds and default, what is usual, and what it means.
+//! The keys of cases and studies: kind, bounds, default, usual range and meaning of each value.
 //!
 //! The schema for editors, questions about unusual values, the form of the page in the browser and the tables of the reference pages are
-//! made of these rows. The readers do not use them: tests hold both against each other.
+//! generated from these rows. The readers do not use them: tests compare both.
 
 mod case;
+mod describe;
 mod lubricant;
 mod machine;
 mod settings;
-mod told;
 mod unknown;
 
 use std::sync::LazyLock;
@@ -17,12 +17,12 @@ use ertel_quantity::{Dimension as D, Dimension};
 pub use case::{
     AXIS, CASE, CONTACT, COURSE, CURVE, INLET, MOTION, ROUGHNESS, STUDY, SURFACE, TRANSIENT,
 };
+pub use describe::{plain, table, table_of_laws};
 pub use lubricant::{
     CONDUCTIVITIES, DENSITIES, HEAT_CAPACITIES, LUBRICANT, SHEAR_LAWS, VISCOSITIES,
 };
 pub use machine::MACHINES;
 pub use settings::{CODES, COMPARE, INTERFEROGRAM, MESH, OUTPUT, SOLVER, THERMAL};
-pub use told::{plain, table, table_of_laws};
 pub use unknown::{unknown_first, unknown_path};
 
 use crate::Bounds;
@@ -33,21 +33,21 @@ use crate::usual::Usual;
 pub struct Row {
     /// The keys.
     pub keys: &'static [&'static str],
-    /// What the value is.
+    /// Kind of the value.
     pub kind: Kind,
     /// Bounds of a number that are the same in every case.
     pub bounds: Option<Bounds>,
-    /// What holds without the key, where that is the same in every case: a value of TOML, of a choice its word.
+    /// Default, where that is the same in every case: a value of TOML, of a choice its word.
     pub default: Option<&'static str>,
-    /// What is usual; for a key of several dimensions, for each of them.
+    /// Usual range; for a key of several dimensions, one for each of them.
     pub usual: &'static [Usual],
-    /// What the value means, as Markdown; [`Row::told`] adds choices, bounds and default.
+    /// Meaning of the value, as Markdown; [`Row::description`] adds choices, bounds and default.
     pub words: &'static str,
-    /// Whether the table of the reference has this row; the text around it tells of the others.
+    /// Whether the table of the reference has this row; the text around it describes the others.
     pub is_listed: bool,
 }
 
-/// What a value is.
+/// Kinds of values.
 #[derive(Clone, Copy, Debug)]
 pub enum Kind {
     /// A text.
@@ -58,7 +58,7 @@ pub enum Kind {
     Count,
     /// A number.
     Number,
-    /// A number that is told in per cent.
+    /// A number that is shown in per cent.
     Share,
     /// A list of numbers.
     Numbers,
@@ -116,9 +116,9 @@ pub struct Laws {
 pub struct Law {
     /// Its name, the value of `law`.
     pub name: &'static str,
-    /// What it needs.
+    /// Required keys.
     pub needs: &'static str,
-    /// What may be left out.
+    /// Optional keys.
     pub optional: &'static str,
 }
 
@@ -142,7 +142,7 @@ impl Laws {
 }
 
 impl Kind {
-    /// The rows of the tables that stand here, each table by itself.
+    /// The rows of the tables of this kind, each table separately.
     pub fn tables(self) -> Vec<&'static [Row]> {
         match self {
             Self::Table(rows)
@@ -219,8 +219,8 @@ const fn first<T: Copy>(list: &[T]) -> Option<T> {
     }
 }
 
-/// Rows, each as `keys: kind, bounds [low, high], default value, usual [ranges] => words;` without what there is none of; with
-/// `, aside words` in place of `=> words` the table of the reference leaves the row out.
+/// Rows, each as `keys: kind, bounds [low, high], default value, usual [ranges] => words;` with absent parts omitted; with
+/// `, aside words` instead of `=> words` the table of the reference omits the row.
 macro_rules! rows {
     ($($(#[$doc:meta])* $vis:vis $name:ident {
         $($($key:ident),+: $kind:expr

@@ -96,7 +96,7 @@ rows! {
         growth, depth_growth: Number, bounds [0.05, 2.0] => r"growth of the cell size with distance along the surface, and with depth{};
             half-spaces do not use the latter, and a warning says so";
         inlet, outlet, side: Number => r"edges of the contact area: x < -1, x > 1, and |y| > 1 for circular and elliptical contacts (for a
-            roller its ends); chosen from the expected film if absent, the side of an \
+            roller its ends); chosen from the expected film if absent, the side of an
             ellipse wide across the motion no farther than its bodies";
         body_width, body_depth: Number, bounds [8.0, 600.0] => r"size of a finite-element body, in half-widths{}; 60 if absent, more for thick
             films. No effect on half-spaces, and a warning says so";
@@ -139,7 +139,7 @@ rows! {
         pictures: Choices(&["svg", "pdf", "png"]), default "[\"svg\"]" => r#"formats of pictures, a list of `"svg"`, `"pdf"` and `"png"`{}; `[]`
             for none"#;
         body_field: Switch, default "false" => r"`true`: write the displacement of the whole body, `body.vtu`{}. It needs a finite-element body,
-            which is used if `solver.elasticity` is absent; the solver uses only the surface, so the body is factorised once more for this file";
+            which is used if `solver.elasticity` is absent; the solver uses only the surface, so the body is factorised again for this file";
         netcdf: Switch, default "false" => r"`true`: write the fields on a regular grid and all figures as [netCDF](results.md#resultnc), `result.nc`; of a case in time
             at the output times";
         vtu: Switch, default "false" => r"`true`, of a case with [`[transient]`](#transient): write pressure and film at each output time as VTU files and `fields.pvd`, which
@@ -171,7 +171,7 @@ rows! {
     pub COMPARE {
         columns: super::Kind::Texts => r"table of quantities or keys of the case and the titles of their columns; a unit follows a colon where the title has
             none; `#4` is the fourth column";
-        ignore: super::Kind::List => "titles of columns that are left out";
+        ignore: super::Kind::List => "titles of columns to ignore";
         decimal: super::lubricant::DECIMAL => r#"`"point"` or `"comma"`: the decimal mark, where the numbers of the table leave it open"#;
     }
 }

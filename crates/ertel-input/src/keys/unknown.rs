@@ -17,7 +17,7 @@ pub fn unknown_first(document: &Document, rows: &'static [Row], error: InputErro
     }
 }
 
-/// The error about a key path that no case has, such as that of an axis; `span` is where it stands.
+/// The error about a key path that no case has, such as that of an axis; `span` is its place.
 #[must_use]
 pub fn unknown_path(document: &Document, path: &str, span: Range<usize>) -> Option<InputError> {
     let mut tables: Vec<&'static [Row]> = vec![CASE];
@@ -80,7 +80,7 @@ fn in_table(
 }
 
 fn in_value(document: &Document, entry: &Entry, kind: Kind, path: &str) -> Option<InputError> {
-    // The key by which a table says which of the rows it has stands in none of them.
+    // The key that selects the rows of a table is in none of them.
     let (tables, choice) = match kind {
         Kind::Machine(machines) => (of_machine(machines, &entry.node), "kind"),
         Kind::Law(_) | Kind::LawOr(..) => (kind.tables(), "law"),

@@ -61,7 +61,7 @@ impl<'a> Table<'a> {
         Self { inputs, ..self }
     }
 
-    /// Where the quantities are noted that stand for the key `key` of this table, if anywhere.
+    /// Recorder of the quantities for the key `key` of this table, if any.
     #[must_use]
     pub fn recorder(&self, key: &str) -> Option<Recorder<'a>> {
         let inputs = self.inputs.as_ref()?;

@@ -74,7 +74,7 @@ impl<'a> Table<'a> {
         nodes
             .iter()
             .map(|node| match &node.value {
-                // Keys of several tables are not told apart.
+                // Keys of several tables are not distinguished.
                 Value::Table(_) => Ok(self.child(node, key).noted_by(None)),
                 _ => Err(self.at_node(
                     node,

@@ -37,7 +37,7 @@ use geometry::{BallGeometry, GeometryError, Ring, RollerGeometry, TaperedGeometr
 use kinematics::Speeds;
 use load::{Distribution, Loads, Params};
 
-/// What rings and elements are made of.
+/// Material of rings and elements.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// Reduced modulus E' of ring and element, Pa: 2/E' = Σ (1 − ν²)/E.
@@ -120,7 +120,7 @@ impl Geometry {
         0.5 * mass * pitch * orbit * orbit
     }
 
-    /// Free contact angle, rad: 0 of cylindrical rollers, that of the cup of tapered ones. Ratings go with the nominal one, which is 0 of deep
+    /// Free contact angle, rad: 0 of cylindrical rollers, that of the cup of tapered ones. Ratings use the nominal one, which is 0 of deep
     /// groove ball bearings.
     pub fn free_angle(&self) -> f64 {
         match self {

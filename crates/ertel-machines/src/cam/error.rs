@@ -8,7 +8,7 @@ pub enum CamError {
     /// A number is outside the range in which it makes sense.
     #[error("{name} = {value} must be {requirement}")]
     Value {
-        /// What the number is.
+        /// Name of the number.
         name: &'static str,
         /// The number, in SI.
         value: f64,
@@ -35,8 +35,8 @@ pub enum CamError {
         /// Its angle, rad.
         angle: f64,
     },
-    /// No spline goes through the table.
-    #[error("no smooth curve goes through the table of lifts")]
+    /// No spline fits the table.
+    #[error("no smooth curve fits the table of lifts")]
     Spline,
     /// The angles of segments do not make up a turn.
     #[error("the segments of the lift take {sum} rad, but a turn has 2π")]
@@ -45,10 +45,10 @@ pub enum CamError {
         sum: f64,
     },
     /// Rises and returns do not cancel.
-    #[error("the segments of the lift end {left} m above their start")]
+    #[error("the segments of the lift end {rise} m above their start")]
     NotClosed {
-        /// What is left, m.
-        left: f64,
+        /// Lift at the end less that at the start, m.
+        rise: f64,
     },
 }
 

@@ -173,7 +173,7 @@ fn round_followers_against_the_envelope() {
             assert_eq!(point.concave, curvature < 0.0);
             let on_cam = speed * c / (2.0 * step);
             assert_relative_eq!(point.u_2, on_cam, max_relative = 1e-4);
-            // On the face the contact moves as the normal turns against it, which the pressure angle tells: the motion turns with the finger.
+            // On the face the contact moves as the normal turns relative to it, by the pressure angle: the motion turns with the finger.
             let turned = points[2].pressure_angle - points[0].pressure_angle;
             let on_face = speed * 12e-3 * turned / (2.0 * step);
             assert_relative_eq!(point.u_1, on_face, max_relative = 1e-4, epsilon = 1e-6);
@@ -430,7 +430,7 @@ fn refusals() {
 
 /// Lifts rounded on paper, in mm and inch: the bar of s'' holds the closed form at every angle, and is far below what a law through all lifts is off by.
 #[test]
-fn bars_of_rounded_tables_hold_the_closed_form() {
+fn bars_of_rounded_tables_cover_the_closed_form() {
     const INCH: f64 = 25.4e-3;
     let moved = |law| {
         let part = |angle: f64, lift| Segment::Move {

@@ -1,7 +1,7 @@
 //! Test gears and load stages of the FZG back-to-back rig.
 //!
 //! All types run at a = 91.5 mm and z_2/z_1 = 1.5. C14, C40, H501 and H701 are as in a published program (GEARpie, C. Fernandes). Of type A and of the
-//! tip diameters of type C ("FZG C") no standard has been read: they are the figures in common use, kept apart in [`Gears::A`] and [`Gears::C`], and what is checked
+//! tip diameters of type C ("FZG C") no standard was available: they are the figures in common use, kept apart in [`Gears::A`] and [`Gears::C`], and what is checked
 //! is that the pressures at the pitch point which ISO 14635-1 is known for follow from the centre distance and the width of type A.
 
 use std::f64::consts::PI;

@@ -1,6 +1,6 @@
 //! Safety figures against scuffing and micropitting.
 //!
-//! What is here are the closed forms that compare a computed film or temperature with a limit. The limits themselves, the scuffing temperature of an oil and
+//! The closed forms here compare a computed film or temperature with a limit. The limits themselves, the scuffing temperature of an oil and
 //! the permissible specific film, come from tests (FZG scuffing and FVA micropitting tests) and are given by the user.
 
 use super::geometry::{GearError, in_range};

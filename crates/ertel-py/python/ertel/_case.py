@@ -1,4 +1,4 @@
-"""Cases: what is to be solved."""
+"""Cases: contacts and machines to be solved."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ class Case:
         Warns
         -----
         ErtelWarning
-            Where the case leaves the pressures or temperatures for which :meth:`with_law` tabulated a law.
+            If the case exceeds the pressures or temperatures for which :meth:`with_law` tabulated a law.
 
         Examples
         --------
@@ -120,7 +120,7 @@ class Case:
                 text = _without_note(text, name)
             native = case._native
             case = Case.from_text(text, name=native.name, folder=native.folder)
-        case._tabulated = {name: told for name, told in self._tabulated.items() if name not in gone}
+        case._tabulated = {name: note for name, note in self._tabulated.items() if name not in gone}
         case._look_at_tables()
         return case
 
@@ -137,7 +137,7 @@ class Case:
                 left = f"the lubricant has {temperature:.5g} K, the table {low:.5g} to {high:.5g} K"
             else:
                 continue
-            words = f"the {name} was tabulated for another case: {left}, and goes on in straight lines; call with_law again"
+            words = f"the {name} was tabulated for another case: {left}, and is extrapolated linearly; call with_law again"
             warnings.warn(words, ErtelWarning, stacklevel=3)
 
     def with_law(
@@ -151,9 +151,9 @@ class Case:
     ) -> Case:
         """The same case with a low-shear viscosity or a density that is a function of Python.
 
-        The function is tabulated, as ``law = "table"`` of a case file, so that the case needs it no more: it can be saved, pickled, solved
-        by the program. The table is refined until its interpolation error is below `tolerance`; an estimate of what is left is told in
-        :attr:`tabulated`, and at the top of :attr:`text`.
+        The function is tabulated, as ``law = "table"`` of a case file, so that the case can be saved, pickled, and solved by the
+        program. The table is refined until its interpolation error is below `tolerance`; :attr:`tabulated` and the first lines of
+        :attr:`text` give an estimate of the remaining error.
 
         Parameters
         ----------
@@ -162,7 +162,7 @@ class Case:
         law : callable
             Function of pressure above ambient (Pa) and temperature (K), both floats.
         pressures : tuple of float, optional
-            Limits of the table, Pa; from 0 to twice the Hertz pressure by default. Beyond them the table goes on in straight lines.
+            Limits of the table, Pa; from 0 to twice the Hertz pressure by default. Beyond them the table is extrapolated linearly.
         temperatures : tuple of float, optional
             Limits, K; by default from 20 K below the temperature of the lubricant to 100 K above it.
         tolerance : float
@@ -187,12 +187,12 @@ class Case:
         if temperatures is None:
             inlet = self.si["temperature"]
             temperatures = (inlet - 20.0, inlet + 100.0)
-        table, told = tabulated(name, law, pressures, temperatures, tolerance)
+        table, note = tabulated(name, law, pressures, temperatures, tolerance)
         other = self.with_({f"lubricant.{name}": table})
-        text = f"# lubricant.{name}: {told}.\n{_without_note(other.text, name)}"
+        text = f"# lubricant.{name}: {note}.\n{_without_note(other.text, name)}"
         native = self._native
         case = Case.from_text(text, name=native.name, folder=native.folder)
-        case._tabulated = {**self._tabulated, name: told}
+        case._tabulated = {**self._tabulated, name: note}
         return case
 
     @property
@@ -212,7 +212,7 @@ class Case:
 
     @property
     def warnings(self) -> list[str]:
-        """What to know about the input, one sentence each."""
+        """Warnings about the input, one sentence each."""
         return self._native.warnings
 
     @property
@@ -237,7 +237,7 @@ class Case:
 
     @property
     def si(self) -> dict[str, Any]:
-        """What was understood, in SI."""
+        """The case as read, in SI."""
         return json.loads(self._native.si())
 
     @property
@@ -246,7 +246,7 @@ class Case:
         return {key: value for key, value, _ in self._native.inputs()}
 
     def estimate(self) -> dict[str, Any]:
-        """What formulas say, in milliseconds: dry contact, groups, regime, films (SI)."""
+        """Estimates by formulas, in milliseconds: dry contact, groups, regime, films (SI)."""
         return json.loads(self._native.estimate())
 
     def estimate_report(self) -> str:
@@ -317,7 +317,7 @@ class Case:
 
 
 def _without_note(text: str, name: str) -> str:
-    """The text of a case without what it says at its top of a law that was a function."""
+    """The text of a case without the note about a law from a function in its first lines."""
     return "".join(line for line in text.splitlines(keepends=True) if not line.startswith(f"# lubricant.{name}: table of a Python function"))
 
 
@@ -358,7 +358,7 @@ def _show(event: Mapping[str, Any]) -> None:
 
 
 def estimate(case: Case) -> dict[str, Any]:
-    """What formulas say about a case; see :meth:`Case.estimate`."""
+    """Estimates of a case by formulas; see :meth:`Case.estimate`."""
     return case.estimate()
 
 

@@ -43,7 +43,7 @@ class Curve(Tabulated):
         return curve
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``curve.json`` has."""
+        """Content of ``curve.json``."""
         return self._document
 
     def plot(self, figure: str = "film_central") -> Figure:
@@ -66,7 +66,7 @@ class Curve(Tabulated):
         return study_figure(rows, [axis], figure, axis, self.title)
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
-        """Write what ``ertel solve`` writes."""
+        """Write the files of ``ertel solve``."""
         if self._native is None:
             raise self._refuse("the files of a curve")
         self._native.save(Path(folder))

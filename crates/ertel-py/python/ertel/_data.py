@@ -15,7 +15,7 @@ from ._ertel import CaseError, OutputError
 
 
 def explain(code: str) -> dict[str, str]:
-    """What the code of a warning means: ``meaning``, ``limit`` with its source, ``remedy``.
+    """Meaning of the code of a warning: ``meaning``, ``limit`` with its source, ``remedy``.
 
     Raises
     ------
@@ -36,7 +36,7 @@ def solids() -> list[str]:
 
 
 def own_data(folder: str | os.PathLike[str]) -> None:
-    """Let names stand for the files ``fluids/NAME.toml`` and ``solids/NAME.toml`` of a folder; once in a process."""
+    """Use the files ``fluids/NAME.toml`` and ``solids/NAME.toml`` of a folder by name; once in a process."""
     _ertel.use_own_data(Path(folder))
 
 
@@ -80,13 +80,13 @@ class Fluid:
     name : str
         Name or file.
     title : str
-        What it is, in a few words.
+        Short description.
     viscosity_law, shear_thinning_law, density_law : str or None
         Names of its laws.
     reference_temperature : float or None
         Temperature at which reference viscosity and density hold, K.
     notes : list of str
-        What to know before using it.
+        Notes to read before use.
     sources : dict
         Value as written and source of each datum, by its key.
     """
@@ -137,7 +137,7 @@ class FilmFit:
     rms : float
         Root mean square of formula/film - 1.
     warnings : list of str
-        What the films leave open.
+        Constants that the films do not determine.
     """
 
     constants: dict[str, float | None]
@@ -199,7 +199,7 @@ class Fit:
     rms : float
         Root mean square of law/measured - 1.
     warnings : list of str
-        What the data leave open, and what makes no sense.
+        Constants that the data do not determine, and implausible ones.
     text : str
         The file of the lubricant; :meth:`save` writes it.
     """

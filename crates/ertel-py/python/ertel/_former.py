@@ -49,7 +49,7 @@ _WITHIN: dict[str, dict[str, str]] = {
     "formulas": {"central": "film_central", "minimum": "film_minimum"},
     "units": _UNITS,
 }
-# What users wrote is theirs.
+# Texts of users stay as they are.
 _LEFT = ("case",)
 
 

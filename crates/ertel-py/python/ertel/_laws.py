@@ -27,7 +27,7 @@ _SAFETY = 2.0
 
 
 class ErtelWarning(UserWarning):
-    """What is allowed, but leaves the range for which something was made."""
+    """Warning about values outside the range of a table or law."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class TabulatedLaw:
     Attributes
     ----------
     pressures : tuple of float
-        Limits of the table, Pa above ambient; beyond them it goes on in straight lines (of a viscosity its logarithm).
+        Limits of the table, Pa above ambient; beyond them it is extrapolated linearly (of a viscosity its logarithm).
     temperatures : tuple of float
         Limits of the table, K.
     n_pressures, n_temperatures : int
@@ -102,7 +102,7 @@ def tabulated(
         finer = _finer(n, grow)
         if finer == n:
             finer = _finer(n, [True, True])
-        # An axis that can grow no more fails where it errs by more than the tolerance by itself.
+        # An axis at its largest size fails if its own error exceeds the tolerance.
         if finer == n or any(own >= most and error > tolerance for own, most, error in zip(n, _MOST, worst)):
             places = (along_p, along_t, inner)[int(np.argmax(worst))]
             q, s = places[int(np.argmax(errors[int(np.argmax(worst))]))]

@@ -30,11 +30,11 @@ class MachineFigure(Quantity):
     unit : str
         SI unit, empty for a pure number.
     words : str
-        What it is.
+        Description.
     source : str
-        Where the formula comes from, or what is left out; may be empty.
+        Source of the formula, or neglected parts; may be empty.
     marks : tuple of str
-        Why the figure is not to be used as it stands: ``"friction-beyond-lubricants"``, ``"not-resolved"``, ``"film-alone"``,
+        Reason not to use the figure: ``"friction-beyond-lubricants"``, ``"not-resolved"``, ``"film-alone"``,
         ``"between-points"``; empty for results of older versions.
     """
 
@@ -111,7 +111,7 @@ class MachineSolution(Tabulated):
     Attributes
     ----------
     case : Case
-        What was solved.
+        The case.
     figures : dict of str to MachineFigure
         Figures of the machine by their names.
     contacts : list of MachineContact
@@ -157,12 +157,12 @@ class MachineSolution(Tabulated):
         self.contacts = _contacts(content["contacts"], self.place_name)
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``machine.json`` has."""
+        """Content of ``machine.json``."""
         return self._document
 
     @property
     def warnings(self) -> list[str]:
-        """What to know about the result, one sentence each; failed contacts first."""
+        """Warnings about the result, one sentence each; failed contacts first."""
         return self._document["warnings"]
 
     @property
@@ -178,7 +178,7 @@ class MachineSolution(Tabulated):
 
     @property
     def failed(self) -> bool:
-        """Whether a contact has no solution: figures that are sums over all are left out then."""
+        """Whether a contact has no solution: sums over all contacts are omitted then."""
         return bool(self.failures)
 
     @property
@@ -188,7 +188,7 @@ class MachineSolution(Tabulated):
 
     @property
     def place_name(self) -> str:
-        """What :attr:`MachineContact.place` is: ``"angle"`` (rad), ``"position"`` (m) or ``"cam_angle"`` (rad)."""
+        """Kind of :attr:`MachineContact.place`: ``"angle"`` (rad), ``"position"`` (m) or ``"cam_angle"`` (rad)."""
         first = self._document["contacts"][0]
         return next(name for name in _PLACES if name in first)
 
@@ -197,7 +197,7 @@ class MachineSolution(Tabulated):
         return self.figures.get(name)
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
-        """Write what ``ertel solve`` writes; a former result in the folder is replaced, anything else is not.
+        """Write the files of ``ertel solve``; a former result in the folder is replaced, anything else is not.
 
         Raises
         ------

@@ -8,7 +8,7 @@ from typing import Any
 
 from ._case import Case
 
-# Sections of a case beside [machine] (docs/reference/case-file.md); every other keyword is a key of [machine].
+# Sections of a case other than [machine] (docs/reference/case-file.md); every other keyword is a key of [machine].
 _SECTIONS = (
     "title",
     "bodies",
@@ -34,7 +34,7 @@ class _MachineCase(Case):
         if isinstance(sections.get("bodies"), str):
             sections["bodies"] = {"body_1": sections["bodies"], "body_2": sections["bodies"]}
         lubricant = sections.get("lubricant")
-        # A temperature of its own belongs to a lubricant by name; in a table it is a key.
+        # A separate temperature is for a lubricant by name; in a table it is a key.
         if isinstance(lubricant, Mapping) and "temperature" not in lubricant and "temperature" in sections:
             sections["lubricant"] = {**lubricant, "temperature": sections.pop("temperature")}
         others = {key: value for key, value in keys.items() if key not in _SECTIONS}

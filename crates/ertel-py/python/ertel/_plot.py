@@ -58,7 +58,7 @@ def centreline(result: Result) -> Figure:
     film_axes.plot(x[shown], line["film_thickness_m"][shown] * 1e9, color=_PALETTE[1], label="film thickness")
     film_axes.set(ylabel="film thickness (nm)", ylim=(0.0, 4e9 * central))
     handles = [*pressure_axes.get_lines(), *film_axes.get_lines()]
-    # Beside the curves, none of which it may cover.
+    # Outside the axes: it must not cover a curve.
     figure.legend(handles=handles, loc="outside lower center", ncols=3, frameon=False)
     pressure_axes.set_title(result.title)
     return figure

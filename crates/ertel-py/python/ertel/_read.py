@@ -27,12 +27,12 @@ def read(
     folder : path
         The folder of a result, a curve, a course in time, a machine, a study (finished or not), samples of uncertain inputs, or a comparison.
     inputs : path, optional
-        Folder of the files that the case names, where these are not beside its ``case.toml``.
+        Folder of the files that the case names, where these are not next to its ``case.toml``.
 
     Returns
     -------
     Result, Curve, Transient, MachineSolution, Study, MonteCarlo or Comparison
-        With what a fresh solve gives, as far as the folder holds it. What needs the solver's own data does not: `save` is refused, and a solve with it as `start`
+        The content of a fresh solve, as far as the folder has it. Data of the solver are not stored: `save` is refused, and a solve with it as `start`
         begins at the dry contact.
 
     Raises

@@ -94,7 +94,7 @@ class Result(Stored):
 
     @property
     def warnings(self) -> list[str]:
-        """What to know about the result, one sentence each."""
+        """Warnings about the result, one sentence each."""
         return self._document["warnings"]
 
     @property
@@ -374,7 +374,7 @@ class Result(Stored):
         return field_map(self, self.field(field), unit, words)
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
-        """Write what ``ertel solve`` writes; a former result in the folder is replaced, anything else is not.
+        """Write the files of ``ertel solve``; a former result in the folder is replaced, anything else is not.
 
         Raises
         ------

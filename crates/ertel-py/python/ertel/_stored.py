@@ -31,7 +31,7 @@ FORMAT_VERSIONS = (1, 2)
 
 
 class Stored:
-    """What was solved in this process, or is read from a folder."""
+    """A result of this process, or read from a folder."""
 
     _document: dict[str, Any]
     # Texts of this process; None where they are in files of the folder.
@@ -43,12 +43,12 @@ class Stored:
 
     @property
     def case(self) -> Case:
-        """What was solved. Of a folder it is read from ``case.toml`` there.
+        """The case that was solved. Of a folder it is read from its ``case.toml``.
 
         Raises
         ------
         CaseError
-            When this version does not read it, as where it names files that are elsewhere: give their folder to :func:`ertel.read`.
+            If this version cannot read it, for example if its files are elsewhere: give their folder to :func:`ertel.read`.
         """
         if self._case is None:
             from ._case import Case
@@ -70,7 +70,7 @@ class Stored:
 
     @property
     def report(self) -> str:
-        """What ``ertel solve`` shows."""
+        """The report that ``ertel solve`` shows."""
         if self._report is None:
             self._report = text_of(self._stored("the report") / "report.txt")
         return self._report
@@ -162,11 +162,11 @@ def document(path: Path, format: str, needed: tuple[str, ...]) -> dict[str, Any]
     except RecursionError:
         raise OutputError(f"{path}: damaged, it is nested too deeply") from None
     if isinstance(content, dict) and "format" not in content and set(needed) <= set(content):
-        raise OutputError(f"{path}: it does not tell its `format`: an older ertel wrote it; run the same again to write it anew")
+        raise OutputError(f"{path}: it has no `format`: an older ertel wrote it; run the same again to replace it")
     if not isinstance(content, dict) or content.get("format") != format:
         raise OutputError(f'{path}: it is no file of ertel with "format": "{format}"')
     if "format_version" not in content:
-        raise OutputError(f"{path}: it does not tell its `format_version`; it is damaged, or from an older ertel: solve the case again")
+        raise OutputError(f"{path}: it has no `format_version`; it is damaged, or from an older ertel: solve the case again")
     version = content["format_version"]
     if version not in FORMAT_VERSIONS:
         by = content.get("ertel_version", "another version")
@@ -189,7 +189,7 @@ def _refuse_constant(name: str) -> None:
 
 
 def shaped(path: Path, read: Any) -> Any:
-    """What `read` makes of a document whose inner parts may not be as they should."""
+    """The result of `read` for a document that may be damaged."""
     try:
         return read()
     except (KeyError, TypeError, ValueError, AttributeError, IndexError, StopIteration) as error:

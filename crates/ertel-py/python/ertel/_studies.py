@@ -56,7 +56,7 @@ class Study:
 
     @property
     def table(self) -> str:
-        """What ``results.csv`` has, or would have: a line for each finished point."""
+        """Content of ``results.csv``, written or not: a line for each finished point."""
         return self._table
 
     def to_pandas(self) -> pd.DataFrame:
@@ -202,7 +202,7 @@ class Comparison(Stored):
         return cls(folder, inputs, document(folder / "comparison.json", "ertel-comparison", needed))
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``comparison.json`` has."""
+        """Content of ``comparison.json``."""
         return self._document
 
     @property

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class StudySummary:
-    """What became of a study."""
+    """Outcome of a study."""
 
     n_points: int
     n_kept: int
@@ -52,8 +52,8 @@ def sweep(
 ) -> pd.DataFrame:
     """Solve every point of a study file, as ``ertel sweep`` does, and return its table.
 
-    Finished points are kept in `folder`: the same call goes on where a former one was stopped. What became of
-    the run stands in ``table.attrs["summary"]``, a dict with the names of :class:`StudySummary`.
+    Finished points are kept in `folder`: the same call continues a run that was stopped. The outcome of
+    the run is in ``table.attrs["summary"]``, a dict with the names of :class:`StudySummary`.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ def sweep(
     jobs, threads : int, optional
         Points solved at the same time (as many as cores), and threads of each (one).
     folders : bool
-        Whether each point's results are written into a folder of its own.
+        Whether the results of each point are written into a separate folder.
     retry : bool
         Whether points that failed before are solved again.
     progress : bool or callable, optional
@@ -81,7 +81,7 @@ def sweep(
             raise CaseError("a study of keys has no name: give the folder of its results")
         with tempfile.TemporaryDirectory(prefix="ertel-") as place:
             path = Path(place) / "study made in Python.toml"
-            # Files beside which it stands in no folder are found from the current one.
+            # Without a study file, paths are relative to the current folder.
             named = {key: _absolute(key, study[key]) for key in ("case", "points") if key in study}
             path.write_text(_toml.text({**study, **named}), encoding="utf-8")
             return sweep(
@@ -128,9 +128,9 @@ def compare(
     case, measured : path
         The case file, and the table or the export of a rig (docs/guide/compare.md).
     folder : path, optional
-        Where table, picture and report go; ``results/<case>-<table>`` by default. The same call goes on where a former one was stopped.
+        Where table, picture and report go; ``results/<case>-<table>`` by default. The same call continues a run that was stopped.
     ignore : sequence of str
-        Columns of the table that are not looked at.
+        Columns of the table to ignore.
     columns : mapping of str to str, optional
         Columns by quantity where their titles do not say it: ``{"film": "Film (nm)"}``, with a unit ``{"film": "Film:nm"}``, by number
         ``{"film": "#3"}``.

@@ -16,7 +16,7 @@ _MOST_VALUES = 1_000_000
 
 
 def text(sections: Mapping[str, Any]) -> str:
-    """The case file that says what nested mappings say, one key a line."""
+    """The case file for nested mappings, one key a line."""
     lines: list[str] = []
     for key, value in sections.items():
         _lines([str(key)], value, lines)
@@ -120,7 +120,7 @@ def _quantity(path: list[str], value: Any) -> str:
         items = list(base.unit_items())
     except (TypeError, ValueError, ArithmeticError, AttributeError):
         raise CaseError(
-            f"`{'.'.join(path)}`: the quantity is not one number with a unit; give each value of a list a unit of its own"
+            f"`{'.'.join(path)}`: the quantity is not one number with a unit; give each value of a list its unit"
         ) from None
     parts = []
     for unit, power in items:

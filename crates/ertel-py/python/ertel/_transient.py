@@ -46,9 +46,9 @@ class Instant:
     temperature : float
         Temperature of bodies and oil, K.
     oil_layer : float or None
-        Thickness of the layer of oil at the inlet edge, m; none where there is more oil than the contact takes.
+        Thickness of the layer of oil at the inlet edge, m; none for a flooded inlet.
     approach, approach_velocity : float
-        By how much the bodies have come nearer since t = 0, m, and its rate, m/s.
+        Approach of the bodies since t = 0, m, and its rate, m/s.
     entrainment_speed, body_1_speed, body_2_speed : float
         Speeds, m/s.
     body_1_spin, body_2_spin : float
@@ -135,7 +135,7 @@ class Instant:
 
     @property
     def amplitude_ratio(self) -> float | None:
-        """What the film in the centre keeps of the amplitude of waves in the passage that ends here; None where no whole wave has passed."""
+        """Amplitude ratio of waves in the central film for the passage that ends here; None where no whole wave has passed."""
         ratio = self._given.get("amplitude_ratio")
         return None if ratio is None else float(ratio)
 
@@ -208,17 +208,17 @@ class Transient(Tabulated):
 
     @property
     def complete(self) -> bool:
-        """Whether time came to its end."""
+        """Whether the run is complete."""
         return bool(self._document["complete"])
 
     @property
     def reason(self) -> str | None:
-        """Why it did not."""
+        """Why it is not."""
         return self._document["reason"]
 
     @property
     def coefficient_of_restitution(self) -> float | None:
-        """Of a body that fell on the film and has left it."""
+        """Rebound of a body that fell on the film and has left it."""
         return self._document["coefficient_of_restitution"]
 
     @property
@@ -228,7 +228,7 @@ class Transient(Tabulated):
 
     @property
     def warnings(self) -> list[str]:
-        """What you should know."""
+        """Warnings about the result, one sentence each."""
         return list(self._document["warnings"])
 
     @property
@@ -255,7 +255,7 @@ class Transient(Tabulated):
         return [{"time": p["time"], **{key: np.array(p[key]) for key in arrays}} for p in self._document["profiles"]]
 
     def to_dict(self) -> dict[str, Any]:
-        """What ``transient.json`` has."""
+        """Content of ``transient.json``."""
         return self._document
 
     @property
@@ -320,7 +320,7 @@ class Transient(Tabulated):
         return Path(path)
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
-        """Write what ``ertel solve`` writes."""
+        """Write the files of ``ertel solve``."""
         if self._native is None:
             raise self._refuse("the files of a course in time")
         self._native.save(Path(folder))

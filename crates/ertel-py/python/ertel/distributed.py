@@ -42,9 +42,9 @@ def sweep(
     """Solve every point of a study file on the workers of a Dask cluster, and return its table.
 
     A task is a part of neighbours, in the order in which points start from each other. A part whose points start from those of another one
-    solves these once more, so that the table is that of :func:`ertel.sweep`, digit for digit, whatever the tasks and the workers
-    are. Finished parts go into the journal in `folder` as they arrive: a task whose worker is lost is given to another, and the same call,
-    or ``ertel sweep``, goes on where a former one was stopped.
+    solves these again: the table is that of :func:`ertel.sweep`, digit for digit, for any tasks and workers. Finished parts go into the
+    journal in `folder` as they arrive: a task whose worker is lost is given to another, and the same call,
+    or ``ertel sweep``, continues a run that was stopped.
 
     Parameters
     ----------
@@ -97,7 +97,7 @@ def sweep(
             for future in as_completed(futures):
                 n_finished += native.append(future.result())
                 future.release()
-                _tell(progress, {"event": "part", "n_finished": n_finished, "n_points": native.n_points})
+                _report(progress, {"event": "part", "n_finished": n_finished, "n_points": native.n_points})
         finally:
             client.cancel(futures)
     finally:
@@ -125,7 +125,7 @@ def _bundle(study: Path, files: list[Path]) -> tuple[dict[str, bytes], str]:
 
 
 def _solve_part(name: str, files: dict[str, bytes], group: Group, part: tuple[int, int]) -> str:
-    """On a worker: solve a part in a folder of its own, and send back its journal."""
+    """On a worker: solve a part in a separate folder, and send back its journal."""
     with tempfile.TemporaryDirectory(prefix="ertel-") as place:
         inputs, results = Path(place) / "inputs", Path(place) / "results"
         for file, contents in files.items():
@@ -134,7 +134,7 @@ def _solve_part(name: str, files: dict[str, bytes], group: Group, part: tuple[in
         return _ertel.solve_part(inputs / name, results, group, part)
 
 
-def _tell(progress: Progress, event: dict[str, Any]) -> None:
+def _report(progress: Progress, event: dict[str, Any]) -> None:
     if progress is True:
         print(f"{event['n_finished']} of {event['n_points']} points", flush=True)
     elif callable(progress):

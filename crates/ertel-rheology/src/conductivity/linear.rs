@@ -10,7 +10,7 @@ use crate::linear::LinearFactor;
 /// k = k₀ [1 + a_T (T - T_R) + a_p p]
 /// ```
 ///
-/// A falling line is held at a tenth of k₀, far from any state for which it was drawn.
+/// A falling line is limited to a tenth of k₀, far from any state that it was fitted to.
 ///
 /// Theory: Conductivity and heat capacity, Linear.
 #[derive(Debug, Clone, PartialEq)]

@@ -12,7 +12,7 @@ use crate::{DensityLaw, Scalar};
 /// ```
 ///
 /// `V/V_R` is the volume relative to that at ambient pressure and T_R, from the density law of the lubricant. The
-/// bracket is held at a half where it falls below, which happens only far above measured temperatures.
+/// bracket is limited to a half from below, which happens only far above measured temperatures.
 ///
 /// Theory: Scaling.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,7 +40,7 @@ pub struct ScalingConstants {
     pub reference_temperature: f64,
 }
 
-/// Where the bracket is held.
+/// Lower limit of the bracket.
 const SMALLEST_BRACKET: f64 = 0.5;
 
 impl Scaling {

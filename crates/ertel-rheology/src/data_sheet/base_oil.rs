@@ -79,11 +79,11 @@ impl BaseOil {
     /// | ester | 0.6605 | 0.1360 |
     /// | PAG | 0.5489 | 0.1485 |
     ///
-    /// The paper was not at hand. The constants are those of a public program, which exchanges the names s and t (as
+    /// The paper was not available. The constants are those of a public program, which exchanges the names s and t (as
     /// it stands there its coefficient of a mineral oil of 100 mm²/s would be 133 1/GPa). A second program of the same
     /// author exchanges PAO and ester.
     ///
-    /// A naphthenic oil has the constants of a mineral one with 1.42 in place of 1.36, the mean of the 15 slopes of the five mineral oils with
+    /// A naphthenic oil has the constants of a mineral one with 1.42 instead of 1.36, the mean of the 15 slopes of the five mineral oils with
     /// a viscosity index below 20; Group III lies midway between mineral oil and PAO.
     ///
     /// The factor 1.36 is not theirs. 44 independent initial slopes (38 of mineral oils, 4 of PAO, 2 of esters) lie 1.05 to
@@ -102,7 +102,7 @@ impl BaseOil {
                     &Self::Mineral.pressure_viscosity(nu),
                     &Self::Pao.pressure_viscosity(nu),
                     "none, midway between mineral oil and polyalphaolefin",
-                    "no measured slope of a Group III oil was found: the range holds those of mineral oils and of polyalphaolefins",
+                    "no measured slope of a Group III oil was found: the range covers those of mineral oils and of polyalphaolefins",
                 );
             }
         };

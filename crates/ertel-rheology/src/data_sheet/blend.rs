@@ -31,15 +31,15 @@ pub enum BlendError {
         fluid: String,
     },
     /// The data of a part do not reach the temperatures.
-    #[error("the data of {fluid} hold {range}; viscosities are blended at 40 and 100 degC")]
+    #[error("the data of {fluid} are valid {range}; viscosities are blended at 40 and 100 degC")]
     TemperatureRange {
         /// Name of the part.
         fluid: String,
         /// The range, in words.
         range: String,
     },
-    /// A part thins in shear.
-    #[error("{fluid} thins in shear: there is no rule for what a blend of it does")]
+    /// A part is shear-thinning.
+    #[error("{fluid} is shear-thinning: no mixing rule is known for it")]
     ShearThinning {
         /// Name of the part.
         fluid: String,
@@ -74,7 +74,7 @@ impl Blend {
     /// α     = Σ φᵢ αᵢ                            at 40 and 100 degC
     /// ```
     ///
-    /// The viscosity is the ASTM Blending Method of ASTM D7152, at two temperatures; between them Walther's equation goes on in straight
+    /// The viscosity is the ASTM Blending Method of ASTM D7152, at two temperatures; between them Walther's equation is used in straight
     /// lines, so that its A and B are the means of those of the parts. The coefficient is that of mixtures in which ln μ is additive by
     /// volume. The density is the law of Dowson and Higginson through the ambient densities at 40 and 100 degC and the densities of the
     /// mixture at 40 degC under 0.25 and 1 GPa.
@@ -288,18 +288,18 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_blended() {
+    fn fluids_that_cannot_be_blended() {
         let refused = |name: &str| blend(&[(0.5, "pao-4"), (0.5, name)]).unwrap_err();
         let is = |error: BlendError, word: &str| {
             assert!(error.to_string().contains(word), "{error}");
         };
         is(refused("polyphenyl-ether-5p4e"), "no density law");
         is(refused("venner-oil"), "does not depend on temperature");
-        is(refused("r134a"), "hold from");
+        is(refused("r134a"), "valid from");
         is(refused("pao-650"), "does not depend on temperature");
         let mut thin = fluid("pao-4");
         thin.shear_thinning = fluid("squalane-pip").shear_thinning;
         let error = Blend::new(&[(1.0, &thin)]).unwrap_err();
-        is(error, "thins in shear");
+        is(error, "shear-thinning");
     }
 }

@@ -4,7 +4,7 @@
 
 use super::{BaseOil, Estimate, Spread};
 
-/// What of the heat of an oil is estimated: the constants of the laws of Larsson and Andersson
+/// Estimated thermal properties of an oil: the constants of the laws of Larsson and Andersson
 /// ([`crate::ConductivityLaw::LarssonAndersson`], [`crate::HeatCapacityLaw::LarssonAndersson`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeatEstimate {
@@ -66,7 +66,7 @@ impl BaseOil {
     ///
     /// Group III lies midway between mineral and PAO in k₀ and (ρ c)₀ and is as mineral otherwise. The first two rows are those of Larsson
     /// and Andersson (Proc. IMechE J 214, 2000, 337-342) as public programs have them: paraffinic mineral oil, and the mean of five
-    /// polyalphaolefins. What the ranges hold is listed on the page.
+    /// polyalphaolefins. The page lists the data within the ranges.
     ///
     /// Theory: Heat and shear of a kind of oil.
     #[must_use]
@@ -139,14 +139,14 @@ impl BaseOil {
                     0.145,
                     [0.3, 0.3],
                     "none, midway of the other kinds",
-                    "no measured conductivity of a polyalkylene glycol was found; the range holds the 0.115 W/(m.K) that feup_gear \
+                    "no measured conductivity of a polyalkylene glycol was found; the range covers the 0.115 W/(m.K) that feup_gear \
                      uses",
                 ),
                 volumetric_heat: estimate(
                     2.08e6,
                     [0.2, 0.2],
                     "none, 2000 J/(kg.K), as of other oils, times the density of a polyalkylene glycol",
-                    "no measured heat capacity of a polyalkylene glycol was found; the range holds the 2.40 MJ/(m^3.K) that feup_gear \
+                    "no measured heat capacity of a polyalkylene glycol was found; the range covers the 2.40 MJ/(m^3.K) that feup_gear \
                      uses",
                 ),
                 beta_0: 8.5e-4,
@@ -154,7 +154,7 @@ impl BaseOil {
             },
             Self::GroupIII => {
                 let [mineral, pao] = [Self::Mineral.heat(), as_pao];
-                // Where it holds at another temperature, by the coefficient of its own kind.
+                // At another temperature, by the coefficient of its kind.
                 let warmed = Estimate {
                     value: pao.volumetric_heat.value
                         * (1.0 + pao.beta_0 * (mineral.reference_temperature - CELSIUS_40)),
@@ -165,7 +165,7 @@ impl BaseOil {
                         a,
                         b,
                         "none, midway between mineral oil and polyalphaolefin",
-                        "no measured heat of a Group III oil was found: the range holds those of mineral oils and of \
+                        "no measured heat of a Group III oil was found: the range covers those of mineral oils and of \
                          polyalphaolefins",
                     )
                 };

@@ -1,6 +1,6 @@
-//! Estimates for oils of which only the data sheet is known.
+//! Estimates for oils known only by their data sheet.
 //!
-//! What a data sheet does not give is taken from published correlations and from typical values. Each is an
+//! Data missing from a data sheet are taken from published correlations and typical values. Each is an
 //! [`Estimate`]: a number with the range in which the truth is expected, and where both come from.
 
 mod base_oil;
@@ -28,7 +28,7 @@ pub(crate) const ISO_VG_NAMES: [f64; 20] = [
     2.0, 3.0, 5.0, 7.0, 10.0, 15.0, 22.0, 32.0, 46.0, 68.0, 100.0, 150.0, 220.0, 320.0, 460.0,
     680.0, 1000.0, 1500.0, 2200.0, 3200.0,
 ];
-/// Share by which the viscosity of an oil may leave that of its grade.
+/// Relative deviation allowed between the viscosity of an oil and that of its grade.
 pub const ISO_VG_TOLERANCE: f64 = 0.1;
 
 /// Density of water at 15 degC (kg/m³), to which relative densities refer.
@@ -47,14 +47,14 @@ pub struct Estimate {
     pub source: &'static str,
     /// How the truth is spread over the range.
     pub spread: Spread,
-    /// What the range rests on.
+    /// Basis of the range.
     pub basis: &'static str,
 }
 
 /// How the truth is spread over the range of an estimate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Spread {
-    /// Normally about the number: the range holds 95 % of such oils.
+    /// Normally about the number: the range covers 95 % of such oils.
     Normal,
     /// Evenly between the ends of the range.
     Even,

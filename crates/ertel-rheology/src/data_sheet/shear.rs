@@ -4,7 +4,7 @@
 
 use super::{BaseOil, Estimate, Spread};
 
-/// What of the shear of an oil is estimated: `τ₀` of the law of Ree and Eyring, and `Λ` of its limit `τ_L = τ₀ + Λ p`.
+/// Estimated shear-thinning constants of an oil: `τ₀` of the law of Ree and Eyring, and `Λ` of its limit `τ_L = τ₀ + Λ p`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShearEstimate {
     /// Eyring stress τ₀ (Pa), also the limiting stress at ambient pressure.
@@ -97,7 +97,7 @@ impl BaseOil {
                         a,
                         b,
                         "none, midway between mineral oil and polyalphaolefin",
-                        "no measured figure of a Group III oil was found: the range holds those of mineral oils and of \
+                        "no measured figure of a Group III oil was found: the range covers those of mineral oils and of \
                          polyalphaolefins",
                     )
                 };

@@ -135,7 +135,7 @@ fn coefficients_between_two_temperatures() {
 }
 
 /// The five mineral oils of lowest viscosity index, by Walther's equation through 30 and 100 degC: their slopes are 1.42 times the
-/// formula of mineral oils, in place of 1.36.
+/// formula of mineral oils, instead of 1.36.
 ///
 /// Theory: Pressure-viscosity coefficient.
 #[test]
@@ -168,7 +168,7 @@ fn naphthenic_oils_are_the_measured_ones_of_low_index() {
 ///
 /// Theory: Heat and shear of a kind of oil.
 #[test]
-fn heat_of_the_kinds_holds_what_is_known() {
+fn heat_of_the_kinds_covers_known_data() {
     let cragoe = 0.118 / 0.88 * (1.0 - 0.000_54 * 40.0); // 0.1312
     let smith = 0.137 / 0.88 * (1.0 - 0.000_54 * 40.0); // 0.1523
     let feup = |rho: f64| 120.0 * (1.0 - 0.0005 * 40.0 / 3.0) / rho;
@@ -259,7 +259,7 @@ fn heat_of_the_kinds_holds_what_is_known() {
 ///
 /// Theory: Heat and shear of a kind of oil.
 #[test]
-fn shear_of_the_kinds_holds_what_is_known() {
+fn shear_of_the_kinds_covers_known_data() {
     let gears = |factor: f64| 0.056 * factor / 0.846;
     assert_relative_eq!(gears(0.65), 0.043, epsilon = 5e-4);
     assert_relative_eq!(gears(0.585), 0.0387, epsilon = 5e-5);

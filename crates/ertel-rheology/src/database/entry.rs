@@ -6,7 +6,7 @@ use toml::de::{DeTable, DeValue};
 use crate::provenance::{Datum, Status};
 use ertel_input::{InputError, Table};
 
-/// What of the head of a data file must be there.
+/// Required part of the head of a data file.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Head {
     /// All of it: files of the database.
@@ -34,7 +34,7 @@ pub(super) struct Entry {
     exceptions: Vec<(String, Origin)>,
 }
 
-/// Origin of a number; what an exception leaves out is that of the entry.
+/// Origin of a number; missing fields of an exception are those of the entry.
 #[derive(Default)]
 struct Origin {
     source: Option<String>,

@@ -40,11 +40,11 @@ pub enum DatabaseError {
     Unknown {
         /// `fluid` or `solid`.
         kind: &'static str,
-        /// The name asked for.
+        /// The name requested.
         name: String,
         /// The name most like it.
         near: Option<&'static str>,
-        /// What to write instead of a name, if that is more likely.
+        /// Advice to use another key instead of a name, if that is more likely meant.
         help: Option<String>,
         /// All names.
         choices: Vec<&'static str>,
@@ -52,12 +52,12 @@ pub enum DatabaseError {
     /// A file of the database, or of the user, is wrong.
     #[error(transparent)]
     Data(#[from] InputError),
-    /// A folder of own data that is none.
+    /// An invalid folder of own data.
     #[error("the folder of own data {path} {reason}")]
     Folder {
         /// The folder.
         path: String,
-        /// What is wrong with it.
+        /// The reason.
         reason: String,
     },
     /// A file of the user cannot be read.
@@ -173,7 +173,7 @@ fn read_fluid(
     let entry = Entry::read(&mut table, head, name)?;
     let mut fluid = Fluid::from_table(&mut table, name, files)?;
     table.finish()?;
-    // What a data sheet leaves open is not in the file.
+    // Estimated and computed data are not in the file.
     let derived = |datum: &Datum| matches!(datum.status, Status::Estimated | Status::Computed);
     fluid.provenance.retain(derived);
     fluid

@@ -1,12 +1,12 @@
-//! What a name that is not in the database most likely means.
+//! Suggestions for names that are not in the database.
 
 use crate::data_sheet::ISO_VG_NAMES;
 
-/// What may be meant by an unknown name.
+/// Suggestion for an unknown name.
 pub(super) struct Meant<'c> {
-    /// A name that there is.
+    /// The nearest known name.
     pub near: Option<&'c str>,
-    /// What to write instead of a name.
+    /// Advice to use another key instead of a name.
     pub help: Option<String>,
 }
 
@@ -121,7 +121,7 @@ pub(crate) fn base_oil_in(text: &str) -> Option<&'static str> {
     }
 }
 
-/// What may be meant by `name`, which is none of `choices`.
+/// Suggestion for `name`, which is none of `choices`.
 pub(super) fn meant<'c>(kind: &str, name: &str, choices: &[&'c str]) -> Meant<'c> {
     let wanted = plain(name);
     let is_fluid = kind == "fluid";
@@ -176,7 +176,7 @@ pub(super) fn meant<'c>(kind: &str, name: &str, choices: &[&'c str]) -> Meant<'c
         return Meant {
             near: None,
             help: Some(format!(
-                "a kind of base oil alone is no oil; give its data sheet: {}",
+                "a kind of base oil alone does not define an oil; give its data sheet: {}",
                 sheet(None, base_oil.unwrap_or_default())
             )),
         };

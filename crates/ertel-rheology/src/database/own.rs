@@ -28,7 +28,7 @@ pub struct OwnData {
 
 static OWN: OnceLock<OwnData> = OnceLock::new();
 
-/// Lets names stand for the files of a folder, too: `NAME` for `fluids/NAME.toml` or `solids/NAME.toml`. A name that the
+/// Makes names refer to the files of a folder, too: `NAME` for `fluids/NAME.toml` or `solids/NAME.toml`. A name that the
 /// database has, too, is that of the file. Returns what was found.
 ///
 /// # Errors
@@ -47,7 +47,7 @@ pub fn use_own_data(folder: &Path) -> Result<&'static OwnData, DatabaseError> {
             .map_err(|e| failed(format!("cannot be read: solids: {e}")))?,
     };
     if !folder.is_dir() {
-        return Err(failed("is no folder that can be read".to_owned()));
+        return Err(failed("is not a readable folder".to_owned()));
     }
     if !folder.join("fluids").is_dir() && !folder.join("solids").is_dir() {
         let reason = "has neither a folder `fluids` nor `solids`; own data are fluids/NAME.toml and solids/NAME.toml in it";
@@ -57,13 +57,13 @@ pub fn use_own_data(folder: &Path) -> Result<&'static OwnData, DatabaseError> {
     match *set == found {
         true => Ok(set),
         false => Err(failed(format!(
-            "comes after {}, and there is one folder of own data",
+            "was given after {}; only one folder of own data is allowed",
             set.folder.display()
         ))),
     }
 }
 
-/// The folder of own data and what it holds, if there is one.
+/// The folder of own data and its contents, if there is one.
 pub fn own_data() -> Option<&'static OwnData> {
     OWN.get()
 }

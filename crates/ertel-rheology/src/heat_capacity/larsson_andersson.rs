@@ -12,7 +12,7 @@ use crate::{DensityLaw, Scalar};
 /// β   = β₀ (1 + b₁ p + b₂ p²)
 /// ```
 ///
-/// The first publication was not at hand. The form here is the product in which `ρ c` grows with pressure at T_R, too;
+/// The first publication was not available. The form here is the product in which `ρ c` grows with pressure at T_R, too;
 /// a public program (Everitt's, see the bibliography of the database) puts the factor of the pressure on the
 /// temperature term alone, and mentions measurements up to 1.1 GPa and 107 °C.
 ///

@@ -17,7 +17,7 @@ impl Fluid {
     /// Reads `blend = [{ name = "..", share = 0.6 }, { name = "..", share = 0.4 }]`, an oil blended of fluids of the database or of files in
     /// `folder`, with their shares of the mass; [`Blend`] says how. Data of a part are noted below `blend.NAME`.
     ///
-    /// What is estimated of a part stands in the provenance of the blend with the name of the part in front. The kind of the base oil is
+    /// Estimated data of a part are in the provenance of the blend, prefixed with the name of the part. The kind of the base oil is
     /// that of the parts, if they have one in common.
     ///
     /// # Errors
@@ -82,9 +82,9 @@ fn refused(table: &Table<'_>, error: &BlendError) -> InputError {
             "give its viscosities at both temperatures, as a data sheet in a file of your own"
         }
         BlendError::ShearThinning { .. } => {
-            "ASTM D7152 leaves such oils out, those with viscosity index improvers too: measure the blend"
+            "ASTM D7152 excludes such oils, and those with viscosity index improvers: measure the blend"
         }
-        BlendError::Law(_) => "look at the viscosities of the parts",
+        BlendError::Law(_) => "check the viscosities of the parts",
     };
     table.error(KEY, error.to_string()).with_help(help)
 }

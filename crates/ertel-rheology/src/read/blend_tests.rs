@@ -38,7 +38,7 @@ fn a_blend_of_the_database() {
     assert_eq!(read(same).unwrap().base_oil, Some(BaseOil::Pao));
 }
 
-/// What is estimated of a part is an input of the blend: its own coefficient moves that of the blend by its share of the volume.
+/// Estimated data of a part are inputs of the blend: its own coefficient moves that of the blend by its share of the volume.
 #[test]
 fn estimates_of_the_parts_are_inputs() {
     let text = "[lubricant]\nblend = [{ name = 'iso-vg-220-mineral', share = 0.6 }, { name = 'pao-40', share = 0.4 }]\n";
@@ -66,7 +66,7 @@ fn estimates_of_the_parts_are_inputs() {
 }
 
 #[test]
-fn blends_that_are_none() {
+fn invalid_blends_are_refused() {
     for (blend, said) in [
         ("[]", "two oils or more"),
         ("[{ name = 'pao-4', share = 0.5 }]", "two oils or more"),

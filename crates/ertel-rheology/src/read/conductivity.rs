@@ -3,7 +3,7 @@
 use super::{
     Files, Material,
     density::reference_temperature,
-    density_beside, given_law, linear_factor, locate,
+    given_law, linear_factor, locate, required_density,
     table::{Columns, Pressures},
 };
 use crate::conductivity::{LarssonAndersson, Linear, Scaling, ScalingConstants};
@@ -77,7 +77,7 @@ impl ConductivityLaw {
                     q: table.required_number("q", Bounds::ANY)?,
                     reference_temperature: reference_temperature(table)?,
                 };
-                let density = density_beside(table, density, "a function of the volume")?;
+                let density = required_density(table, density, "a function of the volume")?;
                 Self::Scaling(Scaling::new(constants, density).map_err(locate(table))?)
             }
             Law::Table => {

@@ -69,7 +69,7 @@ fn a_full_sheet() {
 }
 
 #[test]
-fn what_is_left_out_is_estimated() {
+fn missing_data_are_estimated() {
     let oil = oil("iso_vg = 46\nbase_oil = 'mineral'").unwrap();
     assert_eq!(
         datum(&oil, "kinematic_viscosity_40"),
@@ -89,7 +89,7 @@ fn what_is_left_out_is_estimated() {
     assert_relative_eq!(nu, 6.645e-6, max_relative = 1e-4);
 }
 
-/// What is estimated counts as an uncertain input, and takes other values; a grade is a name.
+/// Estimates count as uncertain inputs, and can take other values; a grade is a name.
 #[test]
 fn estimates_are_inputs_with_their_range() {
     let read = |replaced: BTreeMap<String, f64>| {
@@ -351,7 +351,7 @@ fn a_sheet_that_contradicts_itself_is_refused() {
             format!("{SHEET}viscosity_index = 150"),
             7,
             "viscosity_index",
-            "make an index of 105, not 150",
+            "give an index of 105, not 150",
         ),
         (
             format!("{SHEET}density_20 = '867 kg/m^3'"),
@@ -465,7 +465,7 @@ fn coefficients_at_two_temperatures() {
         let key = "pressure_viscosity_coefficient_100";
         assert_eq!(datum(&oil, key), ("13", "1/GPa", false));
     }
-    // By hand at 70 degC: Z goes with the power ln(Z₂/Z₁)/ln(373.15/313.15) of the temperature.
+    // By hand at 70 degC: Z is proportional to the power ln(Z₂/Z₁)/ln(373.15/313.15) of the temperature.
     let oil = oil(&sheet).unwrap();
     let height = |t: f64| oil.viscosity(0.0, t).ln() + 9.67;
     let [z_1, z_2] = [(22.0, 313.15), (13.0, 373.15)].map(|(alpha, t)| alpha / height(t));
@@ -478,9 +478,9 @@ fn coefficients_at_two_temperatures() {
     );
 }
 
-/// One coefficient is the same oil by whichever key, to the bit; it holds at the temperature that its key tells.
+/// One coefficient gives the same oil by either key, to the bit; it holds at the temperature that its key names.
 #[test]
-fn a_coefficient_tells_its_temperature() {
+fn a_coefficient_holds_at_the_temperature_of_its_key() {
     let by = |line: &str| oil(&format!("{SHEET}{line}")).unwrap().viscosity;
     let at_40 = by("pressure_viscosity_coefficient = '22 1/GPa'");
     assert_eq!(at_40, by("pressure_viscosity_coefficient_40 = '22 1/GPa'"));
@@ -631,7 +631,7 @@ fn group_three_is_midway_between_mineral_and_pao() {
     let error = error.unwrap_err();
     assert_eq!(error.line(), Some(6), "{error}");
     assert!(
-        error.to_string().contains("the viscosities make 105"),
+        error.to_string().contains("the viscosities give 105"),
         "{error}"
     );
 }
@@ -643,8 +643,5 @@ fn a_fluid_of_the_database_takes_no_sheet() {
     let error = fluid
         .override_from(&mut document.root(), Files::Embedded(&[]))
         .unwrap_err();
-    assert!(
-        error.message().contains("describes an oil of its own"),
-        "{error}"
-    );
+    assert!(error.message().contains("describes another oil"), "{error}");
 }

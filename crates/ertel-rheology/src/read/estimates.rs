@@ -94,7 +94,7 @@ fn shear_data(shear: &ShearEstimate) -> [Datum; 2] {
 }
 
 impl Fluid {
-    /// What a case that asks for heat and shear would estimate by the kind of the base oil, of what the fluid does not have.
+    /// Data missing from the fluid that a case with heat and shear estimates by the kind of the base oil.
     #[must_use]
     pub fn estimates_by_kind(&self) -> Vec<Datum> {
         let Some(base_oil) = self.base_oil else {
@@ -144,7 +144,7 @@ impl Fluid {
     ///
     /// # Errors
     ///
-    /// Values that a law refuses, which only values in place of the estimates can be.
+    /// Values that a law refuses, which only values given instead of the estimates can be.
     pub fn estimate_heat(&mut self, table: &Table<'_>, path: &str) -> Result<(), InputError> {
         let (Some(base_oil), Some(density)) = (self.base_oil, &self.density) else {
             return Ok(());

@@ -85,7 +85,7 @@ fn nothing_is_estimated_unasked() {
     assert_eq!(estimated(&given).last(), Some(&"heat_capacity.rho_c_0"));
 }
 
-/// The kind may stand beside laws, too; without it shear is refused with the choices, and heat stays missing.
+/// The kind may be given with laws, too; without it shear is refused with the choices, and heat stays missing.
 #[test]
 fn laws_with_a_kind() {
     let with_kind = oil(&format!("{LAWS}base_oil = 'PAO'\n{THINNING}")).unwrap();
@@ -150,9 +150,9 @@ fn estimates_are_uncertain_inputs() {
     assert_eq!(of("lubricant.shear_thinning.limit.lambda").value, 0.056);
 }
 
-/// What `ertel fluids show` tells beforehand is what a case gets.
+/// `ertel fluids show` lists exactly the estimates that a case gets.
 #[test]
-fn estimates_are_told_beforehand() {
+fn estimates_are_listed_beforehand() {
     for (name, n) in [
         ("iso-vg-46-mineral", 4),
         ("fva-3", 3),
@@ -160,16 +160,16 @@ fn estimates_are_told_beforehand() {
         ("pao-650", 2),
         ("water", 0),
     ] {
-        let told = database::fluid(name).unwrap().estimates_by_kind();
-        assert_eq!(told.len(), n, "{name}");
-        assert!(told.iter().all(|datum| datum.status == Status::Estimated));
+        let listed = database::fluid(name).unwrap().estimates_by_kind();
+        assert_eq!(listed.len(), n, "{name}");
+        assert!(listed.iter().all(|datum| datum.status == Status::Estimated));
     }
     let with_all = oil(&format!("{SHEET}{THINNING}")).unwrap();
     assert!(with_all.estimates_by_kind().is_empty());
     let sheet = document(SHEET);
     let mut table = sheet.root().required_table("lubricant").unwrap();
-    let told = Fluid::from_table(&mut table, "", Files::Embedded(&[])).unwrap();
-    for datum in told.estimates_by_kind() {
+    let listed = Fluid::from_table(&mut table, "", Files::Embedded(&[])).unwrap();
+    for datum in listed.estimates_by_kind() {
         assert!(with_all.provenance.contains(&datum), "{}", datum.key);
     }
 }

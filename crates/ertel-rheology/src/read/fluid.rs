@@ -23,12 +23,12 @@ impl Fluid {
     /// `reference_temperature`, `thermal_conductivity`, `heat_capacity` and
     /// `validity = { pressure = [..], temperature = [..], source = ".." }`.
     ///
-    /// In place of `viscosity`, and of `density` where wanted, the keys of a data sheet: `iso_vg` or
+    /// Instead of `viscosity`, and of `density` if wanted, the keys of a data sheet: `iso_vg` or
     /// `kinematic_viscosity_40`, `kinematic_viscosity_100` or `viscosity_index`, `density_15`, `density_20` or
     /// `relative_density_15`, `base_oil`, `pressure_viscosity_coefficient` or those at one or two temperatures
-    /// (`pressure_viscosity_coefficient_40`), `pressure_law`. What they leave open is
-    /// estimated ([`crate::data_sheet`]); such numbers have [`Status::Estimated`] in the provenance. `base_oil` may also stand beside
-    /// `viscosity`: `shear_thinning = { law = "estimate" }` and [`Fluid::estimate_heat`] go by it.
+    /// (`pressure_viscosity_coefficient_40`), `pressure_law`. The remaining data are
+    /// estimated ([`crate::data_sheet`]); such numbers have [`Status::Estimated`] in the provenance. `base_oil` may also be given with
+    /// `viscosity`: `shear_thinning = { law = "estimate" }` and [`Fluid::estimate_heat`] use it.
     ///
     /// The table may have further keys; its owner calls [`Table::finish`]. `name` is what the fluid is called in
     /// messages.
@@ -139,7 +139,7 @@ impl Fluid {
             return Err(table.error(
                 key,
                 format!(
-                    "`{key}` describes an oil of its own; {} is one of the database",
+                    "`{key}` describes another oil; {} is one of the database",
                     self.name
                 ),
             ));
@@ -170,7 +170,7 @@ impl Fluid {
         Ok(())
     }
 
-    /// The kind that the user names, of an oil of which it is not known.
+    /// The kind that the user gives, for an oil of unknown kind.
     fn take_base_oil(&mut self, table: &Table<'_>, base_oil: BaseOil) -> Result<(), InputError> {
         match self.base_oil {
             Some(own) if own != base_oil => {

@@ -3,7 +3,7 @@
 use super::{
     Files, Material,
     density::reference_temperature,
-    density_beside, given_law, linear_factor, locate,
+    given_law, linear_factor, locate, required_density,
     table::{Columns, Pressures},
 };
 use crate::heat_capacity::{
@@ -64,7 +64,7 @@ impl HeatCapacityLaw {
             }
             Law::LarssonAndersson => {
                 let constants = volumetric_constants(table)?;
-                let density = density_beside(table, density, "per volume")?;
+                let density = required_density(table, density, "per volume")?;
                 let law = LarssonAndersson::new(constants, density);
                 Self::LarssonAndersson(law.map_err(locate(table))?)
             }
@@ -78,7 +78,7 @@ impl HeatCapacityLaw {
                         .unwrap_or(Scaling::VOLUME_EXPONENT),
                     reference_temperature: reference_temperature(table)?,
                 };
-                let density = density_beside(table, density, "per volume")?;
+                let density = required_density(table, density, "per volume")?;
                 Self::Scaling(Scaling::new(constants, density).map_err(locate(table))?)
             }
             Law::Table => {

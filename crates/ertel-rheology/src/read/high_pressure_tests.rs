@@ -98,7 +98,7 @@ fn thermal_properties_follow_the_density() {
 }
 
 #[test]
-fn what_is_wrong_is_named() {
+fn errors_name_the_problem() {
     for (law, key, part) in [
         (
             "law = 'mcewen', mu_0 = '1 mPa.s', alpha = '2 1/GPa', q = 0",

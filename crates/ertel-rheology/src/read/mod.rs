@@ -58,7 +58,7 @@ impl<'a> Files<'a> {
     }
 }
 
-/// What a law of conductivity or heat capacity is read for.
+/// Material whose conductivity or heat capacity is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Material {
     /// A lubricant: any law.
@@ -119,8 +119,8 @@ fn group(table: &mut Table<'_>, keys: &[&str]) -> Result<bool, InputError> {
     }
 }
 
-/// The density of the same lubricant, which a law refers to `why`.
-fn density_beside(
+/// The density of the same lubricant, which a law needs because it is `why`.
+fn required_density(
     table: &Table<'_>,
     density: Option<&DensityLaw>,
     why: &str,
@@ -129,7 +129,7 @@ fn density_beside(
         table
             .error(
                 "law",
-                format!("this law is {why}: it needs a density law beside it"),
+                format!("this law is {why}: the lubricant needs a density law"),
             )
             .with_help("such as density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }")
     })

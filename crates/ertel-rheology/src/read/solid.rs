@@ -8,7 +8,7 @@ use ertel_quantity::Dimension;
 
 impl Solid {
     /// Reads a solid from a table: `youngs_modulus`, `poissons_ratio`, and where given `hertz_pressure_limit`, `density`, and the laws
-    /// `thermal_conductivity` and `heat_capacity`, for which a quantity stands for a constant.
+    /// `thermal_conductivity` and `heat_capacity`, where a quantity means a constant.
     ///
     /// The table may have further keys; its owner calls [`Table::finish`]. `name` is what the solid is called in
     /// messages.

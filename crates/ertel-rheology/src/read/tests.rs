@@ -511,7 +511,7 @@ fn the_second_plateau_is_that_of_the_reference_temperature() {
         law.plateau_ratio().unwrap()
     };
     assert_relative_eq!(ratio(&roelands("")), 0.25, max_relative = 1e-12);
-    // The temperature of the law goes before that of the fluid, the one beside `mu_2` before both.
+    // The temperature of the law takes precedence over that of the fluid, the one given with `mu_2` over both.
     let fluid_too = format!("reference_temperature = '353 K'\n{}", roelands(""));
     assert_relative_eq!(ratio(&fluid_too), 0.25, max_relative = 1e-12);
     let own = roelands(", reference_temperature = '333 K'");

@@ -113,7 +113,7 @@ fn tables_of_columns_and_of_temperature_alone() {
 
 /// The key and, in part, the message of an error.
 #[test]
-fn what_is_wrong_is_named() {
+fn errors_name_the_problem() {
     let check = |error: InputError, key: &str, words: &str| {
         assert_eq!(error.key(), key, "{error}");
         assert!(error.to_string().contains(words), "{error}");

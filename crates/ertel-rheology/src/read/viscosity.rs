@@ -3,7 +3,7 @@
 use super::{
     Files,
     density::reference_temperature,
-    density_beside, group, locate,
+    group, locate, required_density,
     table::{Columns, Pressures},
 };
 use crate::density::TaitVolume;
@@ -33,7 +33,7 @@ laws! {
 impl ViscosityLaw {
     /// Reads a law from a table such as `{ law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }` and refuses
     /// unknown keys. `density` is that of the same fluid; it serves Doolittle's law where that has no
-    /// `equation_of_state` of its own.
+    /// separate `equation_of_state`.
     ///
     /// | law | keys |
     /// |---|---|
@@ -47,7 +47,7 @@ impl ViscosityLaw {
     /// | `mcewen` | `mu_0`, `alpha`, `q` |
     /// | `paluch` | `mu_0` or `mu_inf`, `c_f`, `p_inf` |
     /// | `mcewen-paluch` | `mu_0`, `a_0`, `q`, `c_f`, `p_inf` |
-    /// | `walther` | `a`, `b`, `alpha`, `reference_temperature`; optional `alpha_exponent`, `pressure` (`roelands` or `barus`); needs a density law beside it |
+    /// | `walther` | `a`, `b`, `alpha`, `reference_temperature`; optional `alpha_exponent`, `pressure` (`roelands` or `barus`); needs a density law |
     /// | `table` | `file`, a CSV file; or `isotherms`, `units` |
     ///
     /// # Errors
@@ -256,7 +256,7 @@ fn hybrid(table: &mut Table<'_>) -> Result<Hybrid, InputError> {
 }
 
 fn walther(table: &mut Table<'_>, density: Option<&DensityLaw>) -> Result<Walther, InputError> {
-    let density = density_beside(table, density, "kinematic")?;
+    let density = required_density(table, density, "kinematic")?;
     let constants = Walther {
         a: table.required_number("a", Bounds::ANY)?,
         b: table.required_number("b", Bounds::POSITIVE)?,

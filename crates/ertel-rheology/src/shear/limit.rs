@@ -13,7 +13,7 @@ use crate::error::{Check, LawError};
 /// ```
 ///
 /// A stress at the limit has no finite shear rate, and an iterate may lie beyond. Above `r = τ_e/τ_L = 0.999` the
-/// inverse hyperbolic tangent goes on as an exponential with the same value and two derivatives there, `r₁ = 0.999`:
+/// inverse hyperbolic tangent continues as an exponential with the same value and two derivatives there, `r₁ = 0.999`:
 ///
 /// ```text
 /// A(r) = atanh r₁ + {exp[2 r₁ (r - r₁)/(1 - r₁²)] - 1} / (2 r₁)

@@ -86,7 +86,7 @@ impl ShearThinning {
     ///
     /// The constants of the laws are stresses and ratios of viscosities: only the limit changes with the pressure.
     /// Derivatives up to the second by both arguments are finite, at zero stress too. Where the result passes 1e65 it
-    /// goes on as a parabola of its logarithm, so that no stress up to 1e30 Pa makes it overflow.
+    /// continues as a parabola of its logarithm, so that no stress up to 1e30 Pa makes it overflow.
     #[inline]
     pub fn relative_fluidity<D: Scalar>(&self, stress_squared: D, pressure: D) -> D {
         match (&self.law, &self.limit) {

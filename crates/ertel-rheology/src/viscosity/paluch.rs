@@ -37,7 +37,7 @@ impl Paluch {
         })
     }
 
-    /// From the viscosity factor `mu_inf` μ∞ (Pa·s) in place of that at ambient pressure.
+    /// From the viscosity factor `mu_inf` μ∞ (Pa·s) instead of that at ambient pressure.
     pub fn from_factor(
         mu_inf: f64,
         fragility: f64,

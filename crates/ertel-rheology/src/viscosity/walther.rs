@@ -20,7 +20,7 @@ use crate::{DensityLaw, Scalar};
 /// `y = z - 0.7`. The index Z follows from the coefficient α at the reference temperature; at others the initial slope is
 /// `Z (ln μ₀(T) + 9.67)/p₀`. Above the temperature where that would vanish (μ₀ = 63 µPa·s) pressure has no influence.
 ///
-/// Of an oil whose coefficient is known at two temperatures, Z (of Barus: α) goes with a power of the absolute temperature,
+/// Of an oil whose coefficient is known at two temperatures, Z (of Barus: α) is proportional to a power of the absolute temperature,
 ///
 /// ```text
 /// Z(T) = Z(T_R) (T/T_R)^k        Barus:  α(T) = α(T_R) (T/T_R)^k
@@ -123,7 +123,7 @@ impl Walther {
     /// Exponent k with which the initial slope is `alpha_1` and `alpha_2` (1/Pa) at two temperatures (K), whatever `alpha` is:
     ///
     /// ```text
-    /// k = ln(Z₂/Z₁)/ln(T₂/T₁),   Z = α p₀/(ln μ₀(T) + 9.67);   Barus: α in place of Z
+    /// k = ln(Z₂/Z₁)/ln(T₂/T₁),   Z = α p₀/(ln μ₀(T) + 9.67);   Barus: α instead of Z
     /// ```
     ///
     /// `None` where a viscosity is not above the pole of Roelands' law, or a coefficient not above zero.

@@ -38,7 +38,7 @@ pub struct ImprovedYasutomi {
     pub c_2: f64,
 }
 
-/// The number of the publication in place of ln 10.
+/// The number of the publication for ln 10.
 const DECADE: f64 = 2.303;
 
 impl ImprovedYasutomi {

@@ -1,4 +1,4 @@
-//! What the benches share: a stopwatch on the solver's observer.
+//! Shared by the benches: a stopwatch on the solver's observer.
 
 pub use clock::{Clock, Seconds};
 use ertel::solution::IterationRecord;
@@ -6,7 +6,7 @@ use ertel::solve::Observer;
 
 mod clock;
 
-/// A stage as it went by.
+/// Record of a stage.
 #[derive(Clone, Debug, Default)]
 pub struct StageTimes {
     pub n_pressure: usize,

@@ -1,7 +1,7 @@
 //! Complexity: time and memory over unknowns (Habchi 2008, Table 3.2 and Figure 3.6).
 //!
 //! `cargo bench -p ertel --bench complexity` solves the shipped line and circular contacts on finer
-//! and finer meshes, each in a process of its own, whose peak memory is that of the case. The
+//! and finer meshes, each in a separate process, whose peak memory is that of the case. The
 //! monolithic path is stopped after a few Newton iterations. `--largest` goes on to meshes that
 //! take minutes and up to 8 GiB.
 
@@ -43,7 +43,7 @@ struct Args {
     bench: bool,
 }
 
-/// What is swept.
+/// The swept quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 enum Sweep {
     Line,
@@ -97,7 +97,7 @@ impl Sweep {
     }
 }
 
-/// What a mesh costs.
+/// Cost of a mesh.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 struct Point {
     sweep: Sweep,
@@ -154,7 +154,7 @@ fn main() {
             {
                 continue;
             }
-            match in_process_of_its_own(sweep, *factor) {
+            match in_separate_process(sweep, *factor) {
                 Ok(point) => {
                     println!("{}", report::line(&point));
                     points.push(point);
@@ -183,7 +183,7 @@ fn read(file: &Path) -> Vec<Point> {
     serde_json::from_str(&text).unwrap_or_default()
 }
 
-fn in_process_of_its_own(sweep: Sweep, factor: f64) -> Result<Point, String> {
+fn in_separate_process(sweep: Sweep, factor: f64) -> Result<Point, String> {
     let program = std::env::current_exe().map_err(|e| e.to_string())?;
     let output = Command::new(program)
         .args(["--one", sweep.name(), &factor.to_string()])
@@ -240,7 +240,7 @@ fn measure(root: &Path, sweep: Sweep, factor: f64) -> Point {
     let clock = Clock::start();
     let outcome = solve(&case, &mut watch);
     let seconds = clock.seconds();
-    // A mesh too coarse to converge on still tells what an iteration costs.
+    // A mesh too coarse for convergence still shows the cost of an iteration.
     let solution = outcome.ok();
     let stage = watch.stages.last().expect("a stage");
     let iteration = stage.per_iteration();
@@ -263,7 +263,7 @@ fn measure(root: &Path, sweep: Sweep, factor: f64) -> Point {
     }
 }
 
-/// Peak resident memory of this process, bytes, where Linux tells.
+/// Peak resident memory of this process, bytes, where Linux reports it.
 fn peak_memory() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;

@@ -2,9 +2,9 @@
 //!
 //! Cases by Moes' groups M (load) and L (material) take the pressure-viscosity coefficient from a
 //! list and let viscosity times speed follow from L; the first coefficient whose Hertz pressure
-//! lies between 1 MPa and 4 GPa is taken, and a point of the grid without one is left out.
-//! Cases of database fluids go by Hertz pressure and speed. Each case is a case file, read as a
-//! user's would be.
+//! lies between 1 MPa and 4 GPa is taken, and a point of the grid without one is omitted.
+//! Cases of database fluids vary Hertz pressure and speed. Each case is a case file, read like that
+//! of a user.
 
 use std::fmt::Write;
 use std::path::Path;

@@ -117,7 +117,7 @@ fn roller(i: usize) -> MapCase {
     let b = Hertz::new(&Contact::line(radius, w), modulus).half_width;
     let ratio = LENGTHS[(i / 2) % LENGTHS.len()];
     let length = ratio * b;
-    // What the ends need.
+    // The drop required at the ends.
     let drop = Profile::lundberg(length, w, b, modulus).drop(length, 0.5 * length)[0];
     let share = TILTS[(i / 6) % TILTS.len()];
     let um = |x: f64| format!("\"{:.6} um\"", 1e6 * x);

@@ -64,7 +64,7 @@ struct Args {
     /// Where the count of `--every` starts
     #[arg(long, default_value_t = 0)]
     offset: usize,
-    /// Mesh preset in place of the default
+    /// Mesh preset instead of the default
     #[arg(long)]
     preset: Option<Preset>,
     /// CPU seconds after which a case is stopped

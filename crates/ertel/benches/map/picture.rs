@@ -88,7 +88,7 @@ fn series(label: String, points: Vec<[f64; 2]>, look: Look, colour: &str) -> Ser
     }
 }
 
-/// Where a case is drawn: laws beside each other where their groups agree, densities above each
+/// Position of a case in the picture: laws next to each other where their groups agree, densities above each
 /// other.
 fn place(record: &Record) -> [f64; 2] {
     let law = Family::ALL.iter().position(|f| *f == record.family);

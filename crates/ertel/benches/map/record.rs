@@ -43,7 +43,7 @@ pub struct Record {
     pub film_minimum: Option<Estimate>,
     /// Traction coefficient, where the surfaces slide.
     pub traction: Option<f64>,
-    /// What the heat balance lacks, over the heat that is made.
+    /// Error of the heat balance over the generated heat.
     pub heat_balance: Option<f64>,
     pub warnings: Vec<Warning>,
     /// Newton iterations of all stages.
@@ -57,10 +57,10 @@ pub struct Record {
     pub cpu: f64,
 }
 
-/// What a run is told.
+/// Settings of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Settings {
-    /// In place of the default mesh.
+    /// Replaces the default mesh.
     pub preset: Option<MeshPreset>,
     /// A case that takes more CPU time is stopped.
     pub limit: Option<Duration>,

@@ -112,7 +112,7 @@ fn compare(trial: &Trial) -> Vec<Row> {
             let (Some(bar), Some(reference_bar)) = (here.error, there.error) else {
                 continue;
             };
-            // What is zero by symmetry; what is told as not resolved; what the reference cannot tell.
+            // Figures that are zero by symmetry, reported as not resolved, or not resolved by the reference.
             if here.value.abs() < 1e-9 * bar || bar == 0.0 || !here.resolved || reference_bar > bar
             {
                 continue;

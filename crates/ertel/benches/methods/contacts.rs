@@ -1,7 +1,7 @@
 //! The contacts by which error bars are tried: a row of `contacts.csv` each, drawn once at random (log-uniform sizes, Hertz pressures of 0.3 to 1.8 GPa, speeds,
 //! viscosities) and not chosen since, but that two tilts of rollers are a tenth of those drawn, with which the contact runs over the end.
 //!
-//! `angle_deg` is that of the motion to the principal directions of an ellipse, or the tilt of a roller; a zero stands for what a contact does not have.
+//! `angle_deg` is that of the motion to the principal directions of an ellipse, or the tilt of a roller; zero where the contact has neither.
 
 /// A contact: its name, its family, and its case file without `[mesh]`.
 pub struct Trial {

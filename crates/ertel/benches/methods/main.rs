@@ -1,4 +1,4 @@
-//! Finite volumes beside finite elements: what contacts cost by each, how far their films differ, and whether the error bars of finite volumes hold.
+//! Finite volumes compared with finite elements: cost of contacts by each, difference of their films, and validity of the error bars of finite volumes.
 //!
 //!     cargo bench -p ertel --bench methods -- [--only TEXT] [--calibrate [--csv FILE]]
 //!
@@ -27,7 +27,7 @@ struct Args {
     /// Contacts whose name contains this.
     #[arg(long, default_value = "")]
     only: String,
-    /// The error bars of finite volumes in place of times.
+    /// The error bars of finite volumes instead of times.
     #[arg(long)]
     calibrate: bool,
     /// Writes every comparison of a calibration as a table.

@@ -1,4 +1,4 @@
-//! Of `[transient]`, what the distance of the bodies follows from: `start`, `gap`, `approach_velocity`, `approach`, `mass`, `damping`, `stiffness`.
+//! Keys of `[transient]` that determine the distance of the bodies: `start`, `gap`, `approach_velocity`, `approach`, `mass`, `damping`, `stiffness`.
 
 use std::f64::consts::{PI, SQRT_2};
 
@@ -17,12 +17,12 @@ const GAP: Bounds = Bounds::closed(1e-9, 1e-2);
 const APPROACH: Bounds = Bounds::closed(-1e-2, 1e-2);
 /// Velocities of an approach, m/s.
 const VELOCITY: Bounds = Bounds::closed(0.0, MAX_SPEED);
-/// Masses, kg, of line contacts kg/m; damping, N s/m, N s/m²; stiffness, N/m, N/m²: beyond these a unit was mistaken.
+/// Masses, kg, of line contacts kg/m; damping, N s/m, N s/m²; stiffness, N/m, N/m²: values outside indicate a wrong unit.
 const MASS: Bounds = Bounds::closed(1e-12, 1e9);
 const DAMPING: Bounds = Bounds::closed(0.0, 1e15);
 const STIFFNESS: Bounds = Bounds::closed(0.0, 1e15);
 
-/// Reads the keys: what the distance follows from (kg, N s/m, N/m, of line contacts per length; m over s), and the start (m, m/s).
+/// Reads the keys that determine the distance (kg, N s/m, N/m, of line contacts per length; m over s), and the start (m, m/s).
 pub(super) fn read(
     reader: &mut Reader<'_, '_>,
     case: &Case,
@@ -38,9 +38,9 @@ pub(super) fn read(
             return Err(table
                 .error(
                     "approach",
-                    "a body whose approach is given does not move by its mass",
+                    "`approach` prescribes the motion of the bodies, which the mass cannot change",
                 )
-                .with_help("leave out `approach`, or `mass`, `damping` and `stiffness`"));
+                .with_help("remove `approach`, or `mass`, `damping` and `stiffness`"));
         }
     };
     let start = start(table, &approach)?;
@@ -61,16 +61,16 @@ fn body(table: &mut Table<'_>, is_line: bool) -> Result<Option<Mover>, InputErro
     let mass = table.optional_quantity("mass", of_mass, MASS)?;
     let damping = table.optional_quantity("damping", of_damping, DAMPING)?;
     let stiffness = table.optional_quantity("stiffness", of_stiffness, STIFFNESS)?;
-    let beside = [("damping", damping), ("stiffness", stiffness)];
+    let forces = [("damping", damping), ("stiffness", stiffness)];
     let Some(mass) = mass else {
-        return match beside.into_iter().find(|(_, value)| value.is_some()) {
+        return match forces.into_iter().find(|(_, value)| value.is_some()) {
             None => Ok(None),
             Some((key, _)) => Err(table
                 .error(
                     key,
-                    format!("`{key}` acts on a body that moves, and no `mass` is given"),
+                    format!("`{key}` acts on a moving body, but no `mass` is given"),
                 )
-                .with_help("give the mass of the body that moves, such as mass = \"30 g\"")),
+                .with_help("give the mass of the moving body, such as mass = \"30 g\"")),
         };
     };
     Ok(Some(Mover {
@@ -90,7 +90,7 @@ fn start(table: &mut Table<'_>, approach: &Approach) -> Result<Start, InputError
             Some(key) => Err(table
                 .error(
                     key,
-                    format!("`{key}` is that of bodies which are apart at t = 0, and the start is the steady contact"),
+                    format!("`{key}` is for bodies that are apart at t = 0, but this run starts from the steady contact"),
                 )
                 .with_help("start = \"apart\"")),
         };
@@ -104,7 +104,7 @@ fn start(table: &mut Table<'_>, approach: &Approach) -> Result<Start, InputError
             return Err(table
                 .error(
                     "approach_velocity",
-                    "only a body with `mass` has a velocity of its own at t = 0",
+                    "only a body with `mass` has an initial velocity",
                 )
                 .with_help("give `mass`, or the distance over time as `approach`"));
         }
@@ -113,7 +113,7 @@ fn start(table: &mut Table<'_>, approach: &Approach) -> Result<Start, InputError
     Ok(Start::Apart { gap, velocity })
 }
 
-/// Velocity that the approach has about, m/s, and the force of the film that it leads to, N (N/m), by which both are measured: of rigid bodies at the start under a load (Stefan
+/// Scales of the approach velocity, m/s, and of the resulting film force, N (N/m): of rigid bodies at the start under a load (Stefan
 /// 1874; Cameron 1966 for cylinders), of the impact of a dry ball (Hertz 1882).
 pub(super) fn reference(case: &Case, approach: &Approach, start: Start, load: f64) -> [f64; 2] {
     let Start::Apart { gap, velocity } = start else {
@@ -175,7 +175,7 @@ mod tests {
 
     use super::*;
 
-    /// Hertz's impact of a steel ball of 5 mm at 0.05 m/s has 12.0188 N (closed form), which its load does not matter beside.
+    /// Hertz's impact of a steel ball of 5 mm at 0.05 m/s gives 12.0188 N (closed form); the load of the ball is negligible.
     #[test]
     fn an_impact_is_measured_by_the_dry_one() {
         let text = "[contact]\nkind = \"circular\"\nradius = \"5 mm\"\nload = \"0.1 N\"\n[bodies]\nbody_1 = { youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }\nbody_2 = { youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }\n[motion]\nentrainment_speed = \"1 m/s\"\nslide_to_roll_ratio = 0.0\n[lubricant]\ntemperature = \"40 degC\"\ndensity = { law = \"constant\", rho_0 = \"870 kg/m^3\" }\nviscosity = { law = \"constant\", mu_0 = \"40 mPa.s\" }\n";
@@ -191,7 +191,7 @@ mod tests {
         let [velocity, force] = reference(&case, &body, start, 0.1);
         assert_relative_eq!(velocity, 0.05);
         assert_relative_eq!(force, 12.018_759_33, max_relative = 1e-6);
-        // A sphere that sinks by itself: V = W h/6πηR².
+        // A sphere that sinks under its load: V = W h/6πηR².
         let [velocity, load] = reference(&case, &Approach::Massless, start, 0.1);
         let stefan = 0.1 * 5e-6 / (6.0 * PI * 0.04 * 25e-6);
         assert_relative_eq!(velocity, stefan, max_relative = 1e-12);

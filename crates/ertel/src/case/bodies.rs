@@ -12,13 +12,13 @@ use crate::contact::curvature::{Curvatures, curvature_along, gap_between};
 /// One of the two bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
-    /// Name of its material in the database, file of the user, or what a case file calls it.
+    /// Name of its material in the database or in the case file, or the user's file.
     pub name: String,
     /// Whether that name is one of the database or a file.
     pub in_database: bool,
     /// Elastic constants.
     pub elasticity: Material,
-    /// Largest Hertz pressure that it bears without lasting damage, Pa, if known.
+    /// Largest Hertz pressure without permanent damage, Pa, if known.
     pub hertz_pressure_limit: Option<f64>,
     /// Density, kg/m³, if known.
     pub density: Option<f64>,
@@ -29,7 +29,7 @@ pub struct Body {
 }
 
 impl Body {
-    /// A body of which the elastic constants are known, and nothing that heat would need.
+    /// A body with elastic constants and without thermal data.
     pub fn elastic(name: &str, elasticity: Material) -> Self {
         Self {
             name: name.to_owned(),
@@ -43,10 +43,10 @@ impl Body {
     }
 }
 
-/// Roughnesses from atoms to castings, m: beyond these a unit was mistaken.
+/// Roughnesses from atoms to castings, m: values outside indicate a wrong unit.
 pub(super) const ROUGHNESS: Bounds = Bounds::closed(1e-11, 1e-3);
 
-/// What `[bodies]` says.
+/// Contents of `[bodies]`.
 pub(super) struct Bodies {
     pub body_1: Body,
     pub body_2: Body,
@@ -118,7 +118,7 @@ pub(super) fn read(mut table: Table<'_>, folder: &Path) -> Result<Bodies, InputE
     })
 }
 
-/// Which of two names of a body stands in the table; the first where neither does.
+/// The name of a body, of two, that the table has; the first where it has neither.
 pub(super) fn name_in(
     table: &mut Table<'_>,
     names: [&'static str; 2],
@@ -158,7 +158,7 @@ fn read_shape(table: &mut Table<'_>) -> Result<Option<Curvatures>, InputError> {
     Ok(Some([curvature("radius_x")?, curvature("radius_y")?]))
 }
 
-/// A name from the database, a table with the constants, or a table with a name and what differs.
+/// A name from the database, a table with the constants, or a table with a name and the values that differ.
 fn read_body(
     table: &mut Table<'_>,
     key: &str,

@@ -72,7 +72,7 @@ impl CaseBuilder {
         self
     }
 
-    /// The case file that says the same.
+    /// The equivalent case file.
     pub fn text(&self) -> &str {
         &self.text
     }
@@ -92,7 +92,7 @@ impl Setting {
     fn toml(&self) -> String {
         match self {
             Setting::Text(text) => quoted(text),
-            // Infinities and what is not a number are refused by the readers, under their key.
+            // The readers refuse infinities and NaN, and report their key.
             Setting::Number(value) if value.is_finite() => format!("{value:?}"),
             Setting::Number(value) if value.is_nan() => "nan".to_owned(),
             Setting::Number(value) if *value > 0.0 => "inf".to_owned(),
@@ -177,7 +177,7 @@ mod tests {
             .set("temperature", "40 degC")
     }
 
-    /// What is built is what the same file says.
+    /// A built case equals that of the equivalent file.
     #[test]
     fn built_and_read_are_one() {
         let built = roller().build().unwrap();

@@ -73,7 +73,7 @@ pub(super) fn hertz(
     Ok(hertz)
 }
 
-/// Poisson's ratio from which displacements of finite elements lock: their volume hardly changes, and at 0.5 the bulk modulus has no bound.
+/// Poisson's ratio from which finite elements lock: the volume hardly changes, and the bulk modulus is infinite at 0.5.
 const LOCKING: f64 = 0.495;
 
 /// Refuses finite elements for bodies that are nearly incompressible; half-spaces take them.
@@ -92,12 +92,12 @@ pub(super) fn finite_elements_of_soft_bodies(
         .error(
             "bodies",
             format!(
-                "finite-element bodies lock where Poisson's ratio nears 0.5: that of the equivalent body is {}, the largest {LOCKING}",
+                "finite-element bodies lock near Poisson's ratio 0.5: the equivalent body has {}, the limit is {LOCKING}",
                 digits(body.poissons_ratio, 4)
             ),
         )
         .with_help(
-            "half-spaces take up to 0.5: leave out elasticity and linear in [solver], and body_field in [output]",
+            "half-spaces allow up to 0.5: remove elasticity and linear from [solver], and body_field from [output]",
         ))
 }
 
@@ -131,18 +131,18 @@ pub(super) fn body_size(
         ))
 }
 
-/// Largest Hertz pressures, Pa, of hardened bearing steel in ball and in roller bearings under static load: a lasting deformation of
-/// 0.0001 of the diameter (ISO 76). Of solids without a limit of their own no more is borne.
+/// Largest Hertz pressures, Pa, of hardened bearing steel in ball and in roller bearings under static load: a permanent deformation of
+/// 0.0001 of the diameter (ISO 76). Also the limit of solids that state none.
 const HARDEST_STEEL: [f64; 2] = [4.2e9, 4.0e9];
 
-/// Says so if a Hertz pressure, Pa, is beyond what the bodies bear.
+/// Warns if a Hertz pressure, Pa, exceeds the limit of the bodies.
 fn strength(case: &Case, hertz_pressure: f64) -> Option<Warning> {
     let (limit, whose) = case.pressure_limit();
     if hertz_pressure <= limit {
         return None;
     }
     let text = format!(
-        "the Hertz pressure of {} is beyond the {} that {whose}: the bodies do not stay elastic as they are computed",
+        "the Hertz pressure of {} exceeds {}, the limit of {whose}: the bodies yield, but are computed as elastic",
         pressure(hertz_pressure),
         pressure(limit),
     );
@@ -154,21 +154,21 @@ fn strength(case: &Case, hertz_pressure: f64) -> Option<Warning> {
 }
 
 impl Case {
-    /// Largest Hertz pressure that the weaker body bears, Pa, and whose it is; of bodies that say none that of the hardest steels.
+    /// Hertz pressure limit of the weaker body, Pa, and its owner; that of the hardest steels where no body states one.
     pub fn pressure_limit(&self) -> (f64, String) {
         let own = [&self.body_1, &self.body_2].map(|body| {
             let limit = body.hertz_pressure_limit?;
-            Some((limit, format!("{} bears (hertz_pressure_limit)", body.name)))
+            Some((limit, format!("{} (hertz_pressure_limit)", body.name)))
         });
         let weaker = own.into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0));
         weaker.unwrap_or_else(|| {
             let limit = HARDEST_STEEL[usize::from(self.contact.kind.is_cylinder())];
-            (limit, "hardened bearing steel bears (ISO 76)".to_owned())
+            (limit, "hardened bearing steel (ISO 76)".to_owned())
         })
     }
 }
 
-/// What the user should know, one sentence each.
+/// Warnings about the input.
 pub(super) fn warnings(case: &Case, hertz: &Hertz) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let ratio = case.motion.slide_to_roll_ratio;
@@ -228,7 +228,7 @@ const BODY_KEYS: [&str; 3] = ["depth_growth", "body_width", "body_depth"];
 /// Highest Lagrange order of the displacement in such a body.
 const HIGHEST_ORDER_OF_BODIES: usize = 2;
 
-/// Checks `[mesh]` against how the bodies are computed; returns what the user should know.
+/// Checks `[mesh]` against the elastic model; returns warnings.
 ///
 /// # Errors
 /// An order of the displacement that finite-element bodies do not have.
@@ -256,7 +256,7 @@ pub fn mesh_of_bodies(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, In
         .collect();
     if !given.is_empty() {
         warnings.push(Warning::new(WarningKind::NoEffect, format!(
-            "the bodies are half-spaces, on which {} {} no effect: solver.elasticity = \"equivalent\" makes {} count",
+            "the bodies are half-spaces, on which {} {} no effect; solver.elasticity = \"equivalent\" uses {}",
             given.join(", "),
             if given.len() == 1 { "has" } else { "have" },
             if given.len() == 1 { "it" } else { "them" },
@@ -289,12 +289,12 @@ pub(super) fn body_of_wide_contact(case: &Case, table: &Table<'_>) -> Result<(),
     Err(table
         .error(
             "kind",
-            format!("{what} needs half-spaces, but this case asks for finite-element bodies"),
+            format!("{what} needs half-spaces, but this case selects finite-element bodies"),
         )
         .with_help("remove `elasticity` and `linear` from [solver] and `body_field` from [output]"))
 }
 
-/// Keys of [solver] and [mesh] that finite volumes have no use for.
+/// Keys of [solver] and [mesh] that do not apply to finite volumes.
 const SOLVER_KEYS_OF_ELEMENTS: [&str; 10] = [
     "formulation",
     "isotropic_diffusion",
@@ -324,7 +324,7 @@ const MESH_KEYS_OF_ELEMENTS: [&str; 11] = [
 /// Those of [thermal], likewise.
 const THERMAL_KEYS_OF_ELEMENTS: [&str; 2] = ["solid_elements", "surface_order"];
 
-/// Refuses finite volumes for contacts that they do not solve, and keys beside them that have no effect.
+/// Refuses finite volumes for contacts that they do not solve, and keys that have no effect on them.
 pub(super) fn finite_volumes(
     case: &Case,
     solver: Option<&Table<'_>>,
@@ -363,7 +363,7 @@ pub(super) fn finite_volumes(
 }
 
 impl Case {
-    /// Whether the case file has a key of `[solver]`, `[mesh]` or `[thermal]` that finite volumes have no use for.
+    /// Whether the case file has a key of `[solver]`, `[mesh]` or `[thermal]` that does not apply to finite volumes.
     pub fn has_key_of_elements(&self) -> bool {
         let has = |table: &str, keys: &[&str]| {
             let table = &self.given[table];
@@ -375,7 +375,7 @@ impl Case {
     }
 }
 
-/// Why finite volumes do not solve a case, in words that follow "finite volumes"; `None` where they do.
+/// The reason why finite volumes do not solve a case, to follow "finite volumes"; `None` where they do.
 pub fn finite_volumes_refuse(case: &Case) -> Option<&'static str> {
     volumes::why_not(&volumes::About {
         has_half_spaces: case.elastic_model() == ElasticModel::HalfSpace,
@@ -383,11 +383,11 @@ pub fn finite_volumes_refuse(case: &Case) -> Option<&'static str> {
     })
 }
 
-/// Change of a property from the bulk temperature of a body by some kelvins, relative, that is none.
+/// Relative change of a property, some kelvins from the bulk temperature of a body, that counts as none.
 const CONSTANT: f64 = 1e-6;
 const WARMER: f64 = 30.0;
 
-/// What of its heat finite volumes have to do with.
+/// Data of heat that decide whether finite volumes solve a case.
 fn heat_about(case: &Case) -> Option<volumes::HeatAbout> {
     let params = case.thermal()?;
     let heat = case.heat().ok().flatten();
@@ -439,13 +439,13 @@ pub(super) fn slow_spin(case: &Case) -> Option<Warning> {
     (is_slow && case.shear_thinning().is_some()).then(|| {
         Warning::new(
             WarningKind::UnusualInput,
-            "the balls spin, and films with shear thinning under spin take minutes for each contact: with [solver] newtonian = true films are Newtonian, and \
-             friction still goes by the law of the lubricant",
+            "the balls spin: shear-thinning films under spin take minutes per contact; with [solver] newtonian = true films are Newtonian, and \
+             friction still follows the law of the lubricant",
         )
     })
 }
 
-/// What a machine of many contacts does not make of its inputs: neither sensitivities nor what their uncertainties do to its figures.
+/// Inputs without effect on a machine of many contacts: sensitivities and uncertainties.
 pub(super) fn inputs_of_machine(case: &Case) -> Option<Warning> {
     case.whole.as_ref()?;
     let uncertain =
@@ -459,6 +459,8 @@ pub(super) fn inputs_of_machine(case: &Case) -> Option<Warning> {
     };
     Some(Warning::new(
         WarningKind::NoEffect,
-        format!("{what}: of a whole machine neither is computed; vary its inputs in a study"),
+        format!(
+            "{what}: a whole machine has neither sensitivities nor propagated uncertainties; vary its inputs in a study"
+        ),
     ))
 }

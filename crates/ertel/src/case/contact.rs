@@ -1,4 +1,4 @@
-//! `[contact]`, and what `[machine]` shares with it.
+//! `[contact]`, and functions shared with `[machine]`.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use super::bodies::Shapes;
 use crate::contact::curvature::{along, gap_between};
 use crate::contact::{Contact, ContactKind, Hertz};
 
-/// Radii from asperities to rolls, m: beyond these a unit was mistaken.
+/// Radii from asperities to rolls, m: values outside indicate a wrong unit.
 pub(super) const RADIUS: Bounds = Bounds::closed(1e-6, 1e3);
 /// Ratio of the reduced radii of an ellipse.
 pub(super) const MOST_SLENDER: f64 = 1000.0;
@@ -61,8 +61,8 @@ pub(super) fn read_contact(
     Ok(contact)
 }
 
-/// The load of a contact (N, or N/m of a line) under the `hertz_pressure` of a table, if that stands there in place of
-/// the key `load_key`; the contact's own load does not count, `reduced_modulus` in Pa.
+/// The load of a contact (N, or N/m of a line) under the `hertz_pressure` of a table, if given instead of
+/// the key `load_key`; the load in `contact` is ignored, `reduced_modulus` in Pa.
 pub(super) fn load_of_pressure(
     table: &mut Table<'_>,
     load_key: &str,
@@ -80,7 +80,7 @@ pub(super) fn load_of_pressure(
     if table.contains(load_key) {
         return Err(table.error(
             "hertz_pressure",
-            format!("`{load_key}` and `hertz_pressure` say the same thing twice; keep one of them"),
+            format!("`{load_key}` and `hertz_pressure` give the same quantity; keep one of them"),
         ));
     }
     let load = Hertz::load_for_pressure(contact, reduced_modulus, pressure);
@@ -128,7 +128,7 @@ fn radii_between(table: &mut Table<'_>, shapes: &Shapes) -> Result<([f64; 2], f6
             return Err(table.error(
                 key,
                 format!(
-                    "`{key}` follows from the radii of the bodies in [bodies]; remove one of both"
+                    "`{key}` follows from the radii of the bodies in [bodies]; remove one of them"
                 ),
             ));
         }
@@ -161,7 +161,7 @@ fn radii_between(table: &mut Table<'_>, shapes: &Shapes) -> Result<([f64; 2], f6
     Ok((radii, direction))
 }
 
-/// A number to 14 digits: what sums of curvatures leave beyond them is rounding.
+/// A number to 14 digits: sums of curvatures have rounding errors beyond them.
 fn to_digits(value: f64) -> f64 {
     format!("{value:.13e}").parse().unwrap_or(value)
 }

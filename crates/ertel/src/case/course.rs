@@ -16,7 +16,7 @@ pub(super) struct Reader<'r, 't> {
     pub(super) table: &'r mut Table<'t>,
     /// s.
     pub(super) duration: f64,
-    /// Where its files lie.
+    /// Folder of its files.
     pub(super) folder: &'r Path,
 }
 
@@ -82,7 +82,9 @@ impl Reader<'_, '_> {
                     if !bounds.contains(end) {
                         return Err(table.error(
                             "amplitude",
-                            format!("with this amplitude `{key}` comes to {end}, which no contact can have"),
+                            format!(
+                                "with this amplitude `{key}` reaches {end}, which is out of range"
+                            ),
                         ));
                     }
                 }
@@ -163,11 +165,11 @@ impl Reader<'_, '_> {
                 .error(
                     key,
                     format!(
-                        "the table goes from {first} s to {last} s, and the time that is solved from 0 to {} s",
+                        "the table covers {first} s to {last} s, but the run covers 0 s to {} s",
                         self.duration
                     ),
                 )
-                .with_help("nothing is assumed before and after a table: add rows, or shorten `duration`"));
+                .with_help("tables are not extrapolated: add rows, or shorten `duration`"));
         }
         let choices = [("linear", false), ("smooth", true)];
         let is_smooth = table.optional_choice("interpolation", &choices)?;
@@ -199,7 +201,7 @@ impl Reader<'_, '_> {
     }
 }
 
-/// Names by which the column of a quantity of `[transient]` is known, besides `value`.
+/// Column names of the quantities of `[transient]`, in addition to `value`.
 const COLUMNS: [(&str, &str); 8] = [
     ("entrainment_speed", "entrainment speed"),
     ("slide_to_roll_ratio", "slide to roll ratio"),

@@ -7,7 +7,7 @@
 //! # or: from = "0.1 m/s", to = "10 m/s", points = 9, spacing = "log"
 //! ```
 //!
-//! Each point is the case read once more with this value in place of the file's, so that every check
+//! Each point is the case read again with this value instead of the file's: every check
 //! applies; errors point to the line of the curve.
 
 use std::collections::BTreeMap;
@@ -24,21 +24,21 @@ use super::study::values::{self, AxisValue, Values};
 use super::study::{Setting, StudyPoint};
 use crate::contact::Contact;
 
-/// Points of one curve, at most: beyond, a number was mistaken.
+/// Points of one curve, at most: more indicate a wrong number.
 const MOST_POINTS: usize = 1000;
 
 /// A curve: one quantity varies, everything else is the same.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// What varies.
+    /// The varied quantity.
     pub quantity: Quantity,
     /// The points in the order in which they are solved, at least two.
     pub points: Vec<StudyPoint>,
-    /// Whether each point's results are written into a folder of its own, too.
+    /// Whether each point's results are also written to a separate folder.
     pub folders: bool,
-    /// Whether each point is solved without shear thinning, too.
+    /// Whether each point is also solved without shear thinning.
     pub newtonian: bool,
-    /// Whether each point is solved without heat, too.
+    /// Whether each point is also solved without heat.
     pub isothermal: bool,
 }
 
@@ -275,31 +275,41 @@ pub(super) fn read(
     let newtonian = table.optional_bool("newtonian")?.unwrap_or(false);
     if newtonian && base.shear_thinning().is_none() {
         let reason = if base.solver.newtonian {
-            "`newtonian` of [curve] compares with a curve that [solver] already asks for alone"
+            "[solver] already makes this curve Newtonian: `newtonian` of [curve] has nothing to compare"
         } else {
-            "this lubricant does not thin in shear: its curve is the Newtonian one"
+            "this lubricant has no shear thinning: its curve is already Newtonian"
         };
         return Err(table.error("newtonian", reason));
     }
     let isothermal = table.optional_bool("isothermal")?.unwrap_or(false);
     if isothermal && base.thermal().is_none() {
         let reason = if base.solver.isothermal {
-            "`isothermal` of [curve] compares with a curve that [solver] already asks for alone"
+            "[solver] already makes this curve isothermal: `isothermal` of [curve] has nothing to compare"
         } else {
-            "without [thermal] this curve is the isothermal one"
+            "without [thermal] this curve is already isothermal"
         };
         return Err(table.error("isothermal", reason));
     }
     if base.transient.is_some() && (newtonian || isothermal) {
         let key = if newtonian { "newtonian" } else { "isothermal" };
         return Err(table
-            .error(key, format!("`{key}` solves a steady contact beside each point, and this case changes in time"))
-            .with_help("make a study of it: an [[axis]] over `solver.newtonian` has both"));
+            .error(
+                key,
+                format!(
+                    "`{key}` adds a steady contact to each point, but this case changes in time"
+                ),
+            )
+            .with_help(format!("use a study with an [[axis]] over `solver.{key}`")));
     }
     if base.whole.is_some() && (newtonian || isothermal) {
         let key = if newtonian { "newtonian" } else { "isothermal" };
         return Err(table
-            .error(key, format!("`{key}` solves a single contact beside each point, and this case is a whole machine"))
+            .error(
+                key,
+                format!(
+                    "`{key}` adds a single contact to each point, but this case is a whole machine"
+                ),
+            )
             .with_help("choose one of its contacts in [machine], or make two curves of it"));
     }
     table.finish()?;
@@ -331,7 +341,7 @@ fn read_quantity(
     if let Some(q) = absent.iter().find(|q| q.path == path) {
         return Err(table
             .error("quantity", format!("this case has no `{}` to vary", q.path))
-            .with_help("a curve puts its values in place of the one that the case file gives"));
+            .with_help("a curve replaces a value that the case file gives"));
     }
     let found = present.iter().find(|q| q.path == path);
     let mut quantity =
@@ -390,19 +400,19 @@ fn point(
     value: AxisValue,
 ) -> Result<StudyPoint, InputError> {
     let source = text_of_point(document, quantity, &node);
-    let told = |_: &str| format!("[curve] puts {value} in place of `{}`", quantity.path);
+    let note = |_: &str| format!("[curve] sets `{}` to {value}", quantity.path);
     let setting = Setting {
         key: quantity.path.to_owned(),
         key_span: node.span.clone(),
         node,
         value: value.clone(),
     };
-    let (mut point, _) = StudyPoint::read(document, folder, &[setting], &BTreeMap::new(), told)?;
+    let (mut point, _) = StudyPoint::read(document, folder, &[setting], &BTreeMap::new(), note)?;
     point.case.source = source;
     Ok(point)
 }
 
-/// The case file of one point: its value in place, the lines of the curve commented out.
+/// The case file of one point: its value set, the lines of the curve commented out.
 fn text_of_point(document: &Document, quantity: &Quantity, node: &Node) -> String {
     let text = document.text();
     let (Some(base), Some(curve)) = (
@@ -449,7 +459,7 @@ mod tests {
 
     use super::*;
 
-    /// The table of the keys knows what may vary.
+    /// The key table lists the quantities that may vary.
     #[test]
     fn the_table_lists_what_may_vary() {
         let row = CURVE.iter().find(|row| row.keys.contains(&"quantity"));

@@ -53,11 +53,11 @@ pub struct EstimateEcho {
     pub unit: String,
     /// Key in the bibliography of the database, and the place.
     pub source: String,
-    /// How far it may be off, and what that rests on.
+    /// Its uncertainty, and the basis of that.
     pub note: String,
 }
 
-/// Heat: the settings, with the bulk temperatures that they leave open, and what carries it.
+/// Heat: the settings, with both bulk temperatures, and thermal data.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ThermalEcho {
     /// Settings; both bulk temperatures are filled in.
@@ -71,7 +71,7 @@ pub struct ThermalEcho {
     pub body_2: HeatEcho,
 }
 
-/// What carries heat in one material, at ambient pressure.
+/// Thermal data of one material at ambient pressure.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct HeatEcho {
     /// Density, kg/m³.
@@ -86,10 +86,10 @@ pub struct HeatEcho {
     pub heat_capacity_law: String,
 }
 
-/// What `[machine]` gave, in words: what was computed of it, with its source.
+/// Values computed from `[machine]`, in words, with their source.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MachineEcho {
-    /// Names and formulas, and beside them their values.
+    /// Names and formulas with their values.
     pub rows: Vec<(String, String)>,
 }
 
@@ -102,7 +102,7 @@ pub struct CaseEcho {
     /// The case as the user gave it, quantities with their units.
     #[serde(skip)]
     pub given: serde_json::Value,
-    /// Text of the case file, kept beside the results as `case.toml`.
+    /// Text of the case file, stored with the results as `case.toml`.
     #[serde(skip)]
     pub case_file: Option<String>,
     /// Geometry and load.
@@ -122,7 +122,7 @@ pub struct CaseEcho {
     /// Composite rms roughness, m, if given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub roughness: Option<f64>,
-    /// How it follows from Ra or Rz.
+    /// Its conversion from Ra or Rz.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub roughness_rules: Vec<String>,
     /// Asperities, if described.

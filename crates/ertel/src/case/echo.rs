@@ -62,7 +62,7 @@ impl Case {
         }
     }
 
-    /// Heat, where the case reckons with it and has its data.
+    /// Heat, where the case includes it and has its data.
     fn thermal_echo(&self) -> Option<ThermalEcho> {
         let heat = self.heat().ok().flatten()?;
         let inlet = self.lubricant.temperature;

@@ -31,7 +31,7 @@ fn read(contact: &str, radii: [&str; 2], more: &str) -> Result<Case, InputError>
 const NONE: [&str; 2] = ["", ""];
 const BALL: &str = ", radius_x = \"5 mm\", radius_y = \"5 mm\"";
 
-/// Reduced radii as they stand, and those of a ball in a groove: 1/R = 1/5 ± …, by hand.
+/// Reduced radii as given, and those of a ball in a groove: 1/R = 1/5 ± …, by hand.
 #[test]
 fn radii_of_the_contact_or_of_the_bodies() {
     let given = "radius_x = \"10 mm\"\nradius_y = \"30 mm\"\nentrainment_angle = \"30 deg\"";
@@ -55,7 +55,7 @@ fn radii_of_the_contact_or_of_the_bodies() {
     assert_relative_eq!(contact.radius, 0.04, max_relative = 1e-12);
     assert_relative_eq!(contact.radius_y, 0.02, max_relative = 1e-12);
     assert!(contact.entrainment_angle.abs() < 1e-12);
-    // Turned by 20 degrees, the motion along x of body 1 stands at −20 degrees to the principal direction.
+    // Turned by 20 degrees, the motion along x of body 1 is at −20 degrees to the principal direction.
     let contact = read("", [flat, cylinder], "axes_angle = \"20 deg\"")
         .unwrap()
         .contact;
@@ -67,7 +67,7 @@ fn radii_of_the_contact_or_of_the_bodies() {
 }
 
 #[test]
-fn what_no_ellipse_has_is_refused() {
+fn impossible_ellipses_are_refused() {
     let radii = "radius_x = \"10 mm\"\nradius_y = \"30 mm\"";
     let conformal = ", radius_x = \"flat\", radius_y = \"-4.9 mm\"";
     let flat = ", radius_x = \"flat\", radius_y = \"flat\"";

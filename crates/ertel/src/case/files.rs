@@ -17,7 +17,7 @@ impl Case {
     }
 }
 
-/// The files of the user that a value may stand for, as a lubricant or a material.
+/// The user's files that a value may name, such as a lubricant or a material.
 fn own(key: &str, name: &str, folder: &Path) -> Vec<PathBuf> {
     const KEYS: [&str; 4] = ["lubricant", "name", "body_1", "body_2"];
     if !KEYS.contains(&key) {

@@ -1,13 +1,13 @@
-//! By which law the friction of machines goes.
+//! The friction law of machines.
 
 use ertel_input::{InputError, Table};
 
 use super::lubricant::Lubricant;
 use super::{MachineEcho, SolverParams};
 
-/// Whether the friction of a machine goes by the law of its lubricant while its films are solved without it; says so among the rows of the machine. Films of a
-/// law that is estimated because none is given are Newtonian, unless `asked` for otherwise or warmed by their friction: its constants come from traction, and are
-/// not known to hold in the inlet.
+/// Whether the friction of a machine follows the shear-thinning law of its lubricant while its films are Newtonian; adds a row of the machine about it. Under an
+/// estimated law, films are Newtonian unless `asked` for otherwise or thermal: its constants come from traction, and are
+/// not verified for the inlet.
 pub(super) fn by_law(
     root: &mut Table<'_>,
     machine: Option<&mut MachineEcho>,

@@ -1,4 +1,4 @@
-//! What the contact is and how it moves: `[contact]` and `[motion]`, or `[machine]` in their place.
+//! Contact and motion: `[contact]` and `[motion]`, or `[machine]` instead.
 
 use std::path::Path;
 
@@ -13,7 +13,7 @@ use crate::contact::{Contact, Hertz, Motion};
 use crate::warning::Warning;
 use crate::words::{force, length};
 
-/// Contact and motion, and the tables that say them.
+/// Contact and motion, and their tables.
 pub(super) struct Geometry<'t> {
     pub contact: Contact,
     pub motion: Motion,
@@ -23,9 +23,9 @@ pub(super) struct Geometry<'t> {
     pub hertz: Hertz,
     /// Smallest radius of curvature of either body along x and along y, m, convex or concave; infinite where none is known or both are flat.
     pub body_radii: [f64; 2],
-    /// Temperature of the bodies, K, where a machine says it.
+    /// Temperature of the bodies, K, where a machine gives it.
     pub bulk_temperature: Option<f64>,
-    /// What to know about the machine.
+    /// Warnings about the machine.
     pub warnings: Vec<Warning>,
     /// Not yet searched for unknown keys.
     pub tables: Tables<'t>,
@@ -44,7 +44,7 @@ impl<'t> Tables<'t> {
     /// Finds them.
     ///
     /// # Errors
-    /// Neither `[contact]` nor `[machine]`, or `[machine]` beside one of the others.
+    /// Neither `[contact]` nor `[machine]`, or `[machine]` together with one of the others.
     pub fn of(root: &mut Table<'t>) -> Result<Tables<'t>, InputError> {
         let Some(machine) = root.optional_table("machine")? else {
             let table = root.required_table("contact");
@@ -64,7 +64,7 @@ impl<'t> Tables<'t> {
         Ok(Tables::Machine(machine))
     }
 
-    /// Reads them; `steel` is what the bodies are made of, `shapes` those of the bodies, files that they name in `folder`.
+    /// Reads them; `steel` are the materials of the bodies, `shapes` those of the bodies, files that they name in `folder`.
     ///
     /// # Errors
     /// Missing keys, wrong units, and contacts that Hertz theory does not cover.
@@ -148,14 +148,14 @@ impl<'t> Tables<'t> {
         })
     }
 
-    /// The table that says the kind of contact.
+    /// The table that gives the kind of contact.
     pub fn main(&self) -> &Table<'t> {
         match self {
             Tables::Plain(table, _) | Tables::Machine(table) => table,
         }
     }
 
-    /// Refuses the keys that nobody asked for.
+    /// Refuses unknown keys.
     ///
     /// # Errors
     /// The first of them.
@@ -170,7 +170,7 @@ impl<'t> Tables<'t> {
     }
 }
 
-/// A contact without what rounding leaves of an angle that vanishes.
+/// A contact whose angle is zero where it differs from zero by rounding only.
 fn without_rounding(contact: Contact) -> Contact {
     let angle = contact.entrainment_angle;
     Contact {
@@ -179,14 +179,14 @@ fn without_rounding(contact: Contact) -> Contact {
     }
 }
 
-/// How far the contact reaches from its centre, m.
+/// Extent of the contact from its centre, m.
 pub(super) fn reach(contact: &Contact, hertz: &Hertz) -> f64 {
     let half_length = contact.roller.as_ref().map(|roller| 0.5 * roller.length);
     let across = half_length.or(hertz.half_width_y);
     across.map_or(hertz.half_width, |b| b.max(hertz.half_width))
 }
 
-/// The contact of a machine, whose file says none of these.
+/// Description of the contact of a machine, whose file gives none of these.
 fn computed(contact: &Contact) -> String {
     let radii = match !contact.kind.is_cylinder() {
         true => format!(

@@ -7,7 +7,7 @@ use super::params::FARTHEST;
 use crate::contact::{Contact, Supply, Turn};
 use crate::words::length;
 
-/// Thickness of a layer, m: from single molecules to what no contact takes up.
+/// Thickness of a layer, m: from single molecules to more than a contact can use.
 pub(super) const LAYER: Bounds = Bounds::closed(1e-10, 1e-2);
 
 /// Reads `[inlet]`; `half_width` is that of the dry contact along the motion, m, `mesh` the table `[mesh]`.
@@ -30,12 +30,14 @@ pub(super) fn read(
                     "meniscus_distance",
                     "`oil_layer` and `meniscus_distance` are both given",
                 )
-                .with_help("the layer decides where the meniscus is: give one or the other"));
+                .with_help(
+                    "the layer determines the position of the meniscus: give one or the other",
+                ));
         }
         (None, None) => {
             return Err(table.missing("oil_layer").with_help(
                 "`oil_layer`, the thickness of the oil on both surfaces together, or `meniscus_distance`, from the centre to \
-                 where the gap is full; without [inlet] there is more oil than the contact takes",
+                 the filled gap; without [inlet] the contact is flooded",
             ));
         }
         (Some(thickness), None) => Supply::OilLayer { thickness },
@@ -58,7 +60,7 @@ pub(super) fn read(
                     "the meniscus is farther than {FARTHEST} half-widths, {}: the contact is flooded",
                     length(FARTHEST * half_width)
                 ))
-                .with_help("leave [inlet] out"));
+                .with_help("remove [inlet]"));
             }
             if let Some(mesh) = mesh
                 && mesh.clone().contains("inlet")

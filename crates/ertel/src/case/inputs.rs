@@ -1,4 +1,4 @@
-//! The quantities that a case was made of, and the same case with other values.
+//! Input quantities of a case, and the same case with other values.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -11,10 +11,10 @@ use ertel_quantity::Correlation;
 use super::Case;
 use crate::params::SensitivityDemand;
 
-/// Sections whose numbers say how to solve, and not what.
+/// Sections of numerical settings.
 const NUMERICS: [&str; 4] = ["mesh", "solver", "output", "curve"];
 
-/// Numbers of `[thermal]` that say how to solve.
+/// Numerical settings of `[thermal]`.
 const NUMERICS_OF_HEAT: [&str; 2] = ["thermal.tolerance", "thermal.depth"];
 
 /// Where the quantities of a case come from.
@@ -44,7 +44,7 @@ impl Origin {
                 span,
                 &input.key,
                 format!(
-                    "`{}` says how to solve, and not what: it has no uncertainty",
+                    "`{}` is a numerical setting: it has no uncertainty",
                     input.key
                 ),
             ));
@@ -53,7 +53,7 @@ impl Origin {
         if !is_possible(&correlations) {
             let at = document.tree().entry("correlation");
             let span = at.map_or(0..0, |entry| entry.node.span.clone());
-            let message = "no quantities can be correlated so: some combination of them would have a negative variance";
+            let message = "these correlations are impossible: some combination of the quantities would have a negative variance";
             return Err(document.error_at(span, "correlation", message));
         }
         Ok(Self {
@@ -85,7 +85,7 @@ impl super::Case {
     }
 }
 
-/// Whether correlations make a matrix that is not negative in any direction.
+/// Whether the correlation matrix is positive semidefinite.
 fn is_possible(correlations: &[Correlation]) -> bool {
     let mut keys: Vec<&String> = correlations.iter().flat_map(|c| &c.keys).collect();
     if keys.is_empty() {
@@ -104,12 +104,12 @@ fn is_possible(correlations: &[Correlation]) -> bool {
     values.iter().all(|value| *value > -LEAST_EIGENVALUE)
 }
 
-/// How far below zero digits that were left out may take an eigenvalue.
+/// Eigenvalues down to this are zero within the rounding of the given correlations.
 const LEAST_EIGENVALUE: f64 = 1e-3;
 
 impl Case {
     /// The physical quantities that the case was read from, in the order in which they were read; those that a lubricant or a material
-    /// of the database or in a file brings along stand below its key. None for a case made in code.
+    /// of the database or in a file brings along are listed under its key. None for a case made in code.
     pub fn inputs(&self) -> &[Input] {
         self.origin.as_ref().map_or(&[], |origin| &origin.inputs)
     }
@@ -125,7 +125,7 @@ impl Case {
             (self.inputs().iter())
                 .any(|input| input.uncertainty.is_some() && (or_estimated || !input.estimated))
         };
-        // Where heat counts each input takes two solves: estimates alone do not ask for them.
+        // With heat, each input takes two solves: estimates alone do not request them.
         let is_cheap = self.thermal().is_none();
         match self.output.sensitivities {
             // With the load a relief changes in half-widths, and with it what is solved.

@@ -40,7 +40,7 @@ pub(super) fn read(mut table: Table<'_>, contact: &Contact) -> Result<Interferom
         .required_quantity("phase_change", Dimension::ANGLE, PHASE)
         .map_err(|error| {
             error.with_help(
-                "what the reflections do to the phase: \"180 deg\" makes no film at all dark",
+                "the phase change of the reflections: with \"180 deg\" zero film is dark",
             )
         })?;
     let visibility = table.optional_number("visibility", Bounds::closed(0.0, 1.0))?;
@@ -72,7 +72,7 @@ fn wavelengths(table: &mut Table<'_>) -> Result<Vec<f64>, InputError> {
                 3 => Ok(all),
                 n => Err(table.error(
                     "wavelengths",
-                    format!("`wavelengths` are those of the red, green and blue channel, three; here are {n}"),
+                    format!("`wavelengths` needs three values, for the red, green and blue channel, not {n}"),
                 )),
             }
         }
@@ -88,7 +88,7 @@ fn wavelengths(table: &mut Table<'_>) -> Result<Vec<f64>, InputError> {
             "one, wavelength = \"600 nm\"; those of three channels, wavelengths = [\"700 nm\", \"546 nm\", \"436 nm\"]; or light = \"cie-rgb\"",
         )),
         [first, second, ..] => {
-            Err(table.error(second, format!("`{first}` and `{second}` are both given; one of them says the light")))
+            Err(table.error(second, format!("`{first}` and `{second}` are both given; keep one of them")))
         }
     }
 }

@@ -11,21 +11,21 @@ use ertel_rheology::{
     database,
 };
 
-/// Temperatures of lubricants, K: outside, a unit was mistaken.
+/// Temperatures of lubricants, K: values outside indicate a wrong unit.
 pub(super) const TEMPERATURE: Bounds = Bounds::closed(100.0, 1000.0);
 /// Ambient viscosities from gases to pitch, Pa·s; likewise.
 pub(super) const VISCOSITY: Bounds = Bounds::closed(1e-6, 1e6);
 /// Ambient densities, kg/m³; likewise.
 const DENSITY: Bounds = Bounds::closed(0.1, 3e4);
 
-/// Where a case says the temperature of its lubricant.
+/// Keys of the lubricant temperature.
 pub(super) const TEMPERATURE_KEYS: [&str; 2] = ["temperature", "lubricant.temperature"];
 
-/// What to do about a law without temperature.
-const OILS_WITH_TEMPERATURE: &str = "give the law its temperature (`beta` and `reference_temperature` of Roelands' law), the oil by its \
+/// Remedy for a law without temperature dependence.
+const OILS_WITH_TEMPERATURE: &str = "give the law a temperature dependence (`beta` and `reference_temperature` of Roelands' law), the oil by its \
      data sheet (`iso_vg`, `kinematic_viscosity_40` and `_100`), or a viscosity for each temperature";
 
-/// K by which the temperature of a case may differ from that at which constants without temperature hold.
+/// K by which the temperature of a case may differ from that of its constants.
 const SAME_TEMPERATURE: f64 = 0.5;
 
 /// The lubricant of a case.
@@ -49,7 +49,7 @@ pub struct Lubricant {
     pub typical_conductivity: Option<f64>,
     /// Law of the heat capacity, if known.
     pub heat_capacity: Option<HeatCapacityLaw>,
-    /// Temperatures that the data cover, each with what it rests on.
+    /// Temperatures that the data cover, each with its source.
     pub temperature_ranges: Vec<TemperatureRange>,
     /// Numbers that are estimates, as of an oil given by its data sheet.
     pub estimates: Vec<Datum>,
@@ -94,7 +94,7 @@ impl Lubricant {
         self.density.density(pressure, self.temperature) / self.ambient_density()
     }
 
-    /// Which laws leave the temperature without effect on the viscosity; `None` where it depends on it.
+    /// The laws that do not depend on temperature, in words; `None` where the viscosity does.
     pub fn no_temperature(&self) -> Option<String> {
         let (viscosity, density) = (self.viscosity.name(), self.density.name());
         match (
@@ -111,7 +111,7 @@ impl Lubricant {
         }
     }
 
-    /// Says that a temperature which was changed on purpose, as `how` says, is without effect. `keys` were changed with it: where the
+    /// Warns that a deliberate change of temperature, described by `how`, has no effect. `keys` were changed with it: where the
     /// viscosity is among them, it may well be that of this temperature.
     pub(super) fn temperature_ignored<'a>(
         &self,
@@ -128,7 +128,7 @@ impl Lubricant {
         }
         if self.supply_temperature.is_some() {
             let text = format!(
-                "`{temperature}` {how}, but films are those at the temperature of the teeth, `machine.bulk_temperature`: they stay the same"
+                "`{temperature}` {how}, but films are computed at the temperature of the teeth, `machine.bulk_temperature`, and do not change"
             );
             return Some(Warning::new(WarningKind::TemperatureIgnored, text));
         }
@@ -139,22 +139,22 @@ impl Lubricant {
         Some(Warning::new(WarningKind::TemperatureIgnored, text))
     }
 
-    /// The narrowest range of the data that `temperature`, K, leaves.
+    /// The narrowest range of the data that does not contain `temperature`, K.
     pub fn range_left(&self, temperature: f64) -> Option<&TemperatureRange> {
         TemperatureRange::left(&self.temperature_ranges, temperature)
     }
 }
 
-/// What the contact demands of its lubricant.
+/// Conditions of the contact.
 #[derive(Clone, Copy)]
 pub(super) struct Conditions {
     /// Hertz pressure, Pa.
     pub pressure: f64,
-    /// Whether heat counts.
+    /// Whether the contact is thermal.
     pub heat: bool,
     /// Whether a lubricant without a law of shear thinning gets the estimated one of its kind.
     pub shear: bool,
-    /// Temperature of the flanks, K, where a machine states it: oil on them has taken it before it enters the contact.
+    /// Temperature of the flanks, K, where a machine states it: oil on them reaches it before it enters the contact.
     pub flank_temperature: Option<f64>,
 }
 
@@ -196,8 +196,8 @@ pub(super) fn read(
         StrOrTable::Table(mut table) => {
             if root.contains("temperature") {
                 return Err(root
-                    .error("temperature", "`temperature` belongs into [lubricant]")
-                    .with_help("at the top level it goes with `lubricant = \"name\"`"));
+                    .error("temperature", "`temperature` belongs in [lubricant]")
+                    .with_help("at the top level it belongs to `lubricant = \"name\"`"));
             }
             let temperature =
                 table.required_quantity("temperature", Dimension::TEMPERATURE, TEMPERATURE)?;
@@ -205,7 +205,7 @@ pub(super) fn read(
             let is_blend = table.contains("blend");
             if let (Some(_), true) = (&name, is_blend) {
                 return Err(table
-                    .error("blend", "`name` and `blend` both say which oil it is")
+                    .error("blend", "`name` and `blend` both define the oil")
                     .with_help("keep one of them; a part of a blend has its own `name`"));
             }
             let named = match &name {
@@ -252,7 +252,7 @@ pub(super) fn read(
     }
 }
 
-/// The laws at the temperature of the case; errors stand at `key` of `table`. `name` is that in the database.
+/// The laws at the temperature of the case; errors point to `key` of `table`. `name` is that in the database.
 fn check(
     table: &Table<'_>,
     (key, name): (&str, Option<&str>),
@@ -339,7 +339,7 @@ fn check(
         && (flank - supplied).abs() > SAME_TEMPERATURE
     {
         let text = format!(
-            "the teeth have {:.2} °C and the oil {:.2} °C, but {reason}: films are those of the given constants, not those at the temperature of the teeth; \
+            "the teeth are at {:.2} °C and the oil at {:.2} °C, but {reason}: films use the given constants, not those at the temperature of the teeth; \
              {OILS_WITH_TEMPERATURE}",
             flank - 273.15,
             supplied - 273.15
@@ -360,7 +360,7 @@ fn check(
         let distance = (temperature - holds_at).abs();
         if distance > SAME_TEMPERATURE {
             let text = format!(
-                "the constants of the lubricant hold at {:.2} °C, its temperature is {:.2} °C, and {reason}: \
+                "the constants of the lubricant apply at {:.2} °C, but its temperature is {:.2} °C, and {reason}: \
                  {OILS_WITH_TEMPERATURE}",
                 holds_at - 273.15,
                 temperature - 273.15
@@ -379,13 +379,13 @@ fn check(
 /// Yasutomi, Bair and Winer (1984).
 const LN_GLASS: f64 = 27.631_021_115_928_547;
 
-/// Says so where a law makes a glass of the lubricant at the Hertz pressure, Pa.
+/// Warns where a law predicts a glass at the Hertz pressure, Pa.
 fn glass(lubricant: &Lubricant, pressure: f64) -> Option<Warning> {
     let law = &lubricant.viscosity;
     let logarithm = law.ln_viscosity(pressure, lubricant.temperature);
     let text = format!(
-        "the viscosity law ({}) gives 1e{:.0} Pa.s at the Hertz pressure, beyond the glass transition (1e12 Pa.s): it is taken far \
-         beyond where any oil follows it, and friction and shear stress are not to be used",
+        "the viscosity law ({}) gives 1e{:.0} Pa.s at the Hertz pressure, beyond the glass transition (1e12 Pa.s): the law is extrapolated far \
+         beyond its validity, and friction and shear stress are not to be used",
         law.name(),
         logarithm / std::f64::consts::LN_10
     );

@@ -22,13 +22,13 @@
 //! viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
 //! ```
 //!
-//! `[surface_roughness]` describes rough surfaces and their asperities. `kind = "roller"` asks for `length` and `profile`, too.
+//! `[surface_roughness]` describes rough surfaces and their asperities. `kind = "roller"` also needs `length` and `profile`.
 //!
-//! `[machine]` describes a bearing, a gear or a cam in place of `[contact]` and `[motion]`.
+//! `[machine]` describes a bearing, a gear or a cam instead of `[contact]` and `[motion]`.
 //!
 //! `lubricant = "squalane-pip"` with a top-level `temperature = "40 degC"` is short for a `[lubricant]`
 //! table with `name` and `temperature`. `[thermal]` switches heat on, `[inlet]` limits the oil that arrives. `[mesh]`, `[solver]` and `[output]` are optional; everything
-//! physical is required. `[transient]` tells what changes in time, `[[surface]]` what stands on a surface or was measured of it. `[curve]` asks for a list or range of one quantity ([`curve`]). Numbers carry units. Unknown keys are errors.
+//! physical is required. `[transient]` describes changes in time, `[[surface]]` reliefs and measured surfaces. `[curve]` varies one quantity over a list or range ([`curve`]). Numbers carry units. Unknown keys are errors.
 
 mod approach;
 mod bodies;
@@ -118,7 +118,7 @@ pub struct Case {
     pub body_radii: [f64; 2],
     /// Composite rms roughness of both surfaces σ = √(σ_1² + σ_2²), m, if given.
     pub roughness: Option<f64>,
-    /// How it follows from Ra or Rz, one sentence each.
+    /// Its conversion from Ra or Rz, one sentence each.
     pub roughness_rules: Vec<String>,
     /// Asperities of the surfaces, if described; then there is a roughness, too.
     pub asperities: Option<Asperities>,
@@ -126,7 +126,7 @@ pub struct Case {
     pub motion: Motion,
     /// The machine that contact and motion were computed from, if the file gives one.
     pub machine: Option<MachineEcho>,
-    /// Whether friction goes by the law of shear thinning of the lubricant though the films are solved without it.
+    /// Whether friction follows the shear-thinning law of the lubricant while the films are Newtonian.
     pub friction_by_law: bool,
     /// How much oil reaches the contact.
     pub supply: Supply,
@@ -136,11 +136,11 @@ pub struct Case {
     pub mesh: MeshParams,
     /// Solver settings.
     pub solver: SolverParams,
-    /// Heat in film and bodies, if the file asks for it; [`Case::thermal`] reckons with `solver.isothermal`, too.
+    /// Heat in film and bodies, if the file requests it; [`Case::thermal`] also considers `solver.isothermal`.
     pub thermal: Option<ThermalParams>,
-    /// What is written.
+    /// Output settings.
     pub output: OutputParams,
-    /// What the user should know about the input, one sentence each.
+    /// Warnings about the input.
     pub warnings: Vec<Warning>,
     /// The case file as read, kept with the results; empty for a case made in code.
     pub source: String,
@@ -150,13 +150,13 @@ pub struct Case {
     pub origin: Option<Arc<Origin>>,
     /// Reliefs of the surfaces, m.
     pub reliefs: Vec<SurfaceRelief>,
-    /// How it changes in time, if the file says so; [`crate::run::transient`] solves that, [`crate::run::solve`] the case without it.
+    /// Changes in time, if the file gives any; [`crate::run::transient`] solves them, [`crate::run::solve`] the case without it.
     pub transient: Option<Arc<Transient>>,
-    /// The points of `[curve]`, each a case of its own; [`crate::run`] solves the case without them.
+    /// The points of `[curve]`, each a separate case; [`crate::run`] solves the case without them.
     pub curve: Option<Curve>,
     /// The machine of which the contact is the governing one, if the file describes one without a choice of its contacts.
     pub whole: Option<Arc<WholeMachine>>,
-    /// The contacts of that machine, each a case of its own, as [`crate::study::solve_machine`] solves them; `None` with a `[curve]`, whose
+    /// The contacts of that machine, each a separate case, as [`crate::study::solve_machine`] solves them; `None` with a `[curve]`, whose
     /// points have them, and for the points of a study before they are solved ([`Study::whole_point`] has them).
     pub contacts: Option<Arc<MachineContacts>>,
 }
@@ -202,7 +202,7 @@ impl Case {
         case.curve = curve::read(document, folder, &case)?;
         let draws_none = (case.curve.as_ref()).is_some_and(|curve| !curve.folders);
         if draws_none && case.output.interferogram.is_some() {
-            let text = "[output.interferogram] is drawn in the folders of the points alone: [curve] folders = true";
+            let text = "[output.interferogram] is drawn only in the folders of the points: set folders = true in [curve]";
             case.warn([Warning::new(WarningKind::NoEffect, text)]);
         }
         if case.curve.is_none() {
@@ -329,10 +329,10 @@ impl Case {
             None => OutputParams::default(),
         };
         root.contains("curve");
-        // Read below, for what changes is a part of the case.
+        // Read below, as they depend on the case.
         root.contains("transient");
         root.contains("surface");
-        // What a comparison says of its table has no effect on a solve, but no wrong key gets through.
+        // The table of a comparison has no effect on a solve, but its keys are checked.
         if let Some(table) = root.optional_table("compare")? {
             CsvParams::of_table(table)?;
         }
@@ -413,26 +413,26 @@ impl Case {
         Ok(case)
     }
 
-    /// Adds what the user should know; what the case silences is marked.
+    /// Adds warnings; those that the case silences are marked.
     fn warn(&mut self, more: impl IntoIterator<Item = Warning>) {
         self.warnings.extend(more);
         silence(&mut self.warnings, &self.output.silence);
     }
 
-    /// The shear thinning to reckon with: none for a Newtonian lubricant, and none with `solver.newtonian`.
+    /// The shear thinning in effect: none for a Newtonian lubricant, and none with `solver.newtonian`.
     pub fn shear_thinning(&self) -> Option<&ShearThinning> {
         let thinning = self.lubricant.shear_thinning.as_ref();
         thinning.filter(|_| !self.solver.newtonian)
     }
 
-    /// The shear thinning by which friction goes: that of the films, or of films that are solved without it that of the lubricant where
+    /// The shear thinning of friction: that of the films, or for Newtonian films that of the lubricant where
     /// [`Case::friction_by_law`].
     pub fn friction_thinning(&self) -> Option<&ShearThinning> {
         let thinning = self.lubricant.shear_thinning.as_ref();
         thinning.filter(|_| self.friction_by_law || !self.solver.newtonian)
     }
 
-    /// How the bodies are computed: as half-spaces, unless the case says otherwise or asks for what only a body
+    /// How the bodies are computed: as half-spaces, unless the case chooses otherwise or needs results that only a body
     /// can give.
     pub fn elastic_model(&self) -> ElasticModel {
         let needs_body = self.solver.linear == LinearSolver::Monolithic || self.output.body_field;
@@ -466,7 +466,7 @@ impl Case {
     }
 }
 
-/// Points at the name that is not in the database.
+/// Error at a name that is not in the database.
 fn unknown<'t>(table: &'t Table<'_>, key: &'t str) -> impl Fn(DatabaseError) -> InputError + 't {
     move |error| match error {
         DatabaseError::Unknown {

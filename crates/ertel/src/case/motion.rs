@@ -1,4 +1,4 @@
-//! `[motion]`, and what `[machine]` shares with it.
+//! `[motion]`, and functions shared with `[machine]`.
 
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
@@ -8,7 +8,7 @@ use crate::contact::Motion;
 
 /// Surfaces that move almost exactly against each other have ratios far beyond 2, but not these.
 const SLIDE_TO_ROLL: Bounds = Bounds::closed(-1e6, 1e6);
-/// Speeds, m/s: beyond these a unit was mistaken.
+/// Speeds, m/s: values outside indicate a wrong unit.
 pub(super) const MAX_SPEED: f64 = 1e3;
 /// Spin, rad/s.
 pub(super) const SPIN: Bounds = Bounds::closed(-1e6, 1e6);
@@ -50,7 +50,7 @@ fn of_entrainment(table: &mut Table<'_>) -> Result<Motion, InputError> {
                 "skew_angle",
                 "`skew_angle` lies between the velocities of the surfaces, but their speeds are not given",
             )
-            .with_help("give `body_1_speed` and `body_2_speed`, or `slide_to_roll_ratio_across` in its place"));
+            .with_help("give `body_1_speed` and `body_2_speed`, or `slide_to_roll_ratio_across` instead"));
     }
     Ok(Motion {
         slide_to_roll_ratio_across: across.unwrap_or(0.0),
@@ -114,7 +114,7 @@ pub(super) fn check_entrainment(
     if speed < 0.0 {
         return Err(table
             .error(key, "the entrainment speed must be positive")
-            .with_help("the inlet lies at x < 0; turn x around and both speeds with it"));
+            .with_help("the inlet is at x < 0; reverse x and both speeds"));
     }
     Ok(())
 }
@@ -138,7 +138,7 @@ pub(super) fn check_spin(
         return Ok(());
     }
     let keys = ["raceway_control", "body_1_spin", "body_2_spin"];
-    // To ask for a key would make it a known one, which [motion] has not.
+    // Reading a key would make it known, and [motion] does not have it.
     let given = keys.into_iter().find(|key| table.keys().any(|k| k == *key));
     let key = given.unwrap_or("body_1_spin");
     if !is_point {

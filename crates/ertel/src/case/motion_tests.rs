@@ -71,7 +71,7 @@ fn components_and_spin() {
 }
 
 #[test]
-fn what_cannot_be() {
+fn impossible_motions_are_refused() {
     let spin = |text: &str| format!("{GIVEN}body_2_spin = {text}");
     let cases = [
         (
@@ -132,8 +132,8 @@ fn what_cannot_be() {
 
 /// u_1·u_2 = u_m² (1 − (S² + S_⊥²)/4): opposite at 50 across, and at 1.5 and 1.5 together, not at 1.4 and 1.4.
 #[test]
-fn opposite_motion_across_is_told() {
-    let told = |along: f64, across: f64| {
+fn opposite_motion_across_is_reported() {
+    let warned = |along: f64, across: f64| {
         let motion = format!(
             "entrainment_speed = \"1 m/s\"\nslide_to_roll_ratio = {along}\nslide_to_roll_ratio_across = {across}"
         );
@@ -141,6 +141,6 @@ fn opposite_motion_across_is_told() {
         let mut kinds = case.warnings.iter().map(|w| w.kind);
         kinds.any(|kind| kind == crate::warning::WarningKind::OppositeMotion)
     };
-    assert!(told(0.0, 50.0) && told(1.5, 1.5) && told(-2.5, 0.0));
-    assert!(!told(1.4, 1.4) && !told(0.0, -1.9));
+    assert!(warned(0.0, 50.0) && warned(1.5, 1.5) && warned(-2.5, 0.0));
+    assert!(!warned(1.4, 1.4) && !warned(0.0, -1.9));
 }

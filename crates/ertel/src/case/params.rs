@@ -12,7 +12,7 @@ use crate::params::{
 };
 use crate::warning::WarningKind;
 
-/// Replaces `field` if the file says so.
+/// Replaces `field` if the file gives a value.
 pub(super) fn set<T>(field: &mut T, value: Option<T>) {
     if let Some(value) = value {
         *field = value;
@@ -22,7 +22,7 @@ pub(super) fn set<T>(field: &mut T, value: Option<T>) {
 /// Largest extent of a contact area from its centre, in half-widths.
 pub(super) const FARTHEST: f64 = 300.0;
 
-/// Keys that lay down a mesh, so that none is refined to a target.
+/// Keys that define the mesh explicitly; such a mesh is not refined to a target.
 const FIXED_MESH: [&str; 6] = [
     "preset",
     "hertz_size",
@@ -32,13 +32,13 @@ const FIXED_MESH: [&str; 6] = [
     "depth_growth",
 ];
 
-/// Targets that meshes of reasonable size reach, and beyond which no film means anything.
+/// Targets that meshes of reasonable size reach, and above which films are meaningless.
 const TARGET_ERROR: Bounds = Bounds::closed(2e-4, 0.1);
 
 /// The same for the pressure.
 const PRESSURE_ERROR: Bounds = Bounds::closed(1e-4, 0.2);
 
-/// Mesh of a case that says nothing about it.
+/// Default mesh.
 pub(super) fn default_mesh(contact: &Contact, error_estimate: bool) -> MeshParams {
     if error_estimate {
         MeshParams::adaptive(DEFAULT_TARGET_ERROR, contact.kind)
@@ -72,7 +72,7 @@ pub fn read_mesh(
                 )
                 .with_help(
                     "`target_error` refines the mesh until the films are that accurate; sizes and growth \
-                     set it: give one or the other",
+                     define it: give one or the other",
                 ));
         }
         (None, Some(_)) if !error_estimate => {
@@ -154,7 +154,7 @@ pub fn read_mesh(
     Ok(mesh)
 }
 
-/// What else the mesh is refined for.
+/// Further quantities that the mesh is refined for.
 fn read_pressure_error(table: &mut Table<'_>, mesh: &mut MeshParams) -> Result<(), InputError> {
     let films_alone = table.optional_choice("refine_for", &[("films", true), ("fields", false)])?;
     let error = table.optional_number("pressure_error", PRESSURE_ERROR)?;
@@ -169,7 +169,7 @@ fn read_pressure_error(table: &mut Table<'_>, mesh: &mut MeshParams) -> Result<(
                     format!("`{key}` is for meshes that are refined to a target"),
                 )
                 .with_help(
-                    "give `target_error`, or leave sizes, growth, preset and error_estimate alone",
+                    "set `target_error`, or remove sizes, growth, preset and error_estimate",
                 ));
         }
     }
@@ -199,7 +199,7 @@ pub(super) fn order(
     Ok(order.and_then(|order| usize::try_from(order).ok()))
 }
 
-/// Refuses what only a finite-element body can give in a case that asks for half-spaces; `wish` stands at `key`.
+/// Refuses half-spaces for a `wish`, given at `key`, that needs a finite-element body.
 fn needs_body(
     table: &Table<'_>,
     solver: &SolverParams,
@@ -316,7 +316,7 @@ fn read_silence(table: &Table<'_>, codes: &[&str]) -> Result<Vec<WarningKind>, I
             false => Err(table
                 .error("silence", format!("`{code}` cannot be silenced"))
                 .with_help(
-                    "it marks figures that are not to be used; `ertel explain` shows what to do",
+                    "it marks figures that are not to be used; `ertel explain` shows the remedy",
                 )),
         }
     };
@@ -353,7 +353,7 @@ pub(super) fn read_output(
             let unknown = names.iter().find(|n| !PictureFormats::NAMES.contains(n));
             let unknown = unknown.copied().unwrap_or_default();
             table
-                .error("pictures", format!("`{unknown}` is no format of pictures"))
+                .error("pictures", format!("`{unknown}` is not a picture format"))
                 .with_help(format!("the formats are {known}"))
         })?;
     }
@@ -363,13 +363,9 @@ pub(super) fn read_output(
         (
             "vtu",
             &mut output.vtu,
-            "the fields of others are always written, surface.vtu",
+            "other cases always write surface.vtu",
         ),
-        (
-            "animation",
-            &mut output.animation,
-            "nothing moves in others",
-        ),
+        ("animation", &mut output.animation, "other cases are steady"),
     ] {
         set(asked, table.optional_bool(key)?);
         if *asked && !is_in_time {

@@ -1,4 +1,4 @@
-//! What is doubted when a case is read, on both sides of each bound.
+//! Warnings about implausible inputs, on both sides of each bound.
 
 use std::path::Path;
 
@@ -38,8 +38,8 @@ fn with_beta() -> String {
     lines.collect::<Vec<_>>().join("\n") + "\n" + WITH_BETA + "\n"
 }
 
-/// A temperature that is set, varies or is uncertain, and a law that knows none; not where the viscosity is given with it, nor where
-/// nobody changes it.
+/// A temperature that is set, varies or is uncertain, and a law that does not depend on it; not where the viscosity is given with it, nor where
+/// the temperature is not changed.
 #[test]
 fn temperatures_without_effect() {
     let ignored = |case: &Case| has(&case.warnings, WarningKind::TemperatureIgnored);
@@ -96,22 +96,22 @@ fn pressures_beyond_strength() {
             4.2e9,
         ),
     ] {
-        let told = |pressure: f64| {
+        let warned = |pressure: f64| {
             let text = CASE
                 .replace("1 GPa", &format!("{pressure} Pa"))
                 .replace("body_2 = \"steel\"", &format!("body_2 = {body}"))
                 .replace("body_1 = \"steel\"", &format!("body_1 = {body}"));
             has(&read(&text, &[]).warnings, WarningKind::Strength)
         };
-        assert!(!told(0.999 * limit), "{body}");
-        assert!(told(1.001 * limit), "{body}");
+        assert!(!warned(0.999 * limit), "{body}");
+        assert!(warned(1.001 * limit), "{body}");
     }
 }
 
 /// A head in its cup: the reduced radius is 1974 mm, the head's own 14 mm, and the contact 0.88 of it. Under 40 N it is 0.26, under 80 N 0.33.
 #[test]
 fn contacts_as_wide_as_a_body() {
-    let told = |load: f64| {
+    let warned = |load: f64| {
         let text = format!(
             r#"
 [contact]
@@ -132,12 +132,12 @@ viscosity = {{ law = "constant", mu_0 = "5 mPa.s" }}
         let found = Case::from_text("hip.toml", &text, Path::new(""));
         found.map(|case| has(&case.warnings, WarningKind::WideContact))
     };
-    // a = (3 F R/(2 E'))^(1/3), so that a goes as F^(1/3): 0.3 of 14 mm at 1500 (0.3/0.8807)³ N.
+    // a = (3 F R/(2 E'))^(1/3), so that a is proportional to F^(1/3): 0.3 of 14 mm at 1500 (0.3/0.8807)³ N.
     let bound = 1500.0 * (0.3_f64 / 0.8807).powi(3);
-    assert!(!told(0.97 * bound).unwrap());
-    assert!(told(1.03 * bound).unwrap());
-    assert!(told(1500.0).unwrap());
-    let error = told(3000.0).unwrap_err();
+    assert!(!warned(0.97 * bound).unwrap());
+    assert!(warned(1.03 * bound).unwrap());
+    assert!(warned(1500.0).unwrap());
+    let error = warned(3000.0).unwrap_err();
     assert!(
         error.to_string().contains("exceeds the radius of a body"),
         "{error}"
@@ -148,9 +148,9 @@ viscosity = {{ law = "constant", mu_0 = "5 mPa.s" }}
 #[test]
 fn oils_that_become_glass() {
     let barus = CASE.replace("roelands", "barus");
-    let told = |gpa: f64| {
+    let warned = |gpa: f64| {
         let text = barus.replace("1 GPa", &format!("{gpa} GPa"));
         has(&read(&text, &[]).warnings, WarningKind::Glass)
     };
-    assert!(!told(1.400) && told(1.404));
+    assert!(!warned(1.400) && warned(1.404));
 }

@@ -61,7 +61,7 @@ pub(super) fn read_roller(
     let mut keys = table.required_table("profile").map_err(|error| {
         error.with_help(
             "such as profile = { kind = \"straight\", straight_length = \"8 mm\", end_radius = \"50 mm\" }: the ends of a \
-             roller need a relief, or the pressure there has no bound",
+             roller need a relief, or the pressure there is unbounded",
         )
     })?;
     let profile = read_profile(&mut keys, (radius, length), reduced_modulus, folder)?;
@@ -109,7 +109,7 @@ fn read_profile(
                             self::length(reach)
                         ),
                     )
-                    .with_help("the end radius exceeds half of what the straight part leaves of the length"));
+                    .with_help("the end radius must exceed half of the length outside the straight part"));
             }
             Ok(Profile::Straight {
                 straight_length,
@@ -171,7 +171,7 @@ fn read_trace(table: &mut Table<'_>, folder: &Path) -> Result<(&'static str, Tra
         .map_err(|error| table.error("file", format!("{} {error}", path.display())))?;
     let trace = trace_of(file, &text).map_err(|error| {
         table.error("file", error.to_string()).with_help(
-            "a trace is a CSV table with the columns `position` and `drop`, or `height`, which counts the other way, each with its unit: \
+            "a trace is a CSV table with the columns `position` and `drop`, or `height`, which has the opposite sign, each with its unit: \
              position [mm], drop [um]",
         )
     })?;
@@ -205,8 +205,8 @@ fn trace_of(file: &str, text: &str) -> Result<Trace, CsvError> {
     Ok(trace)
 }
 
-/// The profile of a table. One that does not fall off towards both ends, or not from zero, is a measured trace: it is made a profile, as
-/// long as what is changed passes for scatter.
+/// The profile of a table. One that does not fall off towards both ends, or not from zero, is a measured trace: it is converted to a profile, as
+/// long as the changes are within scatter.
 fn table_profile(
     mut trace: Trace,
     length: f64,
@@ -246,8 +246,8 @@ fn table_profile(
     Ok(profile)
 }
 
-/// What was done to a measured trace, in words.
-fn told(treatment: &Treatment) -> String {
+/// Treatment of a measured trace, in words.
+fn treatment_text(treatment: &Treatment) -> String {
     let mut done = Vec::new();
     if treatment.tilt != 0.0 {
         done.push(format!(
@@ -289,7 +289,7 @@ fn read_crown(table: &mut Table<'_>, length: f64) -> Result<Profile, InputError>
         if table.contains("crown_radius") {
             return Err(table.error(
                 "end_drop",
-                "`crown_radius` and `end_drop` say the same thing twice; keep one of them",
+                "`crown_radius` and `end_drop` give the same quantity; keep one of them",
             ));
         }
         if drop <= 0.0 || drop >= half {
@@ -335,7 +335,7 @@ fn too_short(table: &Table<'_>, key: &str, length: f64, half_width: f64) -> Inpu
             ),
         )
         .with_help(
-            "so short a roller is no cylinder: kind = \"elliptical\", or another load or length",
+            "such a short roller is not a cylinder: use kind = \"elliptical\", or another load or length",
         )
 }
 
@@ -360,19 +360,19 @@ pub(super) fn check(
             .error(
                 "misalignment",
                 format!(
-                    "this tilt, {} mrad, lifts the whole roller off but for its end",
+                    "this tilt, {} mrad, lifts the roller off except at one end",
                     digits(1e3 * roller.misalignment, 4)
                 ),
             )
             .with_help(
-                "the film is found where the profile touches with its flank: a smaller tilt, or a profile that is steeper at the ends",
+                "the roller must touch on the flank of its profile: reduce the tilt, or use a profile that is steeper at the ends",
             )),
         Relief::Share(share) if share < SHARP => Err(table
             .error(
                 "profile",
                 format!(
-                    "the profile drop at the ends of the roller is {:.0} % of that for uniform pressure under this load: the ends press like \
-                     sharp edges, at which the pressure of elastic bodies has no bound",
+                    "the profile drop at the ends of the roller is {:.0} % of that for uniform pressure under this load: the ends act like \
+                     sharp edges, where the elastic pressure is unbounded",
                     100.0 * share
                 ),
             )
@@ -381,22 +381,22 @@ pub(super) fn check(
     }
 }
 
-/// What the user should know about a roller: what was done to its trace, and whether pressure reaches its ends.
+/// Warnings about a roller: changes made to its trace, and pressure that reaches its ends.
 pub(super) fn warnings(contact: &Contact, hertz: &Hertz, reduced_modulus: f64) -> Vec<Warning> {
     let roller = contact.roller.as_ref();
     let treatment = roller.and_then(|roller| match &roller.profile {
         Profile::Table(table) => table.treatment.as_ref(),
         _ => None,
     });
-    let treated =
-        treatment.map(|treatment| Warning::new(WarningKind::MeasuredProfile, told(treatment)));
+    let treated = treatment
+        .map(|treatment| Warning::new(WarningKind::MeasuredProfile, treatment_text(treatment)));
     treated
         .into_iter()
         .chain(warning(contact, hertz, reduced_modulus))
         .collect()
 }
 
-/// What the user should know about the ends of a roller.
+/// Warnings about the ends of a roller.
 fn warning(contact: &Contact, hertz: &Hertz, reduced_modulus: f64) -> Option<Warning> {
     let roller = contact.roller.as_ref()?;
     match roller.relief(contact.line_load(), hertz.half_width, reduced_modulus) {

@@ -72,7 +72,7 @@ fn profiles() {
     assert!(!roller.is_symmetric());
 }
 
-/// Each names the line and what is wrong.
+/// Each error names the line and its cause.
 #[test]
 fn bad_rollers() {
     let table = |positions: &str, drops: &str| {
@@ -102,7 +102,7 @@ fn bad_rollers() {
                 "\"0 um\", \"1 um\", \"2 um\"",
             ),
             6,
-            "positions increase",
+            "positions must increase",
         ),
         (
             SIZES,
@@ -111,7 +111,7 @@ fn bad_rollers() {
                 "\"0 um\", \"2 um\", \"1 um\"",
             ),
             6,
-            "drops grow towards both ends",
+            "drops must grow towards both ends",
         ),
         (
             SIZES,
@@ -120,7 +120,7 @@ fn bad_rollers() {
                 "\"0 um\", \"1 um\", \"2 um\"",
             ),
             6,
-            "but the roller from",
+            "the roller from",
         ),
         (
             SIZES,
@@ -139,7 +139,7 @@ fn bad_rollers() {
             SIZES,
             tilted("\"0.3 deg\""),
             7,
-            "lifts the whole roller off",
+            "lifts the roller off except at one end",
         ),
         (SIZES, sharp.to_owned(), 6, "sharp edges"),
         (SIZES, small_arc.to_owned(), 6, "does not reach"),
@@ -253,14 +253,14 @@ fn measured_traces_are_made_profiles() {
     let [end, _] = roller.profile.drop(roller.length, -4e-3);
     // Between 8.966 and 5.756 um less the lowest of the pooled middle, around -0.05 um.
     assert!((8.0e-6..9.0e-6).contains(&end), "{end}");
-    let told = lists
+    let warned = lists
         .warnings
         .iter()
         .find(|w| w.text.contains("trace of 15 points"));
-    let told = &told.unwrap().text;
+    let warned = &warned.unwrap().text;
     assert!(
-        told.contains("smallest drop is zero") && told.contains("fall off towards both ends"),
-        "{told}"
+        warned.contains("smallest drop is zero") && warned.contains("fall off towards both ends"),
+        "{warned}"
     );
     assert!(
         file.files(folder.path())

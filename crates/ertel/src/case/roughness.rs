@@ -14,10 +14,10 @@ const RMS_HEIGHT: Bounds = Bounds::closed(0.0, 1e-3);
 const GROUP: Bounds = Bounds::open(0.0, 1.0);
 /// Asperities are far wider than high.
 const HEIGHT_TO_RADIUS: Bounds = Bounds::open(0.0, 1.0);
-/// Friction of bare metals in vacuum is larger; no lubricant is about then.
+/// Friction of bare metals in vacuum is larger, but without lubricant.
 const BOUNDARY_FRICTION: Bounds = Bounds::closed(0.0, 2.0);
 
-/// σβη and σ/β as usually quoted for engineering surfaces after Greenwood and Tripp (1970); quoted second-hand, and only to find slips
+/// σβη and σ/β as usually quoted for engineering surfaces after Greenwood and Tripp (1970); quoted second-hand, and only to find errors
 /// of the decimal point.
 const USUAL_GROUP: [f64; 2] = [0.03, 0.07];
 const USUAL_HEIGHT_TO_RADIUS: [f64; 2] = [1e-4, 1e-2];
@@ -36,11 +36,11 @@ const RZ_OVER_RA_RANGE: [f64; 2] = [4.0, 8.0];
 
 const ASPERITY_KEYS: [&str; 2] = ["asperity_group", "rms_height_to_asperity_radius"];
 
-/// What `[surface_roughness]` says.
+/// Contents of `[surface_roughness]`.
 pub(super) struct Surfaces {
     /// Composite rms height, m.
     pub roughness: Option<f64>,
-    /// How it was made from other measures of roughness, one sentence each.
+    /// Conversions from other measures of roughness, one sentence each.
     pub rules: Vec<String>,
     pub asperities: Option<Asperities>,
 }
@@ -72,10 +72,10 @@ pub(super) fn read(mut table: Table<'_>, of_bodies: Option<f64>) -> Result<Surfa
             )));
     }
     if own.is_none() && asperities.is_none() {
-        // Unknown keys first: a misspelt one tells more than that all are missing.
+        // Unknown keys first: a misspelt key explains more than the missing ones.
         table.clone().finish()?;
         return Err(table
-            .error_here("[surface_roughness] says nothing")
+            .error_here("[surface_roughness] is empty")
             .with_help(format!(
                 "keys are: {}, {}, boundary_friction_coefficient",
                 KEYS.as_flattened().join(", "),
@@ -95,7 +95,7 @@ fn given_key(table: &mut Table<'_>, body: usize) -> Option<&'static str> {
     KEYS[body].into_iter().find(|key| table.contains(key))
 }
 
-/// rms height of a body, m, by whichever measure is given; tells the rule.
+/// rms height of a body, m, from the measure that is given; adds the rule of conversion.
 fn rms_height(
     table: &mut Table<'_>,
     body: usize,
@@ -113,7 +113,7 @@ fn rms_height(
     {
         return Err(table.error(
             second,
-            format!("`{key}` and `{second}` say the same thing twice; keep one of them"),
+            format!("`{key}` and `{second}` give the same quantity; keep one of them"),
         ));
     }
     let height = table.required_quantity(key, Dimension::LENGTH, RMS_HEIGHT)?;

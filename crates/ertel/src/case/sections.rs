@@ -1,4 +1,4 @@
-//! Sections that a case needs, and what one looks like.
+//! Sections that a case needs, with examples.
 
 use ertel_input::{InputError, Table};
 
@@ -6,7 +6,7 @@ use ertel_input::{InputError, Table};
 const EXAMPLES: [(&str, &str); 4] = [
     (
         "contact",
-        "[contact] and [motion], or [machine] in place of both; [contact] needs kind = \"circular\", radius = \"10 mm\" and \
+        "[contact] and [motion], or [machine] instead of both; [contact] needs kind = \"circular\", radius = \"10 mm\" and \
          load = \"50 N\", for example",
     ),
     (
@@ -40,7 +40,7 @@ pub(super) fn missing(root: &Table<'_>, key: &str, error: InputError) -> InputEr
     match others.is_empty() {
         true => error,
         false => error.with_help(format!(
-            "missing, too: {}; `ertel init` writes a whole case to start from",
+            "also missing: {}; `ertel init` writes a whole case to start from",
             others.join(", ")
         )),
     }

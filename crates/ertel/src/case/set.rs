@@ -1,4 +1,4 @@
-//! Values put into a case in place of those of its file: `contact.load=50 N`.
+//! Values that replace those of a case file: `contact.load=50 N`.
 
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use toml_edit::{DocumentMut, Item, TableLike};
 use super::Case;
 use super::study::inline;
 
-/// What errors call such a value in place of a file.
+/// Name of such a value in errors, instead of a file.
 const NAME: &str = "--set";
 
 /// A value and its key.
@@ -20,13 +20,13 @@ struct Setting {
 }
 
 impl Case {
-    /// Reads the text of a case with values in place of its own, each written `key=value` with a key path such as `contact.load`. A value
+    /// Reads the text of a case with some values replaced, each written `key=value` with a key path such as `contact.load`. A value
     /// is one of TOML, or a text without its quotes: `50 N`. The readers and their bounds are those of the file; errors about
-    /// such a value show it in place of a line. [`Case::source`] is the text with the values in it.
+    /// such a value show it instead of a line. [`Case::source`] is the text with the values in it.
     ///
     /// # Errors
     ///
-    /// As [`Case::read`]; settings that are no `key=value`, set a key twice, or lead through what is no table.
+    /// As [`Case::read`]; settings that are no `key=value`, set a key twice, or pass through a value that is not a table.
     pub fn from_text_with(
         name: &str,
         text: &str,
@@ -38,7 +38,7 @@ impl Case {
         if settings.is_empty() {
             return Case::from_document(&document, folder);
         }
-        // Its errors show the settings as they were given; those of the text made of it would show lines that nobody wrote.
+        // Errors show the settings as given; errors in the resulting text would show lines that the user did not write.
         let case = Case::from_document(&document, folder)?;
         let edited = edited(text, settings, &document)?;
         let mut read = Case::from_text(name, &edited, folder)?;
@@ -56,7 +56,7 @@ impl Case {
     }
 }
 
-/// A case or study with values in place of its own, or beside them.
+/// A case or study with values replaced or added.
 ///
 /// # Errors
 ///
@@ -67,8 +67,8 @@ pub(super) fn with_settings(
 ) -> Result<Document, InputError> {
     let mut keys: Vec<String> = Vec::new();
     for text in settings {
-        let (beside, offset) = document.beside(NAME, text);
-        document = beside;
+        let (added, offset) = document.with_file(NAME, text);
+        document = added;
         let error = |message: String| document.error_at(offset..offset + text.len(), "", message);
         let setting = parse(text).map_err(&error)?;
         if keys.contains(&setting.key) {
@@ -119,7 +119,7 @@ fn is_text(key: &str) -> bool {
     !rows.is_empty() && rows.iter().all(|row| matches!(row.kind, Kind::Text))
 }
 
-/// The value as TOML has it, where it is one alone: a number, a switch, a list, a text in quotes. `start` is where it stands.
+/// The value as TOML has it, where it is one alone: a number, a switch, a list, a text in quotes. `start` is its position.
 fn toml_value(value: &str, start: usize) -> Option<Node> {
     const KEY: &str = "k=";
     let document = Document::parse(NAME, format!("{KEY}{value}")).ok()?;
@@ -129,7 +129,7 @@ fn toml_value(value: &str, start: usize) -> Option<Node> {
     let [entry] = &entries[..] else {
         return None;
     };
-    // The key stands before the value here, and more or less of it there.
+    // Here the key precedes the value; in the setting its length differs.
     let at = entry.node.clone().shifted(start);
     Some(moved_back(at, KEY.len()))
 }
@@ -266,7 +266,7 @@ mod tests {
         ] {
             assert!(case.source.contains(line), "{line}: {}", case.source);
         }
-        // What is read of the text is the same case.
+        // The text reads as the same case.
         let again = Case::from_text("case.toml", &case.source, Path::new("")).unwrap();
         assert_eq!(again.given, case.given);
         assert_eq!(again.contact, case.contact);
@@ -279,7 +279,7 @@ mod tests {
         assert!(!case.source.contains("roelands"), "{}", case.source);
     }
 
-    /// Every message shows the setting and marks what is wrong in it.
+    /// Every message shows the setting and marks the error in it.
     #[test]
     fn wrong_ones_are_shown_as_they_were_given() {
         for (settings, words) in [
@@ -324,7 +324,7 @@ mod tests {
         }
     }
 
-    /// Tables of arrays are counted from 1, whichever way they are written.
+    /// Tables of arrays are counted from 1 in both notations.
     #[test]
     fn tables_of_arrays_take_values() {
         let waves = "kind = \"waves\"\nbody = \"body_2\"\nwavelength = \"0.2 mm\"\namplitude = \"0.1 um\"\nx = \"0 mm\"\n";

@@ -227,7 +227,7 @@ netcdf = true
 }
 
 #[test]
-fn a_hertz_pressure_out_of_range_tells_the_loads_that_fit() {
+fn hertz_pressure_out_of_range_reports_valid_loads() {
     // 1 kPa and 5 GPa on 16 mm steel: 9.937e-17 N and 12420 N by an independent evaluation.
     for load in ["\"1e-18 N\"", "\"1 MN\""] {
         let error = message(with("\"100 N\"", load));
@@ -261,10 +261,7 @@ fn soft_bodies_are_read() {
     let error = message(read(&format!(
         "{text}\n[solver]\nelasticity = \"equivalent\"\n"
     )));
-    assert!(
-        error.contains("lock where Poisson's ratio nears 0.5"),
-        "{error}"
-    );
+    assert!(error.contains("lock near Poisson's ratio 0.5"), "{error}");
 }
 
 /// Ra 0.4 and 0.31 um: σ = √(0.5² + 0.3875²) = 0.63257 um by hand; Rz 2.4 um is Ra 0.4 um.
@@ -290,7 +287,7 @@ fn roughness_by_ra_and_rz() {
         ("body_1_ra = \"0.4 um\"", "missing key `body_2_rms_height`"),
         (
             "body_1_ra = \"0.4 um\"\nbody_1_rz = \"3 um\"\nbody_2_ra = \"0.4 um\"",
-            "say the same thing twice",
+            "give the same quantity",
         ),
         ("body_1_ra = 0.4\nbody_2_ra = 0.4", "body_1_ra = \"0.4 um\""),
     ] {
@@ -310,7 +307,7 @@ fn a_contact_as_large_as_its_body_is_refused() {
 }
 
 #[test]
-fn shear_thinning_comes_with_the_fluid_and_can_be_left_out() {
+fn shear_thinning_comes_with_the_fluid_and_can_be_disabled() {
     let head = &STEEL[..STEEL.find("[lubricant]").unwrap()];
     let squalane = format!("{head}[lubricant]\nname = \"squalane-pip\"\ntemperature = \"313 K\"\n");
     let case = read(&squalane).unwrap();
@@ -332,7 +329,7 @@ fn shear_thinning_comes_with_the_fluid_and_can_be_left_out() {
     assert_eq!(read(STEEL).unwrap().shear_thinning(), None);
 }
 
-/// Figures of a mineral oil stand in for what the case asks for and does not give; its given conductivity stays.
+/// Values of a mineral oil replace those that the case needs and does not give; its given conductivity stays.
 #[test]
 fn heat_and_shear_are_estimated_where_asked() {
     let steel = STEEL.replace(
@@ -463,7 +460,7 @@ fn temperatures_and_line_loads_vary_in_their_units() {
     assert_eq!(temperatures, [293.15, 313.15, 333.15]);
 }
 
-/// What only a body can give is refused where the case names half-spaces, and asks for a body where it names nothing.
+/// Results that need a body are refused with half-spaces, and select a body where the case does not choose.
 #[test]
 fn half_spaces_have_no_inside() {
     for (lines, line) in [
@@ -493,7 +490,7 @@ fn half_spaces_have_no_inside() {
     );
 }
 
-/// Files from before half-spaces run, with a word about what they say of a body that is none.
+/// Files from before half-spaces run, with a warning about keys of a body.
 #[test]
 fn keys_of_a_body_are_idle_on_half_spaces() {
     let idle = "[mesh]\nbody_width = 40\nbody_depth = 50\ndepth_growth = 0.4\nelastic_order = 2\n";
@@ -550,15 +547,15 @@ fn limits_of_unknowns_have_bounds() {
     }
 }
 
-/// Interferograms are drawn of the points of a curve where these have folders, and the user is told so.
+/// Interferograms of a curve are drawn only in folders of its points, and a warning says so.
 #[test]
 fn a_curve_draws_interferograms_in_folders_alone() {
     let curve = "[curve]\nquantity = \"contact.load\"\nvalues = [\"20 N\", \"40 N\"]\n";
     let optics = "[output.interferogram]\nwavelength = \"600 nm\"\nrefractive_index = 1.47\nphase_change = \"180 deg\"\n";
-    let told = |more: &str| {
+    let warned = |more: &str| {
         let case = read(&format!("{STEEL}{optics}{curve}{more}")).unwrap();
         case.warnings.iter().any(|w| w.contains("folders = true"))
     };
-    assert!(told(""));
-    assert!(!told("folders = true\n"));
+    assert!(warned(""));
+    assert!(!warned("folders = true\n"));
 }

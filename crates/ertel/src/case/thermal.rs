@@ -12,12 +12,12 @@ use crate::params::ThermalParams;
 use crate::solve::heat::missing::{MissingDatum, MissingHeatData};
 use crate::warning::{Warning, WarningKind};
 
-/// Depths of the heated layer, in half-widths: less than the contact's own scale is no body, more is none that the
-/// elastic one goes to.
+/// Depths of the heated layer, in half-widths: from the scale of the contact to the depth of the
+/// elastic body.
 const DEPTH: Bounds = Bounds::closed(0.1, FARTHEST);
-/// Elements across a body: beyond, a number was mistaken.
+/// Elements across a body: more indicate a wrong number.
 const ELEMENTS: std::ops::RangeInclusive<i64> = 1..=64;
-/// Conductivities from gases to diamond, W/(m·K): beyond these a unit was mistaken.
+/// Conductivities from gases to diamond, W/(m·K): values outside indicate a wrong unit.
 const CONDUCTIVITY: Bounds = Bounds::closed(1e-3, 5e3);
 /// Heat capacities from heavy metals to hydrogen, J/(kg·K); likewise.
 const HEAT_CAPACITY: Bounds = Bounds::closed(10.0, 2e4);
@@ -57,7 +57,7 @@ pub fn read(mut table: Table<'_>, contact: &Contact) -> Result<ThermalParams, In
     if contact.kind.is_line() && thermal.profiles.iter().any(|[_, y]| *y != 0.0) {
         return Err(table.error(
             "profiles",
-            "the points of `profiles` must have y = 0: a line contact has no other",
+            "the points of `profiles` must have y = 0 in a line contact",
         ));
     }
     set(&mut thermal.field, table.optional_bool("field")?);
@@ -65,7 +65,7 @@ pub fn read(mut table: Table<'_>, contact: &Contact) -> Result<ThermalParams, In
     Ok(thermal)
 }
 
-/// What a thermal contact needs to know, all of it there.
+/// Complete data of a thermal contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Heat<'a> {
     /// Settings.
@@ -94,7 +94,7 @@ pub struct SolidHeat<'a> {
 }
 
 impl Case {
-    /// The settings of heat to reckon with: none without `[thermal]`, and none with `solver.isothermal`.
+    /// The thermal settings in effect: none without `[thermal]`, and none with `solver.isothermal`.
     pub fn thermal(&self) -> Option<&ThermalParams> {
         let thermal = self.thermal.as_ref();
         thermal.filter(|_| !self.solver.isothermal)
@@ -136,7 +136,7 @@ impl Case {
 }
 
 impl super::Lubricant {
-    /// Conductivity and heat capacity; what is missing is noted.
+    /// Conductivity and heat capacity; missing data are noted.
     fn laws_of_heat(
         &self,
         missing: &mut Vec<MissingDatum>,
@@ -162,7 +162,7 @@ impl super::Lubricant {
 }
 
 impl Body {
-    /// The thermal data at this bulk `temperature`, K; what is missing is noted.
+    /// The thermal data at this bulk `temperature`, K; missing data are noted.
     fn heat(
         &self,
         part: &'static str,
@@ -189,8 +189,8 @@ impl Body {
     }
 }
 
-/// Whether a case with heat has all its data, and values that a unit mistaken would not give; errors stand at `table`,
-/// the `[thermal]` of the case. Returns what the user should know.
+/// Whether a case with heat has all its data, and plausible values; errors point to `table`,
+/// the `[thermal]` of the case. Returns warnings.
 pub(super) fn check(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, InputError> {
     let heat = case.heat().map_err(|error| {
         table

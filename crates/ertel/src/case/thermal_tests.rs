@@ -1,4 +1,4 @@
-//! `[thermal]`: what is read, what is refused, what is said.
+//! `[thermal]`: inputs, refusals, warnings.
 
 use std::path::Path;
 
@@ -108,7 +108,7 @@ fn every_setting_is_read() {
 }
 
 #[test]
-fn what_is_impossible_is_refused_with_its_line() {
+fn impossible_values_are_refused_with_their_line() {
     for (line, words) in [
         ("depth = 0", "`depth` must be between"),
         ("depth = -1", "`depth` must be between"),
@@ -178,7 +178,7 @@ fn missing_data_are_named_with_their_place() {
     let text = message(read(&format!("{oil}[thermal]")));
     let words = "the thermal_conductivity of the lubricant (thesis-roelands-oil), the heat_capacity of the lubricant";
     assert!(
-        text.contains(words) && text.contains("to [lubricant]"),
+        text.contains(words) && text.contains("in [lubricant]"),
         "{text}"
     );
 }
@@ -202,7 +202,7 @@ fn units_that_were_mistaken_are_refused() {
 }
 
 #[test]
-fn laws_that_heat_does_not_reach_bring_warnings() {
+fn laws_independent_of_temperature_bring_warnings() {
     // The pressure of this contact is slightly above that of the data, heat or not.
     let range = read(SQUALANE).unwrap().warnings;
     assert_eq!(thermal("").unwrap().warnings, range);
@@ -223,7 +223,7 @@ fn laws_that_heat_does_not_reach_bring_warnings() {
 }
 
 #[test]
-fn the_range_that_a_temperature_leaves() {
+fn temperature_outside_a_range_is_reported() {
     let head = SQUALANE.replace("squalane-pip", "r245fa");
     let case = read(&format!("{head}[thermal]")).unwrap();
     assert_eq!(case.lubricant.range_left(313.0), None);

@@ -1,4 +1,4 @@
-//! What the user should know of `[transient]` before it is solved.
+//! Warnings about `[transient]`, given before it is solved.
 
 use super::Case;
 use super::transient::Transient;
@@ -12,7 +12,7 @@ const ROUNDING: f64 = 1e-9;
 /// Steps that are many: tens of times those of the shipped cases.
 const MANY_STEPS: f64 = 2e4;
 
-/// What the results leave out that the case describes, and courses that contradict the case or its duration.
+/// Inputs without effect on the results, and courses that contradict the case or its duration.
 pub(super) fn warnings(case: &Case) -> Vec<Warning> {
     let changes = (case.transient.as_ref()).is_some_and(|t| t.temperature.is_some());
     let keys = changes.then_some("temperature");
@@ -70,7 +70,7 @@ fn of_courses(case: &Case, transient: &Transient) -> Vec<Warning> {
         let (start, own) = (course.at(0.0), value(case, key));
         if (start - own).abs() > ROUNDING * start.abs().max(own.abs()) {
             warnings.push(Warning::new(WarningKind::UnusualInput, format!(
-                "`{key}` in [transient] begins with {} {unit}, and the rest of the case has {} {unit}: the run begins with the former, checks and estimates are \
+                "`{key}` in [transient] begins with {} {unit}, but the rest of the case has {} {unit}: the run begins with the former, checks and estimates use \
                  those of the latter",
                 digits(start, 6),
                 digits(own, 6)

@@ -1,4 +1,4 @@
-//! `[transient]`, what changes in time.
+//! `[transient]`: changes in time.
 
 use std::path::Path;
 
@@ -42,15 +42,15 @@ pub struct Transient {
     pub temperature: Option<Course>,
     /// Thickness of the layer of oil that arrives, m.
     pub oil_layer: Option<Course>,
-    /// What the gap holds where the film has broken.
+    /// Content of the gap where the film has ruptured.
     pub cavities: Cavities,
-    /// What the distance of the bodies follows from: mass in kg, damping in N s/m, stiffness in N/m, of line contacts per length; a given approach in m.
+    /// Model of the distance of the bodies: mass in kg, damping in N s/m, stiffness in N/m, of line contacts per length; a given approach in m.
     pub approach: Approach,
-    /// What it begins with: gap in m, velocity in m/s.
+    /// State at t = 0: gap in m, velocity in m/s.
     pub start: Start,
 }
 
-/// By what quantities in time are measured.
+/// Scales of quantities in time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference {
     /// m/s.
@@ -77,7 +77,7 @@ pub fn contact_with(case: &Case, load: f64, radius: f64) -> Contact {
 /// Instants at which the pressure of the dry contact is looked at.
 const SAMPLES: u32 = 400;
 
-/// Tolerances that steps of a reasonable number reach, and beyond which no film means anything.
+/// Tolerances that a reasonable number of steps reaches, and above which films are meaningless.
 const TOLERANCE: Bounds = Bounds::closed(1e-4, 0.05);
 /// Durations, s.
 const DURATION: Bounds = Bounds::closed(1e-9, 1e6);
@@ -129,7 +129,7 @@ pub(super) fn read(
         None => changes(&mut reader, case)?,
     };
     if case.thermal().is_some() && cavities == Some(Cavities::Conserved) {
-        return Err(beside_heat(reader.table, "cavities"));
+        return Err(not_with_heat(reader.table, "cavities"));
     }
     let temperature = reader.course(
         "temperature",
@@ -143,14 +143,14 @@ pub(super) fn read(
         return Err(table
             .error(
                 "cavities",
-                "the gap of a starved contact holds what flows in anyway",
+                "`cavities` has no effect on a starved contact, whose gap contains only the oil that enters",
             )
-            .with_help("leave out `cavities`, or [inlet]"));
+            .with_help("remove `cavities`, or [inlet]"));
     }
     if let (Start::Apart { .. }, true) = (start, case.supply != Supply::Flooded) {
         return Err(table.error(
             "start",
-            "bodies that are apart have oil between them: leave out [inlet]",
+            "bodies that are apart have a filled gap: remove [inlet]",
         ));
     }
     let transient = Transient {
@@ -263,7 +263,7 @@ fn oil_layer(reader: &mut Reader<'_, '_>, supply: &Supply) -> Result<Option<Cour
                     .table
                     .error(
                         "oil_layer",
-                        "a layer that changes is one that there is at t = 0",
+                        "a layer that changes needs an initial thickness",
                     )
                     .with_help("give `oil_layer` in [inlet]")),
             };
@@ -281,11 +281,11 @@ fn check(case: &Case, table: &mut Table<'_>) -> Result<(), InputError> {
         ),
         (
             case.solver.method == Some(Method::FiniteElements),
-            "finite elements: time is solved by finite volumes; leave [solver] method out",
+            "finite elements: time is solved by finite volumes; remove method from [solver]",
         ),
         (
             case.has_key_of_elements(),
-            "keys of [mesh] or [solver] that finite elements alone have",
+            "keys of [mesh] or [solver] that only finite elements have",
         ),
         (
             case.output.interferogram.is_some(),
@@ -299,12 +299,12 @@ fn check(case: &Case, table: &mut Table<'_>) -> Result<(), InputError> {
     match refused.iter().find(|(is_refused, _)| *is_refused) {
         None => check_heat(case, table),
         Some((_, reason)) => {
-            Err(table.error_here(format!("[transient] does not go together with {reason}")))
+            Err(table.error_here(format!("[transient] cannot be combined with {reason}")))
         }
     }
 }
 
-const WITHOUT_HEAT: &str = "leave [thermal] out, or set isothermal = true in [solver]";
+const WITHOUT_HEAT: &str = "remove [thermal], or set isothermal = true in [solver]";
 
 /// Refuses heat that is not solved in time.
 fn check_heat(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
@@ -320,10 +320,10 @@ fn check_heat(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
     Ok(())
 }
 
-/// Refuses a key beside heat.
-fn beside_heat(table: &mut Table<'_>, key: &str) -> InputError {
+/// Refuses a key together with heat.
+fn not_with_heat(table: &mut Table<'_>, key: &str) -> InputError {
     table
-        .error(key, format!("`{key}` does not go together with [thermal]"))
+        .error(key, format!("`{key}` cannot be combined with [thermal]"))
         .with_help(WITHOUT_HEAT)
 }
 
@@ -374,7 +374,7 @@ fn at_rest(reader: &mut Reader<'_, '_>) -> Result<Speeds, InputError> {
         Some(key) => Err(reader
             .table
             .error(key, "surfaces that are at rest have no speed")
-            .with_help("leave out `at_rest`")),
+            .with_help("remove `at_rest`")),
     }
 }
 
@@ -427,9 +427,9 @@ fn across(
             .table
             .error(
                 key,
-                "surfaces that slide across the entrainment change by their mean and their ratios in time",
+                "with sliding across the entrainment, speeds in time are given by entrainment speed and ratios",
             )
-            .with_help("give `entrainment_speed`, `slide_to_roll_ratio` and `slide_to_roll_ratio_across` in place of the speeds of the bodies"));
+            .with_help("give `entrainment_speed`, `slide_to_roll_ratio` and `slide_to_roll_ratio_across` instead of the speeds of the bodies"));
     }
     Ok(given.unwrap_or(Course::Constant(base)))
 }
@@ -467,7 +467,7 @@ impl Transient {
         !self.spins() && !self.slides_across()
     }
 
-    /// Steps that the courses and the output times ask for at the least.
+    /// Smallest number of steps that the courses and the output times need.
     pub fn least_steps(&self) -> f64 {
         let courses = self.courses();
         let least = (courses.iter()).map(|(.., course)| course.least_steps(self.duration));
@@ -529,8 +529,8 @@ impl Transient {
         instants.chain(kinks).map(mean).fold(0.0, f64::max)
     }
 
-    /// By what all else is measured: the largest entrainment speed, load and radius that occur. Where bodies come near to each other from afar, the speed of oil that leaves
-    /// the contact, V R/a, and the force of their impact count, too.
+    /// Scales of a run: the largest entrainment speed, load and radius that occur. Where bodies approach from a distance, the speed of oil that leaves
+    /// the contact, V R/a, and the force of their impact are included.
     pub fn reference(&self, case: &Case) -> Reference {
         let speed = match &self.speeds {
             Speeds::Mean { entrainment, .. } => entrainment.largest(self.duration),
@@ -592,7 +592,7 @@ impl Transient {
         0.5 * (first + second)
     }
 
-    /// Refuses spin that leaves no inlet, beside the largest speed and, of a steady film, the first one, and motions for whose heat there are no equations in time.
+    /// Refuses spin that leaves no inlet at the largest speed and, for a steady start, at the first one, and motions whose heat is not solved in time.
     fn check_motion(&self, case: &Case, table: &Table<'_>) -> Result<(), InputError> {
         let Reference {
             speed,
@@ -644,14 +644,14 @@ impl Transient {
             return Err(root
                 .error(
                     "transient",
-                    format!("time begins with a steady film, and the entrainment speed at t = 0 is {start} m/s"),
+                    format!("the run starts from a steady film, but the entrainment speed at t = 0 is {start} m/s"),
                 )
-                .with_help("begin with a slow speed; later it may vanish and turn. Bodies that are at rest may start apart: start = \"apart\""));
+                .with_help("start with a slow speed; later it may vanish and reverse. Bodies at rest may start apart: start = \"apart\""));
         }
         if speed <= 0.0 {
             return Err(root.error(
                 "transient",
-                "nothing moves: the surfaces are at rest, and the bodies do not come near to each other",
+                "nothing moves: the surfaces are at rest, and the bodies do not approach",
             ));
         }
         let pressure = self.hertz_pressure(case, load);

@@ -1,4 +1,4 @@
-//! Values far from those of such contacts: almost always a unit was mistaken.
+//! Implausible values: almost always the unit is wrong.
 
 use ertel_input::tree::Value;
 use ertel_input::{Document, Input, Usual, usual_of};
@@ -8,10 +8,10 @@ use super::Case;
 use crate::warning::{Warning, WarningKind};
 use crate::words::digits;
 
-/// How far beyond the usual range a value is doubted, as a factor.
+/// Factor beyond the usual range from which a value is questioned.
 const FAR: f64 = 10.0;
 
-/// Questions about inputs that stand in the document itself; what the database and other files say has its own checks.
+/// Questions about inputs of the document itself; the database and other files have separate checks.
 pub(super) fn warnings(inputs: &[Input], document: &Document) -> Vec<Warning> {
     (inputs.iter().filter(|input| input.written))
         .filter_map(|input| warning(input, document))
@@ -28,11 +28,11 @@ fn warning(input: &Input, document: &Document) -> Option<Warning> {
     Some(Warning::beyond(WarningKind::UnusualInput, excess, text))
 }
 
-/// How far beyond what is usual a value (SI) is, and the question that this brings, if it is far.
+/// Factor of a value (SI) beyond its usual range, and the question about it, if the factor is large.
 fn question(row: &Usual, what: &str, written: &str, value: f64) -> Option<(f64, String)> {
     let own = value.abs() / row.factor;
     let [low, high] = row.range;
-    // Zero is said on purpose.
+    // Zero is deliberate.
     let excess = (own / high).max(low / own);
     if own == 0.0 || excess <= FAR {
         return None;
@@ -44,15 +44,15 @@ fn question(row: &Usual, what: &str, written: &str, value: f64) -> Option<(f64, 
         None => "is the unit right?".to_owned(),
     };
     let text = format!(
-        "{what} = {written} is far from what is usual, {} to {}: {question}",
+        "{what} = {written} is far from the usual range, {} to {}: {question}",
         digits(low, 4),
         shown(high, row.unit),
     );
     Some((excess, text))
 }
 
-/// Questions about lubricant and bodies at ambient pressure, wherever their data stand: in a table, in own data. What is typed in the
-/// case has been `asked` about already.
+/// Questions about lubricant and bodies at ambient pressure, wherever they are given: in a table, in own data. Values typed in the
+/// case are already in `asked`.
 pub(super) fn of_data(case: &Case, asked: &[Warning]) -> Vec<Warning> {
     let is_asked = |head: &str| asked.iter().any(|w| w.text.starts_with(head));
     let mut questions = Vec::new();
@@ -131,13 +131,13 @@ pub(super) fn of_data(case: &Case, asked: &[Warning]) -> Vec<Warning> {
 
 /// A question about a value that is not typed in a case.
 pub(crate) struct Question {
-    /// How far beyond what is usual the value is, as a factor.
+    /// Factor of the value beyond its usual range.
     pub excess: f64,
     /// The question.
     pub text: String,
 }
 
-/// Asks about a property of a lubricant at ambient pressure (SI), which `what` names, as about one that is typed in a case.
+/// Questions a property of a lubricant at ambient pressure (SI), named by `what`, like one typed in a case.
 pub(crate) fn question_of_state(what: &str, value: f64, dimension: Dimension) -> Option<Question> {
     let key = match dimension {
         Dimension::VISCOSITY => "mu_0",
@@ -147,7 +147,7 @@ pub(crate) fn question_of_state(what: &str, value: f64, dimension: Dimension) ->
     question_of(what, (key, dimension), value)
 }
 
-/// Asks about a value (SI) as about that of a key.
+/// Questions a value (SI) like that of a key.
 fn question_of(what: &str, (key, dimension): (&str, Dimension), value: f64) -> Option<Question> {
     let row = usual_of(key, dimension).filter(|row| row.is_questioned)?;
     let written = shown(value / row.factor, row.unit);
@@ -168,7 +168,7 @@ mod tests {
 
     const CASE: &str = include_str!("../../../ertel-cli/tests/good/quick.toml");
 
-    fn told(from: &str, to: &str) -> Vec<String> {
+    fn questions(from: &str, to: &str) -> Vec<String> {
         let text = CASE.replace(from, to);
         assert_ne!(text, CASE);
         let case = Case::from_text("case.toml", &text, Path::new("")).unwrap();
@@ -179,38 +179,38 @@ mod tests {
         unusual.map(|w| w.text).collect()
     }
 
-    /// Slips of units as people make them: m for mm, a power of ten beside its prefix, Pa.s for mPa.s.
+    /// Common errors of units: m for mm, a power of ten in addition to its prefix, Pa.s for mPa.s.
     #[test]
     fn slips_of_units_are_asked_about() {
         for (from, to, words) in [
             (
                 "\"10 mm\"\nload = \"20 kN/m\"",
                 "\"16 m\"\nload = \"30000 kN/m\"",
-                "contact.radius = 16 m is far from what is usual, 0.5 to 1000 mm: is 16 mm meant?",
+                "contact.radius = 16 m is far from the usual range, 0.5 to 1000 mm: is 16 mm meant?",
             ),
             (
                 "20 1/GPa",
                 "22e-9 1/GPa",
-                "lubricant.viscosity.alpha = 22e-9 1/GPa is far from what is usual, 0.5 to 60 1/GPa: is 22 1/GPa meant?",
+                "lubricant.viscosity.alpha = 22e-9 1/GPa is far from the usual range, 0.5 to 60 1/GPa: is 22 1/GPa meant?",
             ),
             (
                 "40 mPa.s",
                 "40 Pa.s",
-                "lubricant.viscosity.mu_0 = 40 Pa.s is far from what is usual, 0.3 to 3000 mPa.s: is 40 mPa.s meant?",
+                "lubricant.viscosity.mu_0 = 40 Pa.s is far from the usual range, 0.3 to 3000 mPa.s: is 40 mPa.s meant?",
             ),
             (
                 "870 kg/m^3",
                 "0.87 kg/m^3",
-                "lubricant.density.rho_0 = 0.87 kg/m^3 is far from what is usual, 500 to 3000 kg/m^3: is 870 kg/m^3 meant?",
+                "lubricant.density.rho_0 = 0.87 kg/m^3 is far from the usual range, 500 to 3000 kg/m^3: is 870 kg/m^3 meant?",
             ),
             (
                 "\"1 m/s\"",
                 "\"1 um/s\"",
-                "motion.entrainment_speed = 1 um/s is far from what is usual, 0.0001 to 50 m/s: is 0.001 m/s meant?",
+                "motion.entrainment_speed = 1 um/s is far from the usual range, 0.0001 to 50 m/s: is 0.001 m/s meant?",
             ),
         ] {
-            let told = told(from, to);
-            let alone: Vec<&String> = told
+            let questions = questions(from, to);
+            let alone: Vec<&String> = questions
                 .iter()
                 .filter(|t| !t.starts_with("contact.load"))
                 .collect();
@@ -226,7 +226,7 @@ mod tests {
             ("20 1/GPa", "0.2 1/GPa"),
             ("\"10 mm\"", "\"0.1 mm\""),
         ] {
-            assert_eq!(told(from, to), Vec::<String>::new(), "{to}");
+            assert_eq!(questions(from, to), Vec::<String>::new(), "{to}");
         }
     }
 
@@ -234,7 +234,7 @@ mod tests {
     #[test]
     fn data_in_a_table_are_asked_about() {
         let folder = tempfile::tempdir().unwrap();
-        let told = |unit: &str| {
+        let questions = |unit: &str| {
             let table = format!(
                 "p [MPa];T [degC];viscosity [{unit}]\n0;20;112.052\n100;20;1203.02\n0;40;40\n100;40;309.726\n"
             );
@@ -247,8 +247,10 @@ mod tests {
                 (case.warnings.into_iter()).filter(|w| w.kind == WarningKind::UnusualInput);
             unusual.map(|w| w.text).collect::<Vec<_>>()
         };
-        assert_eq!(told("mPa.s"), Vec::<String>::new());
-        let [text] = &told("Pa.s")[..] else { panic!() };
+        assert_eq!(questions("mPa.s"), Vec::<String>::new());
+        let [text] = &questions("Pa.s")[..] else {
+            panic!()
+        };
         assert!(
             text.contains("viscosity at ambient pressure and 40 degC")
                 && text.contains("is 40 mPa.s meant?"),
@@ -256,11 +258,11 @@ mod tests {
         );
     }
 
-    /// A solid in a file of its own, with its density in the wrong unit.
+    /// A solid in a separate file, with its density in the wrong unit.
     #[test]
     fn own_bodies_are_asked_about() {
         let folder = tempfile::tempdir().unwrap();
-        let told = |density: &str| {
+        let questions = |density: &str| {
             let solid = format!(
                 "title = \"Mine\"\nsource = \"me\"\nyoungs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\ndensity = \"{density}\"\n"
             );
@@ -271,8 +273,8 @@ mod tests {
                 (case.warnings.into_iter()).filter(|w| w.kind == WarningKind::UnusualInput);
             unusual.map(|w| w.text).collect::<Vec<_>>()
         };
-        assert_eq!(told("7850 kg/m^3"), Vec::<String>::new());
-        let [text] = &told("7.85 kg/m^3")[..] else {
+        assert_eq!(questions("7850 kg/m^3"), Vec::<String>::new());
+        let [text] = &questions("7.85 kg/m^3")[..] else {
             panic!()
         };
         assert!(

@@ -126,7 +126,7 @@ impl Operating {
             .map(|key| format!("`machine.{key}`"))
             .collect();
         Err(match others.is_empty() {
-            true => "it follows from the other keys of [machine] in this case; leave the column out with --ignore".to_owned(),
+            true => "it follows from the other keys of [machine] in this case; omit the column with --ignore".to_owned(),
             false => format!(
                 "it follows from {} of the machine: title the column with that key and its unit",
                 others.join(" and ")
@@ -161,11 +161,11 @@ pub(super) fn find(
             return Ok(Some(column));
         }
     }
-    // A title that can be no other column tells what its unit lacks.
+    // A title that can be no other column: the error names the missing unit.
     table.find_with_unit_except(name, dimensions[0], known)
 }
 
-/// What is told about a column whose title leaves open what it is.
+/// Note on a column whose title is ambiguous.
 pub(super) fn open_name(table: &CsvTable, column: &Column) -> Option<String> {
     let title = excerpt(table.header().cell(column.index));
     let what = match column.name {

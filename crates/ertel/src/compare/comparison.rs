@@ -1,4 +1,4 @@
-//! Measured figures beside those of the study's points.
+//! Measured figures compared with those of the study's points.
 
 use ertel_quantity::Dimension;
 
@@ -8,24 +8,24 @@ use crate::solution::Estimate;
 use crate::study::journal::Record;
 use crate::study::titled;
 
-/// Measurements beside the results at their points.
+/// Measurements with the results at their points.
 #[derive(Clone, Debug)]
 pub struct Comparison {
     /// Title of the case.
     pub title: String,
     /// Titles of the columns that vary: the key, and the SI unit, `contact.load_N`.
     pub columns: Vec<String>,
-    /// What these columns measure; `None` of names.
+    /// Quantities of these columns; `None` for names.
     pub dimensions: Vec<Option<Dimension>>,
     /// The rows, in the order of the table.
     pub rows: Vec<ComparedRow>,
     /// Points that were to be solved.
     pub n_points: usize,
-    /// What was left out of the table or assumed about it.
+    /// Omissions from the table and assumptions about it.
     pub notes: Vec<String>,
 }
 
-/// A row of the table beside its point.
+/// A row of the table with its point.
 #[derive(Clone, Debug)]
 pub struct ComparedRow {
     /// Line of the table, from 1.
@@ -34,13 +34,13 @@ pub struct ComparedRow {
     pub point: usize,
     /// Values of the columns, SI.
     pub values: Vec<AxisValue>,
-    /// What became of the point.
+    /// Outcome of the point.
     pub outcome: Outcome,
     /// The figures, in the order of [`Measurand::ALL`]; `None` where nothing was measured.
     pub figures: [Option<Compared>; N_MEASURANDS],
 }
 
-/// What became of a point.
+/// Outcome of a point.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
     /// Solved; the figures that the mesh does not resolve, as the table of the study names them.
@@ -65,14 +65,14 @@ pub struct Compared {
 
 impl Compared {
     /// computed/measured - 1; `None` without a solution, and of a measured value of zero. Tractions are compared by their size,
-    /// since rigs tell no sign.
+    /// since rigs report no sign.
     pub fn difference(&self) -> Option<f64> {
         let (computed, measured) = (self.computed?.value.abs(), self.measured.value.abs());
         (measured > 0.0).then(|| computed / measured - 1.0)
     }
 
     /// Uncertainty of the difference of both, √(u² + e²) of the measurement's u and the error bar e of the calculation (ASME V&V
-    /// 20-2009, section 1-5, without a share of the inputs, which a table does not tell); what is not known counts as zero.
+    /// 20-2009, section 1-5, without the uncertainty of the inputs, which a table does not contain); unknown uncertainties count as zero.
     /// `None` where neither is known.
     pub fn uncertainty(&self) -> Option<f64> {
         let error = self.computed.and_then(|computed| computed.error);
@@ -110,7 +110,7 @@ impl Comparison {
         points.collect::<std::collections::BTreeSet<_>>().len()
     }
 
-    /// The rows of a table beside the records of its points, as `study::finished_points` has them.
+    /// Joins the rows of a table with the records of its points from `study::finished_points`.
     pub fn new(measured: &Measured, records: &[Option<Record>]) -> Self {
         let study = &measured.study;
         let rows = measured.rows.iter().map(|row| {
@@ -188,7 +188,7 @@ fn estimate(record: &Record, figure: Measurand) -> Option<Estimate> {
 mod tests {
     use super::*;
 
-    /// A traction that nobody measured leaves a comparison of films as it is; films always count.
+    /// An unmeasured traction does not affect a comparison of films; films always count.
     #[test]
     fn a_traction_counts_where_it_was_measured() {
         let names = "film_minimum traction_coefficient";

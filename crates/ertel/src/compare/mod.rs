@@ -1,4 +1,4 @@
-//! Measured films and tractions beside computed ones.
+//! Measured films and tractions compared with computed ones.
 //!
 //! A table of measurements ([`Measured`]) says at which speeds, loads, slide-to-roll ratios and temperatures a contact was
 //! measured, and what was found. These rows make a [`Study`] of a case; its results make a [`Comparison`].
@@ -136,7 +136,7 @@ pub struct MeasuredRow {
     pub line: usize,
     /// Number of the point in the study, from 0.
     pub point: usize,
-    /// What was measured, in the order of [`Measurand::ALL`].
+    /// Measured values, in the order of [`Measurand::ALL`].
     pub figures: [Option<Measurement>; N_MEASURANDS],
 }
 
@@ -149,22 +149,22 @@ pub struct Measured {
     pub rows: Vec<MeasuredRow>,
     /// The operating points, each once.
     pub study: Study,
-    /// What was left out or assumed.
+    /// Omissions and assumptions.
     pub notes: Vec<String>,
-    /// What each column is read as, by its title in the file.
+    /// Meaning of each column, by its title in the file.
     pub used: Vec<(String, String)>,
     /// Text of the case file.
     pub case_text: String,
 }
 
-/// What of a file is read, and how.
+/// Options for reading a file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReadParams {
     /// Steps of a rig's file, by number; empty: all that vary speed, load or sliding.
     pub steps: Vec<usize>,
     /// Thermometer of a rig.
     pub probe: Probe,
-    /// What the user tells about the columns of a table.
+    /// Options that assign the columns of a table.
     pub table: CsvParams,
 }
 
@@ -189,9 +189,9 @@ pub enum MeasuredError {
         path: PathBuf,
         /// Name of its column.
         figure: &'static str,
-        /// What has it.
+        /// Kind of case that has it.
         of: &'static str,
-        /// What the case is.
+        /// Kind of the case.
         case: &'static str,
     },
     /// A point is no case that can be solved, or the base case is wrong.
@@ -199,9 +199,9 @@ pub enum MeasuredError {
     Case(#[from] InputError),
 }
 
-/// What a file holds, before it meets the case.
+/// Contents of a file, before they are combined with the case.
 struct Content {
-    /// What varies; as many values as there are rows.
+    /// Varied quantities; as many values as there are rows.
     columns: Vec<PointColumn>,
     /// Line and figures of each row.
     rows: Vec<(usize, [Option<Measurement>; N_MEASURANDS])>,
@@ -221,7 +221,7 @@ impl Measured {
             path: path.to_owned(),
             source,
         })?;
-        // Where the temperature stands in a case depends on how the case names its lubricant.
+        // The key of the temperature depends on how the case names its lubricant.
         let case = Document::read(base)?;
         let given = match case.root().optional_table("compare")? {
             Some(table) => CsvParams::of_table(table)?,
@@ -276,7 +276,7 @@ impl Measured {
     }
 }
 
-/// Refuses figures of whole machines beside a single contact, and the other way round.
+/// Rejects figures of whole machines for a single contact, and vice versa.
 fn check_figures(
     path: &Path,
     study: &Study,
@@ -309,7 +309,7 @@ fn check_figures(
     Ok(())
 }
 
-/// Keeps the rows that are written alike once, the first of them; says which one each was.
+/// Keeps the first of identical rows; returns the index of the kept row for each.
 fn distinct_rows(mut columns: Vec<PointColumn>) -> (Vec<PointColumn>, Vec<usize>) {
     let n_rows = columns.first().map_or(0, |column| column.values.len());
     let mut seen: HashMap<String, usize> = HashMap::new();
@@ -331,7 +331,7 @@ fn distinct_rows(mut columns: Vec<PointColumn>) -> (Vec<PointColumn>, Vec<usize>
     (columns, index)
 }
 
-/// Keeps each point of a study once, the first of those that are the same case; says which one each was.
+/// Keeps the first of identical points of a study; returns the index of the kept point for each.
 fn distinct(study: &mut Study) -> Vec<usize> {
     let mut seen: HashMap<PointKey, usize> = HashMap::new();
     let mut kept = Vec::new();

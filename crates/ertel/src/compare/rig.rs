@@ -10,11 +10,11 @@
 //! ```
 //!
 //! with tabs between the cells and an empty line behind the table. A summary of a few columns comes first and the same
-//! columns once more with more digits; the last one of a title is read.
+//! columns again with more digits; the last one of a title is read.
 //!
 //! The layout is that of the files in `tribology/tests/data_import/test_data_pcs` of the project github.com/moritzploss/tribology
 //! (MIT): EHD261 of 2017, MTM311 of 2016 and an ETM of 2019. There SRR is `100 (u_disc - u_ball)/u_rolling`, as the speeds of ball
-//! and disc beside it say.
+//! and disc in the same table show.
 
 use std::ops::Range;
 
@@ -97,9 +97,9 @@ pub(super) fn read(
         column: 1,
         problem,
     };
-    let told = params.table.ignored.iter();
-    let told = told.chain(params.table.columns.iter().map(|map| &map.title));
-    if let Some(name) = told.into_iter().next() {
+    let names = params.table.ignored.iter();
+    let names = names.chain(params.table.columns.iter().map(|map| &map.title));
+    if let Some(name) = names.into_iter().next() {
         let problem = format!(
             "columns of an export of a rig are chosen by their titles: `{name}` can be neither ignored nor mapped"
         );
@@ -136,7 +136,7 @@ pub(super) fn read(
         let table = CsvTable::parse_part(file, own, step.line)?;
         if !is_asked && table.header().cell(0) == TIME {
             let note = format!(
-                "step {} ({}) is left out: nothing but time varies in it; --step {} takes it",
+                "step {} ({}) is omitted: only time varies in it; --step {} includes it",
                 step.number, step.kind, step.number
             );
             content.notes.push(note);
@@ -146,10 +146,7 @@ pub(super) fn read(
             Ok(columns) => read_step(case, &table, (own, offset), &columns, step, &mut content)?,
             Err(problem) if is_asked => return Err(whole(step.line, problem)),
             Err(problem) => {
-                let note = format!(
-                    "step {} ({}) is left out: {problem}",
-                    step.number, step.kind
-                );
+                let note = format!("step {} ({}) is omitted: {problem}", step.number, step.kind);
                 content.notes.push(note);
                 continue;
             }
@@ -299,9 +296,9 @@ fn read_step(
         (&columns.traction, "measured traction coefficient"),
     ] {
         let Some(own) = own else { continue };
-        let told = (own.name.to_owned(), what.to_owned());
-        if !content.measured.contains(&told) {
-            content.measured.push(told);
+        let entry = (own.name.to_owned(), what.to_owned());
+        if !content.measured.contains(&entry) {
+            content.measured.push(entry);
         }
     }
     let (mut without_film, mut empty) = (Vec::new(), Vec::new());
@@ -345,14 +342,14 @@ fn read_step(
         content.rows.push((row.line, figures));
     }
     let number = step.number;
-    let told = turned.notes().into_iter();
+    let notes = turned.notes().into_iter();
     content
         .notes
-        .extend(told.map(|note| format!("step {number}: {note}")));
+        .extend(notes.map(|note| format!("step {number}: {note}")));
     if !without_film.is_empty() {
         let lines = line_list(&without_film);
         content.notes.push(format!(
-            "step {number}: films that are not above zero are left out ({lines})"
+            "step {number}: films that are not above zero are omitted ({lines})"
         ));
     }
     if !empty.is_empty() {
@@ -364,7 +361,7 @@ fn read_step(
     Ok(())
 }
 
-/// What a line measured. The deviation of repeated films is their uncertainty; it is zero where there was one alone.
+/// Measurements of a line. The deviation of repeated films is their uncertainty; it is zero where there was one alone.
 fn figures(
     table: &CsvTable,
     row: &Row,

@@ -1,4 +1,4 @@
-//! Cases that give the speeds of both surfaces, beside tables of entrainment speeds and slide-to-roll ratios.
+//! Cases that give the speeds of both surfaces, combined with tables of entrainment speeds and slide-to-roll ratios.
 
 use ertel_input::Document;
 use ertel_input::tree::Value;
@@ -6,7 +6,7 @@ use ertel_quantity::{Dimension, parse_uncertain};
 
 use super::{Content, column};
 
-/// Keys of the speeds of body 1 and body 2, by the tables that they stand in.
+/// Keys of the speeds of body 1 and body 2, by the tables that contain them.
 const PAIRS: [(&str, [&str; 2], [&str; 2]); 2] = [
     (
         "machine",
@@ -77,7 +77,7 @@ pub(super) fn replace(case: &Document, content: &mut Content) -> Vec<&'static st
             }
             content.columns.push(constant);
             let kept = format!(
-                "{key} = {} {unit}, which follows from the case, holds for all rows",
+                "{key} = {} {unit}, which follows from the case, applies to all rows",
                 digits(value)
             );
             content.notes.push(kept.replace(" ,", ","));

@@ -38,18 +38,18 @@ const WORDS: [&str; 23] = [
     "datei",
 ];
 
-/// What a table may have, for messages.
+/// Permitted columns of a table, for messages.
 const CHOICES: &str = "quantities are `entrainment_speed`, `slide_to_roll_ratio`, `load`, `temperature`, and any key of the case, \
     such as `contact.radius`; measured are `film_central`, `film_minimum`, `traction_coefficient`, and of whole \
     machines `friction_torque`, `friction_power`, `mesh_loss`, each with `_uncertainty` if known; all with their units, as in `film_central_nm` or `film_central [nm]`; a `comment` is skipped; \
-    other titles are told as in `--column film=\"Film (nm)\"` or `--column film=Film:nm`";
+    assign other titles as in `--column film=\"Film (nm)\"` or `--column film=Film:nm`";
 
-/// Thickest film that is believed, m: beyond it the unit was mistaken.
+/// Largest accepted film thickness, m: beyond it the unit is assumed to be wrong.
 const THICKEST_FILM: f64 = 1e-2;
-/// Largest traction coefficient that is believed.
+/// Largest accepted traction coefficient.
 const LARGEST_TRACTION: f64 = 10.0;
 
-/// What the columns of a table of measurements may be.
+/// Vocabulary of the columns of a table of measurements.
 pub(super) fn parse(
     case: &Document,
     file: &str,
@@ -115,7 +115,10 @@ pub(super) fn read(
                 });
             }
             (None, Some(uncertainty)) => {
-                let problem = format!("the uncertainty of `{}` stands without it", figure.name());
+                let problem = format!(
+                    "there is an uncertainty of `{}` but no column of its values",
+                    figure.name()
+                );
                 return Err(table.error(header, uncertainty.column.index, problem));
             }
             (None, None) => {}
@@ -146,7 +149,7 @@ struct Set {
     column: Column,
 }
 
-/// A column that is a key of the case: where it stands, and its unit.
+/// A column that is a key of the case: its index and its unit.
 type KeyColumn = (PointColumn, usize, String);
 
 /// The columns that are keys of the case; all others must be known.
@@ -173,7 +176,7 @@ fn keys(
         let split = split_title(case, title).filter(|(key, _)| key.contains('.'));
         let Some((key, unit)) = split else {
             let problem = format!(
-                "unknown column `{}`; {CHOICES}; or leave it out with --ignore",
+                "unknown column `{}`; {CHOICES}; or omit it with --ignore",
                 excerpt(cell)
             );
             return Err(table.error(header, index, problem));
@@ -256,7 +259,7 @@ fn rows(
                 return Err(table.error(row.unwrap_or(table.header()), index, problem));
             }
             (None, true) => "there are no measurements below the header".to_owned(),
-            (_, false) => format!("no row is left: {}", notes.join("; ")),
+            (_, false) => format!("no row remains: {}", notes.join("; ")),
         };
         return Err(table.error(table.header(), 0, problem));
     }
@@ -287,7 +290,7 @@ fn rows(
     })
 }
 
-/// What one line measured of a figure; `None` where its cell is empty.
+/// Measured value of a figure in one line; `None` where its cell is empty.
 fn measurement(
     table: &CsvTable,
     row: &Row,
@@ -305,7 +308,7 @@ fn measurement(
                 row,
                 own.column.index,
                 format!(
-                    "an uncertainty of `{}`, which is not there",
+                    "an uncertainty of `{}` without its value",
                     columns.figure.name()
                 ),
             )),
@@ -344,10 +347,10 @@ pub(super) fn impossible(figure: Measurand, value: f64, cell: &str) -> Option<St
     }
     if figure.is_film() && value > THICKEST_FILM {
         return Some(format!(
-            "{name}: {cell} is far beyond any film; at most 10 mm are believed"
+            "{name}: {cell} is far beyond any film; the largest accepted value is 10 mm"
         ));
     }
     (value.abs() > LARGEST_TRACTION && figure == Measurand::Traction).then(|| {
-        format!("{name}: {cell} is far beyond any traction; at most {LARGEST_TRACTION} is believed")
+        format!("{name}: {cell} is far beyond any traction; the largest accepted value is {LARGEST_TRACTION}")
     })
 }

@@ -1,4 +1,4 @@
-//! Tables of rigs in the ways in which people, spreadsheets and instruments write them.
+//! Tables of rigs in the formats that people, spreadsheets and instruments write.
 
 use ertel_input::csv::ColumnMap;
 
@@ -137,8 +137,8 @@ fn one_table_of_tractions_in_many_spellings() {
 }
 
 #[test]
-fn columns_are_told_by_the_user() {
-    let told = |maps: &[&str]| ReadParams {
+fn columns_are_assigned_by_the_user() {
+    let params = |maps: &[&str]| ReadParams {
         table: ertel_input::csv::CsvParams {
             columns: maps
                 .iter()
@@ -158,13 +158,13 @@ fn columns_are_told_by_the_user() {
             &["speed=Drive:m/s", "h_c=Result:nm"],
         ),
         ("x;x\n0.5;120\n1;300\n", &["u=#1:m/s", "film_central=#2:nm"]),
-        // The mean of three readings, and another one beside.
+        // The mean of three readings, and a second film column.
         (
             "Speed [m/s],Film [nm],Film thickness [nm]\n0.5,1,120\n1,2,300\n",
             &["film=Film thickness [nm]"],
         ),
     ] {
-        let measured = read_case(CONTACT, table.as_bytes(), &told(maps));
+        let measured = read_case(CONTACT, table.as_bytes(), &params(maps));
         let measured = measured.unwrap_or_else(|error| panic!("{table}\n{error}"));
         check(table, &measured, Measurand::FilmCentral, [120e-9, 300e-9]);
     }
@@ -189,7 +189,7 @@ fn columns_are_told_by_the_user() {
         "{error}"
     );
     let table = "Speed [m/s],R,film_central [nm]\n0.5,10,120\n1,10,300\n";
-    let measured = read_case(CONTACT, table.as_bytes(), &told(&["contact.radius=R:mm"])).unwrap();
+    let measured = read_case(CONTACT, table.as_bytes(), &params(&["contact.radius=R:mm"])).unwrap();
     assert!(near(measured.study.points[0].case.contact.radius, 0.01));
     let error = read(table).unwrap_err().to_string();
     for words in [":1:2", "unknown column `R`", "--column", "--ignore"] {
@@ -199,7 +199,7 @@ fn columns_are_told_by_the_user() {
 
 /// Turning all speeds turns u and u_2 - u_1: their ratio stays.
 #[test]
-fn reversed_rows_are_turned_and_rows_at_rest_left_out() {
+fn reversed_rows_are_turned_and_rows_at_rest_omitted() {
     let table = "speed [m/s],srr [%],film_central [nm]\n-0.5,10,120\n0.5,10,121\n0,10,1\n1.0,10,300\n-2,10,nan\n";
     let measured = read(table).unwrap();
     assert_eq!(measured.rows.len(), 3);
@@ -213,7 +213,7 @@ fn reversed_rows_are_turned_and_rows_at_rest_left_out() {
     let notes = measured.notes.join("\n");
     for words in [
         "line 2: reversed motion, turned",
-        "line 4: at rest, left out",
+        "line 4: at rest, omitted",
         "nothing was measured in line 6",
     ] {
         assert!(notes.contains(words), "{notes}");
@@ -225,7 +225,7 @@ fn reversed_rows_are_turned_and_rows_at_rest_left_out() {
         measured
             .notes
             .iter()
-            .any(|n| n.contains("line 2: reversed motion, left out"))
+            .any(|n| n.contains("line 2: reversed motion, omitted"))
     );
 }
 

@@ -47,7 +47,7 @@ fn close(a: f64, b: f64) {
 }
 
 #[test]
-fn columns_set_the_case_and_say_what_was_measured() {
+fn columns_set_the_case_and_name_the_measured_figures() {
     let measured = read(
         "# a rig\nspeed [mm/s];load_N;temperature (degC);SRR [%];contact.radius_mm;central film [nm];film_central_uncertainty [%];comment\n\
          100;20;40;50;10;70,5;2;first\n\n300;21;41;-50;10;150;;second\n",
@@ -181,7 +181,7 @@ fn a_bad_table_is_refused_with_its_place() {
             "speed [m/s],traction_coefficient,film_central [nm],film_central_uncertainty [nm]\n1,0.05,,1\n",
             &[":2:4", "not there"],
         ),
-        // What the case says of a value points to its cell.
+        // Errors of the case about a value point to its cell.
         (
             "speed [m/s],film_central [nm]\n1,5\n2000,5\n",
             &["measured.csv:3:1", "entrainment_speed", "point 2"],
@@ -249,7 +249,7 @@ fn films_of_an_ehd2_export_are_read() {
     for words in [
         "step 2",
         "other sign",
-        "not above zero are left out (line 15)",
+        "not above zero are omitted (line 15)",
     ] {
         assert!(notes.contains(words), "{notes}");
     }
@@ -285,7 +285,7 @@ fn tractions_of_an_etm_export_are_read() {
         measured
             .notes
             .iter()
-            .any(|n| n.contains("step 1 (BodTimed) is left out"))
+            .any(|n| n.contains("step 1 (BodTimed) is omitted"))
     );
     close(measured.rows[0].figures[2].unwrap().value, 0.031);
     close(

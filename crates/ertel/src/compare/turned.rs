@@ -1,9 +1,9 @@
-//! Rows of a rig that ran the other way, or stood still.
+//! Rows of a rig that ran in the reverse direction, or was at rest.
 
 use ertel_input::Document;
 use ertel_input::csv::line_list;
 
-/// What becomes of a row.
+/// Treatment of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Turned {
     /// It runs along x.
@@ -23,7 +23,7 @@ pub(super) struct Rows {
     at_rest: Vec<usize>,
 }
 
-/// Keys of a motion that turns about the normal: a table tells nothing of it, and it is not turned with the speeds.
+/// Keys of a motion that turns about the normal: a table does not contain it, and it is not turned with the speeds.
 const SPIN: [&str; 3] = [
     "motion.body_1_spin",
     "motion.body_2_spin",
@@ -61,20 +61,20 @@ impl Rows {
         }
     }
 
-    /// What the report tells.
+    /// Notes for the report.
     pub(super) fn notes(&self) -> Vec<String> {
-        let told = [
+        let notes = [
             (
                 &self.turned,
                 "reversed motion, turned: speeds change their sign, the slide-to-roll ratio does not",
             ),
             (
                 &self.left_out,
-                "reversed motion, left out: the spin of the case would not be turned with it",
+                "reversed motion, omitted: the spin of the case would not be turned with it",
             ),
-            (&self.at_rest, "at rest, left out"),
+            (&self.at_rest, "at rest, omitted"),
         ];
-        (told.iter().filter(|(lines, _)| !lines.is_empty()))
+        (notes.iter().filter(|(lines, _)| !lines.is_empty()))
             .map(|(lines, what)| format!("{}: {what}", line_list(lines)))
             .collect()
     }

@@ -1,4 +1,4 @@
-//! What can be said about a case without solving it.
+//! Estimates of a case without a solve.
 
 mod regime;
 
@@ -12,7 +12,7 @@ pub use regime::{Regime, RegimeEstimate, regime};
 use crate::case::Case;
 use crate::contact::{ContactKind, Family, Groups, Hertz};
 use crate::plausible::heat::inlet_heat;
-use crate::plausible::left_out::{self, Known};
+use crate::plausible::neglected::{self, Known};
 use crate::plausible::{smallest_radius, thick_film};
 use crate::post::limits::thin_film_warning;
 use crate::post::mixed::{limit_warning, share_warning};
@@ -45,9 +45,9 @@ pub struct CaseEstimate {
     pub formulas: Vec<FormulaFilm>,
     /// The same with α*, where it exists.
     pub formulas_asymptotic: Option<Vec<FormulaFilm>>,
-    /// Whether the lubricant thins by shear, which no formula here knows.
+    /// Whether the lubricant is shear-thinning, which no formula here includes.
     pub newtonian_only: bool,
-    /// Film that the other estimates reckon with.
+    /// Film used in the other estimates.
     pub film: FilmEstimate,
     /// Rolling resistance of each surface after Biboulet and Houpert, N (N/m of a line), where their formulas reach.
     pub rolling_resistance: Option<f64>,
@@ -55,11 +55,11 @@ pub struct CaseEstimate {
     pub reynolds: FilmReynolds,
     /// Heating of the inlet.
     pub thermal: ThermalEstimate,
-    /// What a solve of the case would leave out; without the heat of friction, which no formula here knows.
+    /// Effects that a solve of the case would neglect; without frictional heat, which no formula here includes.
     pub left_out: Neglected,
     /// Film over roughness, if a roughness is given.
     pub lambda: Option<LambdaRatio>,
-    /// What the user should know.
+    /// Warnings.
     pub warnings: Vec<Warning>,
 }
 
@@ -72,7 +72,7 @@ pub struct ChartParameters {
     pub elasticity_parameter: Option<f64>,
 }
 
-/// Film of one central and one minimum formula.
+/// Films from one central and one minimum formula.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct FilmEstimate {
     /// Central film, m, of the formula that holds in all regimes.
@@ -181,9 +181,9 @@ pub fn estimate(case: &Case) -> CaseEstimate {
         groups_asymptotic,
         newtonian_only: case.shear_thinning().is_some(),
         film,
-        reynolds: left_out::reynolds(case, film.central),
+        reynolds: neglected::reynolds(case, film.central),
         thermal: thermal(case, hertz.pressure / modulus, &film),
-        left_out: left_out::left_out(
+        left_out: neglected::neglected(
             case,
             &Known {
                 film_central: film.central,
@@ -297,7 +297,7 @@ fn warnings(case: &Case, estimate: &CaseEstimate) -> Vec<Warning> {
     if case.curve.is_some() {
         warnings.push(Warning::new(
             WarningKind::EstimateScope,
-            "the estimates are of the case itself, not of the points of its [curve]",
+            "the estimates apply to the case itself, not to the points of its [curve]",
         ));
     }
     if case.supply.is_limited() {
@@ -313,13 +313,13 @@ fn warnings(case: &Case, estimate: &CaseEstimate) -> Vec<Warning> {
             "shear thinning is not in these formulas, which take the low-shear viscosity: films may be thinner",
         ));
     }
-    warnings.extend(left_out::warnings(
+    warnings.extend(neglected::warnings(
         case,
         estimate.film.central,
         &estimate.left_out,
     ));
-    if left_out::squeeze(case).is_some() {
-        let text = "the films by formulas are those of [motion], and the surfaces are at rest in [transient]: the film is that of the squeeze";
+    if neglected::squeeze(case).is_some() {
+        let text = "the film formulas use the speeds of [motion], but the surfaces are at rest in [transient]: squeeze alone forms the film";
         warnings.push(Warning::new(WarningKind::EstimateScope, text));
         return warnings;
     }

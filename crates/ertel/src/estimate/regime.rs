@@ -5,17 +5,17 @@ use serde::Serialize;
 use crate::contact::{Contact, Family, Groups};
 use crate::reference::{Asymptotes, moes_line_asymptotes, nijenbanning_venner_moes_asymptotes};
 
-/// What the film thickness depends on.
+/// Lubrication regime.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Regime {
-    /// Neither viscosity nor bodies feel the pressure.
+    /// Constant viscosity, rigid bodies.
     IsoviscousRigid,
-    /// The bodies deflect, the viscosity stays ("soft EHL").
+    /// Constant viscosity, elastic bodies ("soft EHL").
     IsoviscousElastic,
-    /// The viscosity grows with pressure, the bodies stay.
+    /// Viscosity grows with pressure, rigid bodies.
     PiezoviscousRigid,
-    /// Both ("hard EHL").
+    /// Viscosity grows with pressure, elastic bodies ("hard EHL").
     PiezoviscousElastic,
 }
 
@@ -47,8 +47,8 @@ pub struct RegimeEstimate {
 
 /// The regime of a contact of radius R, m.
 ///
-/// A film formula over all regimes blends four asymptotes: of the isoviscous ones the thicker film holds, of the
-/// piezoviscous ones the thinner, and of these two the thicker. Asymptotes of Nijenbanning, Venner and Moes 1994
+/// A film formula over all regimes blends four asymptotes, h = max(max(IR, IE), min(PR, PE)) with I and P for isoviscous
+/// and piezoviscous, R and E for rigid and elastic. Asymptotes of Nijenbanning, Venner and Moes 1994
 /// (circular) and Moes (line). A lubricant that thins with pressure (L < 0) counts as isoviscous.
 pub fn regime(contact: &Contact, groups: &Groups) -> RegimeEstimate {
     let (m, l) = (groups.moes_load, groups.moes_material.max(0.0));
@@ -64,14 +64,14 @@ pub fn regime(contact: &Contact, groups: &Groups) -> RegimeEstimate {
     let elastic = (a.piezoviscous_elastic, Regime::PiezoviscousElastic);
     let (piezoviscous_other, piezoviscous) = order(rigid, elastic);
     let (holds, across) = order(isoviscous, piezoviscous);
-    let beside = if holds == isoviscous {
+    let same_viscosity = if holds == isoviscous {
         isoviscous_other
     } else {
         piezoviscous_other
     };
     let closeness = |other: (f64, Regime)| f64::min(other.0 / holds.0, holds.0 / other.0);
-    let near = if closeness(beside) > closeness(across) {
-        beside
+    let near = if closeness(same_viscosity) > closeness(across) {
+        same_viscosity
     } else {
         across
     };

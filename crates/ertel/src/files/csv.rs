@@ -23,7 +23,7 @@ pub fn quoted(text: &str) -> String {
     }
 }
 
-/// Whether a spreadsheet would reckon with a text. Some skip blanks, and some take the wide forms of the signs, too.
+/// Whether a spreadsheet would evaluate a text. Some skip blanks, and some take the wide forms of the signs, too.
 fn is_formula(text: &str) -> bool {
     let first = text.trim_start_matches(' ').chars().next();
     let signs = ['=', '+', '-', '@', '\t', '\r', '\n', '＝', '＋', '－', '＠'];

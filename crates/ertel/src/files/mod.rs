@@ -1,4 +1,4 @@
-//! Files on disk, whatever stands in them: written whole or not at all, at the place that a name leads to.
+//! Files on disk, whatever their content: written completely or not at all, with links followed.
 
 mod csv;
 mod place;

@@ -1,4 +1,4 @@
-//! Where a path leads that a user names, though what it names may not exist yet.
+//! Absolute path of a name given by the user, which need not exist yet.
 
 use std::ffi::OsString;
 use std::fs;
@@ -8,7 +8,7 @@ use std::path::{Component, Path, PathBuf};
 /// Most links on the way, as many as Linux follows.
 const MOST_LINKS: usize = 40;
 
-/// The absolute path of what a name stands for, or will stand for once it is made: links are followed, also those to nothing, `.` and
+/// The absolute path of a name, existing or not: links are followed, also those to nothing, `.` and
 /// `..` are taken out. Two spellings of one place give one path.
 ///
 /// # Errors
@@ -39,7 +39,7 @@ pub fn place(path: &Path) -> io::Result<PathBuf> {
     Ok(as_the_system_spells(place))
 }
 
-/// Puts the steps of a path on those ahead, the first on top; an absolute one begins anew.
+/// Puts the steps of a path on those ahead, the first on top; an absolute path starts from the root.
 fn lay_out(path: &Path, ahead: &mut Vec<OsString>, place: &mut PathBuf) {
     let mut root = PathBuf::new();
     let mut steps = Vec::new();

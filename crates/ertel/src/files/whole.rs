@@ -1,4 +1,4 @@
-//! Files that reach the disk whole.
+//! Atomic writing of files.
 
 use std::fs::{File, TryLockError};
 use std::io::{self, Write};
@@ -14,10 +14,10 @@ pub(crate) const TEMPORARY: &str = ".ertel-";
 const NEW: &str = ".ertel-new-";
 const RANDOM: usize = 6;
 
-/// How often another run may be quicker to remove what seems left over.
+/// Number of attempts while other runs remove the file as a leftover.
 const TRIES: usize = 10;
 
-/// Writes a file so that it is whole, or as before. Through a link the file that it leads to is written.
+/// Writes a file so that it is whole, or as before. Links are followed.
 ///
 /// # Errors
 /// The system's reason; [`io::ErrorKind::InvalidInput`] for devices, pipes, folders and all that is no regular file: none of these is
@@ -57,7 +57,7 @@ fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
     }
     for _ in 0..TRIES {
         let file = builder.tempfile_in(folder)?;
-        // On file systems without locks nobody can take it for left over, either.
+        // On file systems without locks, no other run takes it for a leftover, either.
         let is_taken = matches!(file.as_file().try_lock(), Err(TryLockError::WouldBlock));
         if !is_taken && file.path().exists() {
             return Ok(file);
@@ -99,7 +99,7 @@ pub(crate) fn sync_folder(_folder: &Path) -> io::Result<()> {
 mod tests {
     use super::*;
 
-    /// What a killed run left goes; a file that another run has in the making, and those of others, stay.
+    /// Leftovers of a killed run are removed; files that another run is writing, and foreign files, stay.
     #[test]
     fn unfinished_files_are_removed_unless_a_run_holds_them() {
         let folder = tempfile::tempdir().unwrap();

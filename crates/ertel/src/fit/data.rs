@@ -9,7 +9,7 @@ pub use ertel_input::csv::CsvError as DataError;
 use super::header::{Header, expected};
 use crate::case::question_of_state;
 
-/// What was measured.
+/// The measured property.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Property {
     /// Dynamic viscosity, Pa·s.
@@ -48,7 +48,7 @@ pub struct State {
     pub line: usize,
 }
 
-/// What the user tells about a table of states.
+/// Options for reading a table of states.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Reading {
     /// Which column is which, and the decimal mark.
@@ -64,11 +64,11 @@ pub struct Reading {
 pub struct Data {
     /// Name of the file.
     pub file: String,
-    /// What was measured.
+    /// The measured property.
     pub property: Property,
     /// The states, in the order of the file.
     pub states: Vec<State>,
-    /// What was left out, and what is doubted.
+    /// Omitted states, and doubtful ones.
     pub notes: Vec<String>,
 }
 
@@ -77,8 +77,8 @@ impl Data {
     ///
     /// The file is a table of [`ertel_input::csv`] whose columns have units, as `pressure_MPa, temperature_degC,
     /// viscosity_mPa_s` or `Druck / bar; Temperatur / °C; dyn. Viskosität / mPas`. Absolute pressures are reduced by one standard
-    /// atmosphere; a kinematic viscosity is multiplied by a density that stands beside it. Other columns are ignored; a state
-    /// without a value is left out.
+    /// atmosphere; a kinematic viscosity is multiplied by the density in the same row. Other columns are ignored; a state
+    /// without a value is omitted.
     ///
     /// # Errors
     ///
@@ -87,7 +87,7 @@ impl Data {
         Self::parse_with(file, text, property, &CsvParams::default())
     }
 
-    /// The same with what the user tells about the table.
+    /// The same with the column options of the user.
     ///
     /// # Errors
     ///
@@ -105,7 +105,7 @@ impl Data {
         Self::read(file, text, property, &reading)
     }
 
-    /// The same with all that the user may tell.
+    /// The same with all options.
     ///
     /// # Errors
     ///
@@ -144,7 +144,7 @@ impl Data {
         let mut notes = table.notes().to_vec();
         if !left_out.is_empty() {
             let name = property.name();
-            notes.push(format!("no {name} stands in {}", line_list(&left_out)));
+            notes.push(format!("no {name} in {}", line_list(&left_out)));
         }
         if header.is_ambient() {
             notes.push(

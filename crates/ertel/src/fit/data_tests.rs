@@ -1,4 +1,4 @@
-//! One viscosity table in the ways in which people, spreadsheets and instruments write it, and tables that may not be guessed at.
+//! One viscosity table in the formats that people, spreadsheets and instruments write, and ambiguous tables that are rejected.
 
 use ertel_input::csv::{ColumnMap, CsvParams, Decimal};
 use ertel_input::file::read_table;
@@ -378,8 +378,8 @@ fn a_kinematic_viscosity_needs_a_density() {
 }
 
 #[test]
-fn columns_are_told_by_the_user() {
-    let told = |maps: &[&str]| CsvParams {
+fn columns_are_assigned_by_the_user() {
+    let params = |maps: &[&str]| CsvParams {
         columns: maps
             .iter()
             .map(|map| ColumnMap::parse(map).unwrap())
@@ -392,10 +392,10 @@ fn columns_are_told_by_the_user() {
         "T=Sensor B:degC",
         "viscosity=Result [mPas]",
     ];
-    check("titles", read_bytes(text.as_bytes(), &told(&maps)), 0.0);
+    check("titles", read_bytes(text.as_bytes(), &params(&maps)), 0.0);
     let text = table("x,x,x", COMMAS);
     let maps = ["p=#1:MPa", "temperature=#2:degC", "eta=#3:cP"];
-    check("numbers", read_bytes(text.as_bytes(), &told(&maps)), 0.0);
+    check("numbers", read_bytes(text.as_bytes(), &params(&maps)), 0.0);
     // A second column of the same name is no longer in the way.
     let twice = table(
         "p [MPa],T [degC],viscosity [mPas],viscosity (corrected) [mPas]",
@@ -406,7 +406,7 @@ fn columns_are_told_by_the_user() {
         .map(|l| format!("{l},1\n").replace("mPas],1", "mPas]"));
     let data = read_bytes(
         rows.collect::<String>().as_bytes(),
-        &told(&["viscosity=viscosity [mPas]"]),
+        &params(&["viscosity=viscosity [mPas]"]),
     );
     check("twice", data, 0.0);
     for (map, words) in [
@@ -416,7 +416,7 @@ fn columns_are_told_by_the_user() {
         ("pressure=Sensor A:kg", "a mass"),
     ] {
         let text = table("Sensor A,T [degC],viscosity [mPas]", COMMAS);
-        let error = read_bytes(text.as_bytes(), &told(&[map])).unwrap_err();
+        let error = read_bytes(text.as_bytes(), &params(&[map])).unwrap_err();
         assert!(error.problem.contains(words), "{error}");
     }
     assert!(ColumnMap::parse("film").is_err() && ColumnMap::parse("=x").is_err());
@@ -495,12 +495,17 @@ fn nothing_is_guessed() {
             assert!(error.contains(words), "{text}\n{error}");
         }
     }
-    let told = |decimal| CsvParams {
+    let params = |decimal| CsvParams {
         decimal: Some(decimal),
         ..CsvParams::default()
     };
     let text = format!("{head}0;40;1,203\n");
-    let value = |decimal| read_bytes(text.as_bytes(), &told(decimal)).unwrap().states[0].value;
+    let value = |decimal| {
+        read_bytes(text.as_bytes(), &params(decimal))
+            .unwrap()
+            .states[0]
+            .value
+    };
     assert_eq!(
         (value(Decimal::Comma), value(Decimal::Point)),
         (1.203e-3, 1.203)

@@ -12,7 +12,7 @@ use super::walther::AMBIENT;
 use super::{Data, Fit, FittedConstant, FittedLaw, LawName, Residual, density};
 use crate::words::digits;
 
-/// What stands above the numbers.
+/// Head of an entry.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Heading {
     /// Title of the fluid.

@@ -15,13 +15,13 @@ pub(super) fn expected(property: Property) -> String {
     };
     format!(
         "a line names the columns with their units, such as `pressure_MPa, temperature_K, {value}` (or \
-         `absolute_pressure_MPa`); or tell where they stand, such as `--column {}=\"Title of the column:{}\"`",
+         `absolute_pressure_MPa`); or assign them, such as `--column {}=\"Title of the column:{}\"`",
         property.name(),
         property.dimension().si_unit()
     )
 }
 
-/// Values beyond which no lubricant was measured; the laws' numbers leave floating point far from there.
+/// Values beyond which no lubricant was measured; the laws overflow only far beyond them.
 const TEMPERATURES: [f64; 2] = [1.0, 1e4];
 const LARGEST_PRESSURE: f64 = 1e12;
 const VISCOSITIES: [f64; 2] = [1e-9, 1e30];
@@ -48,14 +48,14 @@ pub(super) struct Header<'a> {
     absolute: bool,
     temperature: Column,
     value: Column,
-    /// What a kinematic viscosity is multiplied by.
+    /// Density by which a kinematic viscosity is multiplied.
     density: Option<Factor<'a>>,
     values: [f64; 2],
 }
 
 /// The density of a state.
 enum Factor<'a> {
-    /// Measured beside the viscosity.
+    /// Measured together with the viscosity.
     Column(Column),
     /// By a law.
     Law(&'a DensityLaw),
@@ -109,7 +109,7 @@ impl<'a> Header<'a> {
             let cell = excerpt(table.header().cell(other));
             let problem = format!(
                 "there is no column `pressure`, but `{cell}` has a unit of pressure: if it is the pressure of the states, specify it: \
-                 `--column \"pressure=#{}\"`; otherwise leave the column out",
+                 `--column \"pressure=#{}\"`; otherwise omit the column",
                 other + 1
             );
             return Err(table.error(table.header(), other, problem));
@@ -153,7 +153,7 @@ impl<'a> Header<'a> {
         self.pressure.is_none()
     }
 
-    /// What a kinematic viscosity was multiplied by.
+    /// Note on the density by which a kinematic viscosity was multiplied.
     pub(super) fn density_note(&self, table: &CsvTable) -> Option<String> {
         let by = match self.density.as_ref()? {
             Factor::Column(column) => {
@@ -165,7 +165,7 @@ impl<'a> Header<'a> {
         Some(format!("the kinematic viscosity is multiplied by {by}"))
     }
 
-    /// The state of a line; `None` if the value is left out.
+    /// The state of a line; `None` if the value is missing.
     pub(super) fn state(&self, table: &CsvTable, row: &Row) -> Result<Option<State>, DataError> {
         let is_missing = |column: &Column| table.is_missing(row, column.index);
         let density_is_missing =

@@ -82,7 +82,7 @@ impl LawName {
         }
     }
 
-    /// What it describes.
+    /// The property it describes.
     pub fn property(self) -> Property {
         match self {
             Self::Tait | Self::DowsonHigginson => Property::Density,
@@ -90,7 +90,7 @@ impl LawName {
         }
     }
 
-    /// Whether it knows temperature; constants of the others are those of one isotherm.
+    /// Whether it depends on temperature; constants of the others are those of one isotherm.
     pub fn is_thermal(self) -> bool {
         !matches!(
             self,
@@ -135,7 +135,7 @@ pub(super) struct Constant {
     pub(super) held: bool,
 }
 
-/// The unknown that stands for a constant.
+/// The unknown that represents a constant.
 #[derive(Clone, Copy)]
 enum Scale {
     /// Its logarithm: the constant is positive.
@@ -185,7 +185,7 @@ impl Constant {
     }
 }
 
-/// What the starting values rest on.
+/// Basis of the starting values.
 struct Start {
     /// Reference temperature, K.
     t_r: f64,

@@ -9,9 +9,9 @@ const STEP: f64 = 1e-5;
 /// Iterations, at most.
 const MOST_ITERATIONS: usize = 2000;
 /// Residuals evaluated, at most, all evaluations together: a second at most. Data that determine their constants take a
-/// thousand evaluations; a search that strays should not take minutes because a table is long.
+/// thousand evaluations; a diverging search should not take minutes because a table is long.
 const MOST_RESIDUALS: usize = 2_000_000;
-/// Evaluations that are allowed for whatever table.
+/// Evaluations that are always allowed.
 const LEAST_EVALUATIONS: usize = 1000;
 
 /// Where the sum of squares is smallest, and how well that is known.

@@ -48,7 +48,7 @@ use law::{Constant, Model};
 /// standard errors are larger by about this factor than those of constants that do not trade off.
 const LARGEST_CONDITION: f64 = 1e3;
 
-/// What is squared and summed.
+/// Residual of the sum of squares.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Residual {
     /// `ln(law/measured)`: each state counts by its relative deviation.
@@ -67,7 +67,7 @@ pub struct Params {
     pub freed: Vec<String>,
     /// Reference temperature of the law (K); without it the isotherm nearest to the middle of the data.
     pub reference_temperature: Option<f64>,
-    /// What is squared and summed.
+    /// Residual of the sum of squares.
     pub residual: Residual,
     /// Confidence of the intervals, between 0 and 1.
     pub confidence: f64,
@@ -120,7 +120,7 @@ pub enum FitError {
     Value {
         /// The constant.
         key: String,
-        /// What is wrong.
+        /// The error.
         source: QuantityError,
     },
     /// Doolittle's law without volume.
@@ -138,13 +138,11 @@ pub enum FitError {
     TabulatedDensity,
     /// No pressures for the coefficient of Walther's law.
     #[error(
-        "the data have no pressures above ambient, which tell nothing of `alpha` of the law `walther`: hold it, and give the reference temperature at which it holds"
+        "the data have no pressures above ambient, so they do not determine `alpha` of the law `walther`: hold it, and give its reference temperature"
     )]
     NoPressures,
-    /// A coefficient is held, but not told at which temperature.
-    #[error(
-        "`alpha` of the law `walther` is fixed: give the reference temperature at which it holds"
-    )]
+    /// A coefficient is held, but its reference temperature is missing.
+    #[error("`alpha` of the law `walther` is fixed: give its reference temperature")]
     NoReferenceTemperature,
     /// A constant is held at a value that the law does not allow.
     #[error("the value of a fixed constant is not allowed: {0}")]
@@ -152,7 +150,7 @@ pub enum FitError {
     /// The confidence is no probability.
     #[error("the confidence {0} is not between 0 and 1")]
     Confidence(f64),
-    /// Fewer states than constants, or none left for an estimate of the scatter.
+    /// Fewer states than constants, or none remaining for an estimate of the scatter.
     #[error("{n_states} states cannot determine {n_constants} constants with their intervals; at least {} are needed, or hold some constants", n_constants + 1)]
     TooFew {
         /// Number of states.
@@ -161,7 +159,7 @@ pub enum FitError {
         n_constants: usize,
     },
     /// A constant has no influence on any state.
-    #[error("the data do not depend on `{key}` of the law `{}`, or would have it below zero where it must be above: they do not vary in what it describes, or vary the other way; hold it", law.name())]
+    #[error("the data do not determine `{key}` of the law `{}`, which must be positive: the data do not vary in this effect, or vary in the opposite direction; hold it", law.name())]
     Undetermined {
         /// The law.
         law: LawName,
@@ -177,7 +175,7 @@ pub enum FitError {
         reason: String,
     },
     /// The fitted law has no value at a state.
-    #[error("the law `{}` fitted to the data has no finite value at the state of line {line}: leave it out, or fit another law", law.name())]
+    #[error("the law `{}` fitted to the data has no finite value at the state of line {line}: omit it, or fit another law", law.name())]
     NotFinite {
         /// The law.
         law: LawName,
@@ -229,11 +227,11 @@ pub struct Fit {
     pub condition: f64,
     /// Coefficients of correlation of each pair of constants that were fitted, by their places.
     pub correlations: Vec<([usize; 2], f64)>,
-    /// What the data leave open.
+    /// Warnings on constants that the data do not determine.
     pub warnings: Vec<String>,
     /// Confidence of the intervals.
     pub confidence: f64,
-    /// What was squared and summed.
+    /// Residual of the sum of squares.
     pub residual: Residual,
 }
 
@@ -404,7 +402,7 @@ pub fn fit(data: &Data, law: LawName, params: &Params) -> Result<Fit, FitError> 
     })
 }
 
-/// What the data leave open.
+/// Warnings on constants that the data do not determine.
 fn warnings(
     minimum: &Minimum,
     free: &[usize],
@@ -415,7 +413,7 @@ fn warnings(
     if minimum.condition > LARGEST_CONDITION {
         let keys = minimum.trading(free.iter().map(|i| constants[*i].key));
         warnings.push(format!(
-            "the data hardly determine {} separately (condition number {:.0e}): a change of one is made up for by the others; \
+            "the data hardly determine {} separately (condition number {:.0e}): the others compensate a change of one; \
              hold some, or measure over a wider range",
             keys.join(", "),
             minimum.condition

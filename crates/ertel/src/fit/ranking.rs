@@ -1,4 +1,4 @@
-//! Laws ranked by how well they predict isotherms that they were not fitted to.
+//! Laws ranked by cross-validation: error on the isotherm left out.
 //!
 //! Each isotherm in turn is left out, the law is fitted to the others, and its deviation there is
 //!
@@ -7,12 +7,12 @@
 //! ```
 //!
 //! (cross-validation, leaving one group out: Stone, J. Royal Stat. Soc. B 36, 1974, 111-147). A law with many constants follows
-//! the data that it is fitted to, whatever they are; only what it says of others tells laws apart.
+//! any data that it is fitted to; only its prediction of other data distinguishes laws.
 
 use super::law::ISOTHERM;
 use super::{Data, Fit, FitError, LawName, Params, fit};
 
-/// Isotherms that are needed: with one left out, the others must still tell what temperature does.
+/// Isotherms that are needed: with one left out, the others must still determine the effect of temperature.
 const FEWEST_ISOTHERMS: usize = 3;
 
 /// A law in the ranking.
@@ -46,7 +46,7 @@ pub struct Ranking {
     pub isotherms: Vec<f64>,
 }
 
-/// Ranks all laws for the property of the data. Constants are neither held nor freed; `params` says the rest.
+/// Ranks all laws for the property of the data. Constants are neither held nor freed; `params` gives the other options.
 pub fn rank(data: &Data, params: &Params) -> Ranking {
     let isotherms = isotherms(data);
     let mut ranking = Ranking::default();
@@ -162,7 +162,7 @@ mod tests {
         for pair in ranking.ranked.windows(2) {
             assert!(pair[0].rms_left_out <= pair[1].rms_left_out);
         }
-        // A law that does not hold predicts what it has not seen worse than what it was fitted to.
+        // An unsuitable law predicts the isotherm left out worse than the isotherms it was fitted to.
         let roelands = ranking
             .ranked
             .iter()

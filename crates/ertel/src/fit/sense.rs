@@ -1,4 +1,4 @@
-//! What of a fitted law no lubricant does.
+//! Checks of a fitted law for behaviour that no lubricant shows.
 
 use super::{Data, Fit, Property};
 use crate::words::digits;
@@ -6,10 +6,10 @@ use crate::words::digits;
 /// Root mean square of the relative deviations above which a law does not describe the data.
 pub const LARGEST_RMS: f64 = 0.1;
 
-/// Share of the ranges of the data over which slopes are looked at.
+/// Share of the ranges of the data over which slopes are checked.
 const STEP: f64 = 1e-3;
 
-/// What is absurd about a fitted law, over the range of its data: a viscosity that falls with pressure (a negative
+/// Warnings on implausible behaviour of a fitted law, over the range of its data: a viscosity that falls with pressure (a negative
 /// pressure-viscosity coefficient) or rises with temperature, a density likewise, and deviations above [`LARGEST_RMS`].
 pub fn nonsense(fit: &Fit, data: &Data) -> Vec<String> {
     let mut found = Vec::new();

@@ -1,4 +1,4 @@
-//! What a fit of Walther's law needs: where the search begins, and what the data cannot tell.
+//! Starting values for a fit of Walther's law, and checks that the data determine its constants.
 
 use ertel_rheology::DensityLaw;
 use ertel_rheology::viscosity::Walther;
@@ -10,7 +10,7 @@ use super::{Data, FitError, LawName, Params, State};
 pub(super) const USUAL: (f64, f64) = (9.418, 3.6844);
 
 /// Pressure (Pa above ambient) up to which states count as measured at ambient pressure: the viscosity rises by some 2 %, which does
-/// not tell a coefficient.
+/// not determine a coefficient.
 pub(super) const AMBIENT: f64 = 1e6;
 
 /// A and B through the states of lowest pressure at the lowest and the highest temperature, by the closed formula of
@@ -33,7 +33,7 @@ pub(super) fn start(data: &Data, density: Option<&DensityLaw>) -> (f64, f64) {
         .unwrap_or(USUAL)
 }
 
-/// Refuses a fit without density, a coefficient that no pressures tell, one that is held at no temperature, and one isotherm for A
+/// Refuses a fit without density, a coefficient without pressures to determine it, one held without reference temperature, and one isotherm for A
 /// and B.
 pub(super) fn check(
     data: &Data,

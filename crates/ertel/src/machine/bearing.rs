@@ -1,8 +1,8 @@
-//! Figures of a rolling bearing: friction by its parts, and what they come to.
+//! Figures of a rolling bearing: the parts of friction, and their sums.
 //!
 //! ```text
-//!   P = Σ P_film + P_slip       over all contacts: work of the surfaces on the film, and of the differential slip beside it
-//!   P_roll = Σ (µ_2 − µ_1) Q u  the part of P_film that rolling takes; the rest is spin
+//!   P = Σ P_film + P_slip       over all contacts: work of the surfaces on the film, and of the differential slip
+//!   P_roll = Σ (µ_2 − µ_1) Q u  the rolling part of P_film; the rest is spin
 //!   M = P/|ω_i − ω_o|
 //! ```
 
@@ -21,13 +21,13 @@ use crate::solution::{Figure, limits};
 use crate::warning::{Warning, WarningKind};
 use crate::words::digits;
 
-/// Tilt of a roller that is told, rad.
+/// Smallest tilt of a roller that is reported, rad.
 const LEAST_TILT: f64 = 1e-9;
 
-/// Load per length of the heaviest slice of a roller over its mean, from which on a line does not stand for the roller.
+/// Load per length of the heaviest slice of a roller over its mean above which a line does not represent the roller.
 const UNEVEN: f64 = 1.5;
 
-/// Difference of the temperature that heat leads to from that of the lubricant, K, from which on it is told.
+/// Difference between the temperature from the heat balance and that of the lubricant above which a warning is given, K.
 const SAME: f64 = 2.0;
 
 /// The figures; sums over the contacts only where all of them are solved.
@@ -89,7 +89,7 @@ pub(super) fn figures(
     figures
 }
 
-/// The heaviest slice of the roller under the largest pressure, over the mean of that roller; tells where a line does not stand for it.
+/// The heaviest slice of the roller under the largest pressure, over the mean of that roller; warns where a line does not represent it.
 fn heaviest_slice(
     mechanics: &BearingMechanics,
     warnings: &mut Vec<Warning>,
@@ -183,8 +183,8 @@ fn friction(
         Some(_) => {}
         None => warnings.push(Warning::new(
             WarningKind::Friction,
-            "differential slip is left out of the friction: with this lubricant its traction would be beyond 0.15, for its laws do not limit the shear \
-             stress; give `shear_thinning`, such as `{ law = \"estimate\" }` beside `base_oil`",
+            "differential slip is omitted from the friction: its traction would exceed 0.15, because the laws of this lubricant do not limit the shear \
+             stress; give `shear_thinning`, such as `{ law = \"estimate\" }` with `base_oil`",
         )),
     }
     let power = Marked {
@@ -209,7 +209,7 @@ fn friction(
             "N m",
             match mechanics.bearing.geometry {
                 Geometry::TaperedRoller(_) => {
-                    "torque of the raceway contacts: without the rib, cage, seals and churning of the oil; SKF's model alone knows of the rib"
+                    "torque of the raceway contacts: without rib, cage, seals and churning of the oil; only SKF's model includes the rib"
                 }
                 Geometry::Ball(_) | Geometry::CylindricalRoller(_) => {
                     "torque of the contacts: without cage, seals and churning of the oil"
@@ -224,18 +224,18 @@ fn friction(
         add(
             Section::Temperature,
             "bearing_temperature",
-            "temperature that this heat leads to",
+            "temperature from the heat balance",
             temperature,
             "K",
-            "temperature: that of the surroundings and the thermal resistance times the power of all contacts",
+            "temperature: surroundings plus thermal resistance times the power of all contacts",
         );
         let own = case.lubricant.temperature;
         if (temperature.value - own).abs() > SAME && !temperature.is_doubtful() {
             warnings.push(Warning::new(
                 WarningKind::OilTemperature,
                 format!(
-                    "the heat of the contacts leads to {:.1} °C by the thermal resistance, but the lubricant is taken at {:.1} °C: solve once more at a \
-                     temperature between",
+                    "the heat balance gives {:.1} °C, but the lubricant is taken at {:.1} °C: solve again at a temperature in \
+                     between",
                     temperature.value - CELSIUS,
                     own - CELSIUS
                 ),
@@ -245,7 +245,7 @@ fn friction(
     figures
 }
 
-/// Power of the differential slip in all contacts, W; `None` where it cannot be true.
+/// Power of the differential slip in all contacts, W; `None` where it is implausible.
 fn differential_slip(
     case: &Case,
     mechanics: &BearingMechanics,
@@ -259,7 +259,7 @@ fn differential_slip(
     slip.map(|slip| slip.value)
 }
 
-/// Power that rolling alone takes: (µ_2 − µ_1) Q u.
+/// Power lost by rolling: (µ_2 − µ_1) Q u.
 fn rolling_power(point: &PointSolution) -> Option<Marked> {
     let scale = point.case.contact.load * point.case.motion.entrainment_speed;
     Some(rolling_coefficient(point)? * scale)
@@ -275,12 +275,12 @@ fn film_power(point: &PointSolution) -> Option<Marked> {
     let speed = (ball - ring).abs() * reach * 2.0 / 3.0;
     let dry = limits::TRACTION * point.case.contact.load * speed;
     let spin = power - rolling_power(point)?;
-    // What is left of two equal powers is within the bars of both.
+    // The difference of two equal powers is within the bars of both.
     let is_beyond = speed > 0.0 && spin.value - spin.error.unwrap_or(0.0) > dry;
     Some(power.with(Marks::when(is_beyond, Mark::Unresolved)))
 }
 
-/// What slips at a ring; `None` of rollers, and where the contact was not solved.
+/// Differential slip at a ring; `None` for rollers, and where the contact was not solved.
 fn slip_of(mechanics: &BearingMechanics, side: usize, point: &PointSolution) -> Option<Slip> {
     let Geometry::Ball(geometry) = &mechanics.bearing.geometry else {
         return None;

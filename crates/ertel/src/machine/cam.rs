@@ -44,7 +44,7 @@ fn mechanics(cam: &CamMechanics, turn: &[CamPoint]) -> Vec<MachineFigure> {
         source: "",
     };
     let mut figures = Vec::new();
-    // A hair more, so that of equal ones the first is taken.
+    // A slight excess, so that the first of equal values is taken.
     let is_higher = |a: &CamPoint, b: &CamPoint| a.hertz_pressure > b.hertz_pressure * (1.0 + 1e-9);
     let highest = turn
         .iter()
@@ -100,12 +100,12 @@ fn thinnest(cam: &CamMechanics, solved: &MachineSolution) -> Option<MachineFigur
         estimate: Marked::exact(cam.points[i].angle),
         unit: "rad",
         section: Section::Films,
-        source: "films are steady ones: where the entrainment nearly vanishes, squeeze leaves more",
+        source: "steady films: where the entrainment nearly vanishes, squeeze keeps the real film thicker",
     })
 }
 
 /// The smallest of values at angles. Next to where the entrainment reverses, steady films vanish between the contacts: no parabola leads there, and the bar
-/// holds what every second contact differs by.
+/// covers the difference from every second contact.
 pub(super) fn smallest(cam: &CamMechanics, values: Vec<(f64, Marked)>) -> Option<Marked> {
     let (every, other): (Vec<_>, Vec<_>) =
         (values.iter().enumerate()).partition(|(i, _)| i % 2 == 0);
@@ -219,7 +219,7 @@ fn friction(
             "mean power lost over a turn",
             power,
             "W",
-            "where the entrainment reverses, the friction of the neighbours",
+            "where the entrainment reverses: friction of the neighbouring contacts",
         ),
         figure(
             "friction_torque",

@@ -1,4 +1,4 @@
-//! A figure of contacts over their places, linear between them, and what the distance of the places does to its extremes.
+//! A figure of contacts over their places, linear between them, and the effect of the distance of the places on its extremes.
 
 use crate::mark::{Marked, Marks};
 
@@ -16,7 +16,7 @@ impl Curve {
         self.0.iter().all(|(_, value)| value.error.is_some())
     }
 
-    /// The marks of all values: what is made of the curve has them.
+    /// The marks of all values, which apply to all that is derived from the curve.
     pub fn marks(&self) -> Marks {
         self.0.iter().map(|(_, value)| value.marks).sum()
     }
@@ -31,8 +31,8 @@ impl Curve {
         self.interpolate(place, |value| value.error.unwrap_or(0.0))
     }
 
-    /// The same through every second place, the first and the last among them, and through those between with both ends: by how much a sum over them differs
-    /// tells what the distance of the places does to it. `None` of fewer than three.
+    /// The same through every second place, the first and the last among them, and through those between with both ends: the difference of a sum over them
+    /// shows the effect of the distance of the places. `None` for fewer than three.
     pub fn halves(&self) -> Option<[Curve; 2]> {
         let last = self.0.len().checked_sub(1).filter(|last| *last >= 2)?;
         let half = |odd: usize| {
@@ -55,7 +55,7 @@ impl Curve {
 
     /// The lowest of the values times `sign`.
     ///
-    /// Parabolas through it and its neighbours, and through those after next, have a vertex below it: the bar holds the first one, and further the distance of
+    /// Parabolas through it and its neighbours, and through those after next, have a vertex below it: the bar covers the first one, plus the distance between
     /// both.
     fn lowest(&self, sign: f64) -> (usize, Marked) {
         let value = |i: usize| sign * self.0[i].1.value;

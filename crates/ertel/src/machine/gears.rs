@@ -2,13 +2,13 @@
 //!
 //! ```text
 //!   P = (1/p_bt) ∫ (p/cos β_b) b ds               p: friction power per length of the solved contacts (W/m), over the path of contact
-//!   p = µ w |u_2 − u_1| + f u_m                   sliding, and what both walls of the film resist at equal speeds
+//!   p = µ w |u_2 − u_1| + f u_m                   sliding, and rolling friction of the films
 //!   µ_m = ∫ µ w |u_2 − u_1| ds/∫ w |u_2 − u_1| ds
 //!   Θ = Θ_M + max Θ_fl                            Θ_fl: of the solved flanks, without heat Blok's by µ(s)
 //! ```
 //!
 //! µ and f are linear between the contacts that are solved, while loads and speeds are those of each place: they jump where a pair of teeth
-//! takes over. What lies between the contacts is bounded by the same sums over half of them.
+//! takes over. The error between the contacts is bounded by the same sums over half of them.
 
 use ertel_machines::gear::friction::schlenk;
 use ertel_machines::gear::safety::{micropitting, scuffing};
@@ -114,7 +114,7 @@ fn composite(gears: &GearMechanics) -> Option<f64> {
     Some(RMS_OVER_RA * pinion.hypot(wheel))
 }
 
-/// Says so where the smallest film does not separate flanks whose Ra is given.
+/// Warns where the smallest film does not separate flanks whose Ra is given.
 fn rough(gears: &GearMechanics, solved: &MachineSolution) -> Option<Warning> {
     let film = super::smallest(solved, |point| figure_of(point, Figure::FilmMinimum))?;
     let words = format!("the smallest film of the path, {},", length(film.value));
@@ -169,7 +169,7 @@ fn rubbing(gears: &GearMechanics, at: &PathPoint, point: &PointSolution) -> Opti
     })
 }
 
-/// Losses of the mesh, from the solved contacts and from models beside them.
+/// Losses of the mesh, from the solved contacts and from separate models.
 fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec<MachineFigure> {
     let figure = |name, words, estimate, unit, source| MachineFigure {
         name,
@@ -202,7 +202,7 @@ fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec
                 "power lost by rolling",
                 loss.rolling,
                 "W",
-                "rolling: what both walls of the film resist at equal speeds",
+                "rolling: rolling friction of the films",
             ),
             figure(
                 "friction_power",
@@ -257,10 +257,10 @@ fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec
                     "Schlenk 1994, a fit to tests, with w = F_bt/b, from the Ra given and the oil factor X_L = 1 of mineral oils"
                 }
                 (Some(_), RoughnessFrom::Composite) => {
-                    "Schlenk 1994, a fit to tests, with w = F_bt/b, of surfaces alike: Ra = σ/(1.25 √2), and the oil factor X_L given"
+                    "Schlenk 1994, a fit to tests, with w = F_bt/b, for equal surfaces: Ra = σ/(1.25 √2), and the oil factor X_L given"
                 }
                 (None, RoughnessFrom::Composite) => {
-                    "Schlenk 1994, a fit to tests, with w = F_bt/b, of surfaces alike: Ra = σ/(1.25 √2), and the oil factor X_L = 1 of mineral oils"
+                    "Schlenk 1994, a fit to tests, with w = F_bt/b, for equal surfaces: Ra = σ/(1.25 √2), and the oil factor X_L = 1 of mineral oils"
                 }
             },
         ));
@@ -290,7 +290,7 @@ struct Loss {
     factor: f64,
 }
 
-/// Losses where all contacts are solved; bars of contacts that are solved in one way add, and to them what the distance of the contacts does.
+/// Losses where all contacts are solved; bars of contacts solved by one method add, plus the effect of the distance of the contacts.
 fn loss(gears: &GearMechanics, solved: &MachineSolution) -> Option<Loss> {
     let mut coefficient = Vec::new();
     let mut resistance = Vec::new();
@@ -310,7 +310,7 @@ fn loss(gears: &GearMechanics, solved: &MachineSolution) -> Option<Loss> {
         |of: &dyn Fn(&PathPoint) -> f64| gears.pair.loss(&gears.operation, gears.sharing, of).ok();
     let sliding = sum(&|p| coefficient.at(p.position))?;
     let sliding_bar = sum(&|p| coefficient.bar_at(p.position))?.power;
-    // The sum is over µ w |u_2 − u_1|: what is not sliding is divided by it.
+    // The sum is over µ w |u_2 − u_1|: the rolling part is divided by it.
     let per_slide = |p: &PathPoint, value: f64| {
         let slide = p.load_per_length * p.sliding_speed.abs();
         match slide > 0.0 {
@@ -328,7 +328,7 @@ fn loss(gears: &GearMechanics, solved: &MachineSolution) -> Option<Loss> {
         Some([sliding, rolling])
     };
     let own = [sliding.power, rolling];
-    // Between the contacts that are solved, friction is not linear: what half of them tells differs by so much.
+    // Between the contacts that are solved, friction is not linear: the sum over half of them shows by how much.
     let spacing = match &coarse {
         None => None,
         Some((coefficients, resistances)) => {
@@ -373,7 +373,7 @@ fn loss(gears: &GearMechanics, solved: &MachineSolution) -> Option<Loss> {
     })
 }
 
-/// What a roughness Ra comes from.
+/// Source of a roughness Ra.
 #[derive(Clone, Copy)]
 enum RoughnessFrom {
     /// The Ra of both gears.
@@ -382,7 +382,7 @@ enum RoughnessFrom {
     Composite,
 }
 
-/// Ra of the pinion and the wheel, m: as given, or of surfaces alike with the composite roughness σ, Ra = σ/(1.25 √2).
+/// Ra of the pinion and the wheel, m: as given, or for equal surfaces with the composite roughness σ, Ra = σ/(1.25 √2).
 fn roughness(case: &Case, gears: &GearMechanics) -> Option<([f64; 2], RoughnessFrom)> {
     if let Some(own) = gears.limits.roughness {
         return Some((own, RoughnessFrom::Gears));
@@ -442,7 +442,7 @@ fn temperatures(
     let of_films = match given {
         Some(_) => "films and specific films are those at the bulk temperature of the teeth",
         None => {
-            "no `bulk_temperature` is given, and that of the lubricant is taken: teeth are hotter, and films thinner"
+            "no `bulk_temperature` is given, so that of the lubricant is used: real teeth are hotter, and films thinner"
         }
     };
     let mut figures = vec![figure(
@@ -509,7 +509,7 @@ fn temperatures(
     figures
 }
 
-/// The temperature of a flank that is warmer by a rise than the temperature `bulk` (K); not resolved where nothing stays an oil.
+/// The temperature of a flank that is warmer by a rise than the temperature `bulk` (K); not resolved where no oil would survive.
 fn contact(rise: Marked, bulk: f64) -> Marked {
     let hot = rise.above(bulk);
     let melts = hot.value > limits::TEMPERATURE;
@@ -625,7 +625,7 @@ fn specific_film(
                 "λ_GF = h/Ra, Ra = (Ra_1 + Ra_2)/2, of the smallest solved film: ISO/TS 6336-22"
             }
             RoughnessFrom::Composite => {
-                "λ_GF = h/Ra of the smallest solved film: ISO/TS 6336-22; Ra = σ/(1.25 √2) of surfaces alike"
+                "λ_GF = h/Ra of the smallest solved film: ISO/TS 6336-22; Ra = σ/(1.25 √2) for equal surfaces"
             }
         },
     )];

@@ -1,9 +1,9 @@
-//! A bearing in balance of heat: its contacts are solved at the temperature that their friction leads to.
+//! Heat balance of a bearing: its contacts are solved at the temperature that results from their friction.
 //!
 //! ```text
 //!   T = T_ambient + R P(T)
 //! ```
-//! by the secant method on T_ambient + R P(T) − T. P falls with T, so that the first step goes half of the way.
+//! by the secant method on T_ambient + R P(T) − T. P falls with T, so the first step is half of the residual.
 
 use ertel_input::InputError;
 
@@ -12,9 +12,9 @@ use crate::case::{Case, MachineContacts, Mechanics};
 use crate::mark::Marked;
 use crate::point::MachineSolution;
 
-/// K by which the temperature that the heat leads to may differ from that of the lubricant.
+/// Largest difference between the temperature from the heat balance and that of the lubricant, K.
 const TOLERANCE: f64 = 0.1;
-/// Rounds at the most.
+/// Largest number of rounds.
 const ROUNDS: usize = 8;
 /// 0 °C, K.
 pub(super) const CELSIUS: f64 = 273.15;
@@ -24,20 +24,20 @@ const STEP: f64 = 40.0;
 /// A machine that was solved, with the case at whose temperature it was.
 #[derive(Clone, Debug)]
 pub struct SolvedMachine {
-    /// The case of the last round; the machine's own without a balance of heat.
+    /// The case of the last round; that of the machine without a heat balance.
     pub case: Case,
     /// The contacts.
     pub solution: MachineSolution,
-    /// How the balance was found; `None` where the case asks for none, or where contacts failed or were not solved.
+    /// Result of the balance; `None` where the case does not request one, or where contacts failed or were not solved.
     pub balance: Option<Balance>,
 }
 
-/// A balance of heat.
+/// A heat balance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Balance {
     /// Temperature of the lubricant in the last round, K.
     pub temperature: f64,
-    /// By how much the temperature that the heat leads to is higher, K.
+    /// Temperature from the heat balance minus that of the lubricant, K.
     pub rest: f64,
     /// Rounds, each with all contacts.
     pub rounds: usize,
@@ -51,16 +51,16 @@ impl Balance {
         self.rest.abs() < TOLERANCE && !self.is_doubtful
     }
 
-    /// How it was not found, in words.
+    /// Reason why it was not found.
     pub fn words(&self) -> String {
         if self.is_doubtful {
             return format!(
-                "no balance of heat: with the lubricant at {:.1} °C the friction of the contacts is not to be used",
+                "no heat balance: with the lubricant at {:.1} °C the friction of the contacts is not to be used",
                 self.temperature - CELSIUS
             );
         }
         format!(
-            "no balance of heat in {} rounds: with the lubricant at {:.1} °C the heat leads to {:.1} °C",
+            "no heat balance in {} rounds: with the lubricant at {:.1} °C the contacts heat it to {:.1} °C",
             self.rounds,
             self.temperature - CELSIUS,
             self.temperature + self.rest - CELSIUS
@@ -68,8 +68,8 @@ impl Balance {
     }
 }
 
-/// Solves the contacts of a machine, by what solves them at a temperature, at that of its balance of heat where the case asks for it; `None` of a case that is
-/// no machine.
+/// Solves the contacts of a machine, at the temperature of its heat balance where the case requests it; `None` for a case that is
+/// no machine. `solve_contacts` solves them at one temperature.
 ///
 /// # Errors
 /// Laws of the lubricant that do not reach a temperature on the way.
@@ -113,7 +113,7 @@ pub(crate) fn solve_by(
         solved.solution = solve_contacts(&contacts);
         solved.case = case;
     }
-    tell(&mut solved);
+    report_balance(&mut solved);
     Ok(Some(solved))
 }
 
@@ -125,13 +125,13 @@ fn asks_for_balance(solution: &MachineSolution) -> bool {
     }
 }
 
-/// The temperature that the heat of all contacts leads to, K.
+/// The temperature from the heat of all contacts, K.
 fn temperature(solved: &SolvedMachine) -> Option<Marked> {
     let figures = figures(&solved.case, &solved.solution);
     Some(figures.find("bearing_temperature")?.estimate)
 }
 
-/// The next step, K, from the points (temperature, rest) before and now: half of the rest at first, then by the secant, which must fall.
+/// The next step, K, from the points (temperature, rest) before and now: half of the residual at first, then by the secant, which must fall.
 fn step(before: Option<[f64; 2]>, [own, rest]: [f64; 2]) -> f64 {
     let slope = before.map(|[at, was]| (rest - was) / (own - at));
     let step = match slope {
@@ -141,8 +141,8 @@ fn step(before: Option<[f64; 2]>, [own, rest]: [f64; 2]) -> f64 {
     step.clamp(-STEP, STEP)
 }
 
-/// Tells of the balance among the rows of the machine.
-fn tell(solved: &mut SolvedMachine) {
+/// Adds the balance to the rows of the machine.
+fn report_balance(solved: &mut SolvedMachine) {
     let (Some(balance), Some(machine)) = (solved.balance, &mut solved.case.machine) else {
         return;
     };
@@ -155,12 +155,12 @@ fn tell(solved: &mut SolvedMachine) {
         ),
         false if balance.is_doubtful => balance.words(),
         false => format!(
-            "not found in {} rounds: the lubricant was at {:.1} °C in the last one, and the heat led {rest} further",
+            "not found in {} rounds: the lubricant was at {:.1} °C in the last one, and the heat balance gave {rest} more",
             balance.rounds,
             balance.temperature - CELSIUS
         ),
     };
-    machine.rows.push(("balance of heat".to_owned(), text));
+    machine.rows.push(("heat balance".to_owned(), text));
 }
 
 #[cfg(test)]

@@ -15,10 +15,10 @@ use crate::case::{BearingMechanics, Case, Contamination, RatingBasis};
 use crate::solution::Estimate;
 use crate::warning::{Warning, WarningKind};
 
-/// Degrees from which on X_0 and Y_0 are those of steep angular contact bearings, halfway from 15 degrees to the 40 of the suffix B.
-const STEEP: f64 = 27.5;
+/// Contact angle (deg) above which X_0 and Y_0 are those of steep angular contact bearings, halfway from 15 degrees to the 40 of the suffix B.
+const MIN_STEEP_CONTACT_ANGLE: f64 = 27.5;
 
-/// Ratings, loads and lives; what is out of the range of a norm is left out and told.
+/// Ratings, loads and lives; values outside the range of a standard are omitted with a warning.
 pub(super) fn figures(
     case: &Case,
     mechanics: &BearingMechanics,
@@ -28,14 +28,14 @@ pub(super) fn figures(
     if let Err(error) = collect(case, mechanics, &mut out) {
         warnings.push(Warning::new(
             WarningKind::RatingRange,
-            format!("the rating life ends here: {error}"),
+            format!("no further rating lives: {error}"),
         ));
     }
     warnings.append(&mut out.warnings);
     out.figures
 }
 
-/// What was found so far.
+/// Figures and warnings found so far.
 #[derive(Default)]
 pub(super) struct Collected {
     figures: Vec<MachineFigure>,
@@ -140,7 +140,7 @@ fn rating(
     }
 }
 
-/// What ISO 281 and ISO 76 take of a bearing.
+/// Data of a bearing for ISO 281 and ISO 76.
 enum Rated<'a> {
     Balls {
         geometry: &'a BallGeometry,
@@ -202,7 +202,9 @@ impl<'a> Rated<'a> {
 
     fn static_equivalent_load(&self, [radial, axial]: [f64; 2]) -> Result<f64, life::Error> {
         let factors = match self {
-            Rated::Balls { nominal, .. } if nominal.to_degrees() > STEEP => [0.5, 0.26],
+            Rated::Balls { nominal, .. } if nominal.to_degrees() > MIN_STEEP_CONTACT_ANGLE => {
+                [0.5, 0.26]
+            }
             Rated::Balls { .. } => [0.6, 0.5],
             Rated::Rollers(row) if row.angle > 0.0 => life::roller_static_factors(row.angle)?,
             Rated::Rollers(_) => [1.0, 0.0],
@@ -215,7 +217,7 @@ impl<'a> Rated<'a> {
         mechanics: &BearingMechanics,
         rating: f64,
     ) -> Result<life::ReferenceLife, life::Error> {
-        // The load stands still: a ring that turns does so against it. At rest, the inner ring counts as turning.
+        // The load is stationary: a rotating ring turns relative to it. At rest, the inner ring counts as rotating.
         let speeds = mechanics.speeds;
         let turning = [
             speeds.inner != 0.0 || speeds.outer == 0.0,
@@ -304,7 +306,7 @@ fn collect(
         ISO_281,
     );
     let basic = life::basic_life(dynamic.value, equivalent, rated.exponent())?;
-    // A life goes with the power p of C: the upper bound of its bar.
+    // A life is proportional to C^p: the upper bound of its bar.
     let of_rating = (1.0 + dynamic.error).powf(rated.exponent()) - 1.0;
     lives(out, &BASIC, with_error(basic, of_rating), relative, ISO_281);
     let fixed = rating(mechanics, 1, || rated.static_rating());
@@ -429,7 +431,7 @@ fn contamination_factor(
     })
 }
 
-/// C_0/P_0, and what is damaged where it is too low.
+/// C_0/P_0, with a warning of damage where it is too low.
 fn static_safety(out: &mut Collected, rating: &Rating, load: f64) {
     let safety = rating.value / load;
     out.add_estimate(
@@ -443,7 +445,7 @@ fn static_safety(out: &mut Collected, rating: &Rating, load: f64) {
         out.warnings.push(Warning::new(
             WarningKind::Strength,
             format!(
-                "the static equivalent load of {load:.0} N is beyond the static rating of {:.0} N: raceways are dented for good",
+                "the static equivalent load of {load:.0} N exceeds the static rating of {:.0} N: the raceways are permanently indented",
                 rating.value
             ),
         ));

@@ -6,7 +6,7 @@ use super::super::unsolved;
 use super::*;
 use crate::machine::MachineFigures;
 
-/// A bearing of its own steel in an oil of 20 mm²/s, with the keys of its machine.
+/// A bearing of a given steel in an oil of 20 mm²/s, with the keys of its machine.
 fn figures(machine: &str, steel: &str) -> MachineFigures {
     let text = format!(
         "[machine]\n{machine}\n[bodies]\nbody_1 = \"{steel}\"\nbody_2 = \"{steel}\"\n[lubricant]\ntemperature = \"70 degC\"\n\
@@ -115,7 +115,7 @@ fn estimated_ratings_have_bars() {
     );
 }
 
-/// C_u of a 6206 by hand at the standard's 206 GPa, 592.3 N, whatever steel the case takes: it goes with 1/E'².
+/// C_u of a 6206 by hand at the standard's 206 GPa, 592.3 N, whatever steel the case takes: it is proportional to 1/E'².
 #[test]
 fn fatigue_limits_take_the_modulus_of_the_standard() {
     let own = format!(
@@ -173,7 +173,7 @@ fn both_rings_turn() {
     assert!(life(&both) > life(&one) && life(&both) > life(&turned));
 }
 
-/// A cold start, 6205 at 1000 mm²/s and more: SKF's torque would fall, and is left out with the reason; Palmgren's rises.
+/// A cold start, 6205 at 1000 mm²/s and more: SKF's torque would fall, and is omitted with the reason; Palmgren's rises.
 #[test]
 fn the_model_of_skf_ends_in_the_cold() {
     let at = |temperature: &str| {
@@ -187,9 +187,9 @@ fn the_model_of_skf_ends_in_the_cold() {
         unsolved(&case).unwrap().1
     };
     let [cold, warm] = [at("-25 degC"), at("40 degC")];
-    let is_told = |of: &MachineFigures| of.warnings.iter().any(|w| w.contains("SKF's model"));
-    assert!(cold.find("friction_torque_skf").is_none() && is_told(&cold));
-    assert!(warm.find("friction_torque_skf").is_some() && !is_told(&warm));
+    let is_reported = |of: &MachineFigures| of.warnings.iter().any(|w| w.contains("SKF's model"));
+    assert!(cold.find("friction_torque_skf").is_none() && is_reported(&cold));
+    assert!(warm.find("friction_torque_skf").is_some() && !is_reported(&warm));
     let palmgren = |of: &MachineFigures| value(of, "friction_torque_palmgren");
     assert!(palmgren(&cold) > 10.0 * palmgren(&warm));
 }

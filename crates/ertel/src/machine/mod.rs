@@ -70,7 +70,7 @@ fn figure_of(point: &PointSolution, figure: Figure) -> Option<Marked> {
     Marked::of(point.outcome.solution()?, figure)
 }
 
-/// Sum over all contacts that something presses, those that are alike counted as often as they are there. `None` where one of them has no value.
+/// Sum over all loaded contacts, identical ones counted as often as they occur. `None` where one of them has no value.
 fn sum(
     solved: &MachineSolution,
     value: impl Fn(usize, &PointSolution) -> Option<Marked>,

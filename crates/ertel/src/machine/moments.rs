@@ -1,4 +1,4 @@
-//! Frictional moments of bearings by the models of catalogues, beside what the films say.
+//! Frictional moments of bearings by the models of catalogues, for comparison with the computed films.
 
 use ertel_machines::bearing::friction::{
     PalmgrenOil, SkfMoment, SkfParams, SkfState, palmgren_load, palmgren_moment, skf_moment,
@@ -47,7 +47,7 @@ pub(super) fn add(
     let skf = skf_moment(series.skf(), &state, &params).ok();
     if skf.is_some_and(|moment| !moment.rises_with_viscosity()) {
         out.warn(WarningKind::FrictionModelRange, format!(
-            "SKF's model of the torque is left out: at {} mm²/s and this speed it has the torque fall with a thicker oil, which is beyond its range",
+            "SKF's model of the torque is omitted: at {} mm²/s and this speed its torque falls with rising viscosity, outside its range",
             digits(1e6 * viscosity, 3)
         ));
     }
@@ -59,7 +59,7 @@ pub(super) fn add(
             "N m",
             match series.is_tapered() {
                 true => {
-                    "SKF: a mineral oil, without seals and churning; its sliding part alone stands for the rib, its rolling part for cage and oil as well"
+                    "SKF: a mineral oil, without seals and churning; the sliding part includes the rib, the rolling part cage and oil"
                 }
                 false => {
                     "SKF: a mineral oil, without seals and churning; the rolling part includes cage and oil"

@@ -1,9 +1,9 @@
-//! Resistance of films to rolling, beside whatever else slides.
+//! Resistance of films to rolling, in addition to any sliding.
 //!
 //! ```text
 //!   f = µ_2 − µ_1 = ∫ h ∂p/∂x dA/Q
 //! ```
-//! Traction of sliding and spin is the same at both walls: what it errs by goes out of the difference, and so do the marks of friction that no lubricant
+//! Traction of sliding and spin is the same at both walls: its error cancels in the difference, and so do the marks of friction that no lubricant
 //! transmits.
 
 use super::figure_of;
@@ -16,8 +16,8 @@ const WALLS: [Figure; 2] = [
     Figure::TractionCoefficientBody2,
 ];
 
-/// f of a contact. Its bar is the share of itself that the traction at the walls errs by, and what the balance of f with the offset of the load is off by; no
-/// more than the bars of both walls together.
+/// f of a contact. Its bar is the relative error of the traction at the walls plus the misfit of f with the offset of the load, at
+/// most the bars of both walls together.
 pub(super) fn rolling_coefficient(point: &PointSolution) -> Option<Marked> {
     let figures = &point.outcome.solution()?.measured.figures;
     let [one, two] = WALLS.map(|wall| Some((figure_of(point, wall)?, figures.get(wall)?)));
@@ -53,15 +53,15 @@ fn bar(value: f64, (one, two): (f64, f64), sizes: [f64; 2], misfit: f64) -> f64 
 mod tests {
     use super::*;
 
-    /// By hand. Of rolling alone, ±0.001 with 2 %, the bars of both walls add up. Beside a traction of 30 that is known to 5 %, f = 0.002 is known to 5 % and
+    /// By hand. Of rolling alone, ±0.001 with 2 %, the bars of both walls add up. With a traction of 30 that is known to 5 %, f = 0.002 is known to 5 % and
     /// its misfit, while both walls together err by 3.
     #[test]
-    fn traction_of_both_walls_goes_out() {
+    fn traction_of_both_walls_cancels() {
         let alone = bar(0.002, (2e-5, 2e-5), [1e-3; 2], 1e-6);
         assert_eq!(alone, 4e-5);
-        let beside = bar(0.002, (1.5, 1.5), [30.0; 2], 1e-6);
-        assert!((beside - 1.01e-4).abs() < 1e-12, "{beside}");
-        // Where nothing is there, nothing is divided by it.
+        let with_traction = bar(0.002, (1.5, 1.5), [30.0; 2], 1e-6);
+        assert!((with_traction - 1.01e-4).abs() < 1e-12, "{with_traction}");
+        // Zero tractions do not divide by zero.
         assert_eq!(bar(0.0, (0.1, 0.1), [0.0; 2], 0.0), 0.2);
     }
 }

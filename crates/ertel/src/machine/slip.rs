@@ -13,7 +13,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use ertel_rheology::ShearThinning;
 
-/// What slips.
+/// Input of the differential slip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Slip {
     /// Semi-axes along and across the motion, m.
@@ -31,10 +31,10 @@ pub(super) struct Slip {
 /// Points along each direction of a quarter of the ellipse.
 const POINTS: usize = 48;
 
-/// Steps for s and for the stress: each halves what it may be off by.
+/// Steps for s and for the stress: each halves the remaining error.
 const STEPS: usize = 60;
 
-/// What comes of it.
+/// Result of the differential slip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct SlipFriction {
     /// P, W.
@@ -74,7 +74,7 @@ impl Slip {
         }
     }
 
-    /// Points of a quarter of the ellipse with their pressure, and the area that each of them stands for in all of it.
+    /// Points of a quarter of the ellipse with their pressure, and the area that each of them represents.
     fn points(&self) -> Vec<([f64; 2], f64, f64)> {
         let [a, b] = self.half_widths;
         let step = FRAC_PI_2 / POINTS as f64;

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use crate::solution::{Centreline, FilmTemperatures};
 
-/// The columns: names with units, values point by point.
+/// The columns: names with units, and the values of each point.
 pub fn columns(
     line: &Centreline,
     temperatures: Option<&FilmTemperatures>,
@@ -21,7 +21,7 @@ pub fn columns(
 }
 
 /// Writes the profiles, one line per point, SI, with the temperatures of a thermal contact; `half_width` a in m.
-///
+/// Writes SI profiles, one line per point, with the temperatures of a thermal contact; `half_width` is a in m.
 /// # Errors
 /// Those of the writer.
 pub fn write_centreline(

@@ -1,4 +1,4 @@
-//! What a check of a case tells.
+//! The report of a case check.
 
 use super::lines::Lines;
 use super::report::{write_case, write_hertz};
@@ -6,7 +6,7 @@ use crate::case::CaseEcho;
 use crate::estimate::CaseEstimate;
 use crate::words::length;
 
-/// The case as understood, its dry contact and its films by formula; what else there is to say of a solve is for the caller.
+/// The case as read, its dry contact and its formula films. The caller adds remarks on the solve.
 pub fn check_report(case: &CaseEcho, estimate: &CaseEstimate) -> String {
     let mut out = Lines::default();
     out.title(&case.title);

@@ -1,4 +1,4 @@
-//! A case by two methods: table and file.
+//! A case solved by two methods: table and file.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use crate::cross_check::{CrossCheck, Crossed, Verdict};
 use crate::solution::Solution;
 use crate::words::digits;
 
-/// Name of the file in the folder of the results.
+/// Name of the file in the result folder.
 const FILE: &str = "cross-check.csv";
 
 /// The figures of both methods as a table.
@@ -18,11 +18,11 @@ pub fn cross_check_report(solution: &Solution, found: &CrossCheck) -> String {
     let mut out = Lines::default();
     out.heading(&format!("Cross-check by {other}"));
     let row = |crossed: &Crossed| {
-        let told = |at| value(solution, crossed.figure, at);
+        let text = |at| value(solution, crossed.figure, at);
         vec![
             crossed.figure.title(),
-            told(&crossed.own),
-            crossed.other.as_ref().map_or("–".to_owned(), told),
+            text(&crossed.own),
+            crossed.other.as_ref().map_or("–".to_owned(), text),
             crossed.verdict().words().to_owned(),
         ]
     };
@@ -45,7 +45,7 @@ pub fn cross_check_report(solution: &Solution, found: &CrossCheck) -> String {
     out.text()
 }
 
-/// Writes the figures of both methods, SI, beside a result that was written.
+/// Writes the SI figures of both methods into an existing result folder.
 ///
 /// # Errors
 /// When the file cannot be written.

@@ -1,4 +1,4 @@
-//! Estimates of a case as text and JSON.
+//! Estimates of a case, as text and JSON.
 
 use std::fmt::Write;
 
@@ -15,10 +15,10 @@ use crate::reference::biboulet_houpert::SOURCE;
 use crate::solution::FormulaFilm;
 use crate::words::{digits, length};
 
-/// Value of the key `format` of the JSON document.
+/// Value of the key `format` in the JSON document.
 pub const ESTIMATE_FORMAT: &str = "ertel-estimate";
 
-/// The estimates as text: the case in SI, Hertz contact, groups, regime, film formulas, and what they mean.
+/// The estimates as text: the case in SI, Hertz contact, groups, regime, film formulas, and their consequences.
 pub fn estimate_report(case: &CaseEcho, estimate: &CaseEstimate) -> String {
     let mut out = Lines::default();
     out.title(&case.title);
@@ -66,7 +66,7 @@ fn write_regime(out: &mut Lines, estimate: &CaseEstimate) {
     }
 }
 
-/// Width of a column of films.
+/// Width of a film column.
 const COLUMN: usize = 14;
 
 fn write_formulas(out: &mut Lines, estimate: &CaseEstimate) {
@@ -221,7 +221,7 @@ fn write_thermal(out: &mut Lines, estimate: &CaseEstimate) {
     }
 }
 
-/// The document; SI throughout.
+/// The JSON document in SI units.
 ///
 /// # Errors
 /// Those of the JSON writer.
@@ -237,7 +237,7 @@ pub fn estimate_json(case: &CaseEcho, estimate: &CaseEstimate) -> serde_json::Re
     ] {
         units[key] = unit.into();
     }
-    // Mesh and solver play no part.
+    // Mesh and solver settings are not used.
     let mut si = serde_json::to_value(case)?;
     if let Some(keys) = si.as_object_mut() {
         keys.remove("mesh");

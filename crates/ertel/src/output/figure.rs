@@ -1,4 +1,4 @@
-//! Figures with their error bars as text.
+//! Figures with error bars as text.
 
 use crate::contact::Symmetry;
 use crate::solution::{
@@ -7,32 +7,32 @@ use crate::solution::{
 use crate::words::digits;
 use crate::words::{length_unit, pressure_unit};
 
-/// Most significant digits of a figure, however narrow its bar.
+/// Maximum number of significant digits of a figure.
 const MOST_DIGITS: i32 = 6;
 
-/// Digits of a figure without a bar.
+/// Digits of a figure without an error bar.
 const DIGITS: usize = 4;
 
-/// Decimals of a temperature in K, at the most.
+/// Maximum decimals of a temperature in K.
 const KELVIN_DECIMALS: i32 = 2;
 
-/// Decimals of a place in half-widths, at the most.
+/// Maximum decimals of a place in half-widths.
 const PLACE_DECIMALS: i32 = 3;
 
-/// First three digits of an error bar up to which two of them are printed, beyond it one (Particle Data Group, Review
+/// An error bar whose first three digits are at most this is printed with two digits, others with one (Particle Data Group, Review
 /// of Particle Physics, introduction, section 5.3).
 const TWO_DIGITS_UP_TO: f64 = 354.0;
 
-/// Power of ten of the first digit.
+/// Power of ten of the leading digit.
 fn exponent(value: f64) -> i32 {
     value.abs().log10().floor() as i32
 }
 
-/// Decimals that an error bar leaves certain; negative where digits before the point are not.
+/// Number of certain decimals, given the error bar; negative if digits before the point are uncertain.
 fn decimals(value: f64, error: f64) -> i32 {
     let first = exponent(error);
     let leading = (error * 10f64.powi(2 - first)).round();
-    // Of 950 and more, which is rounded to the next power of ten, two digits are left.
+    // 950 and more are rounded to the next power of ten: two digits remain.
     let of_bar = match leading {
         l if l <= TWO_DIGITS_UP_TO => 1 - first,
         _ => -first,
@@ -40,7 +40,7 @@ fn decimals(value: f64, error: f64) -> i32 {
     of_bar.min(MOST_DIGITS - 1 - exponent(value.abs().max(error)))
 }
 
-/// A number with so many decimals; digits before the point that are not certain become zeros.
+/// A number with this many decimals; uncertain digits before the point become zeros.
 fn rounded(value: f64, decimals: i32) -> String {
     let text = match usize::try_from(decimals) {
         Ok(decimals) => format!("{value:.decimals$}"),
@@ -49,14 +49,14 @@ fn rounded(value: f64, decimals: i32) -> String {
             format!("{:.0}", step * (value / step).round())
         }
     };
-    // No minus zero.
+    // Avoids minus zero.
     match text.strip_prefix('-') {
         Some(size) if size.parse() == Ok(0.0) => size.to_owned(),
         _ => text,
     }
 }
 
-/// An error bar with so many decimals, never rounded to nothing.
+/// An error bar with this many decimals, never rounded to zero.
 fn bar(error: f64, decimals: i32) -> String {
     let text = rounded(error, decimals);
     if text.parse() == Ok(0.0) && error > 0.0 {
@@ -66,8 +66,8 @@ fn bar(error: f64, decimals: i32) -> String {
     }
 }
 
-/// Value and error bar, both with the digits that the bar leaves certain; without a bar, or without an error, with
-/// four.
+/// Value and error bar with the certain digits; four digits without a bar, or without an
+/// error.
 fn parts(value: f64, error: Option<f64>) -> (String, Option<String>) {
     match error {
         Some(error) if error > 0.0 && error.is_finite() => {
@@ -78,10 +78,10 @@ fn parts(value: f64, error: Option<f64>) -> (String, Option<String>) {
     }
 }
 
-/// Digits of what a figure lies between whose bar leaves no number.
+/// Digits of the bounds of a figure whose bar is too wide for a number.
 const DIGITS_OF_BOUNDS: usize = 2;
 
-/// What a figure lies between whose bar is too wide for a number.
+/// The bounds of a figure whose bar is too wide for a number.
 fn range(e: Estimate, factor: f64, unit: &str) -> String {
     let (value, error) = (factor * e.value, factor * e.error.unwrap_or(0.0));
     let bound = |v: f64| {
@@ -102,7 +102,7 @@ fn range(e: Estimate, factor: f64, unit: &str) -> String {
     format!("{range} {unit}").trim_end().to_owned()
 }
 
-/// A figure with its error bar and its unit, the value times `factor` having the unit; without a number where the bar is too wide for one.
+/// A figure with error bar and unit; the value times `factor` is in this unit. Bounds only if the bar is too wide for a number.
 pub fn in_unit(e: Estimate, factor: f64, unit: &str) -> String {
     match e.is_resolved() {
         true => with_bar(e, factor, unit),
@@ -110,13 +110,13 @@ pub fn in_unit(e: Estimate, factor: f64, unit: &str) -> String {
     }
 }
 
-/// A number with what it is uncertain by, however much that is, as of a measurement.
+/// A number with its uncertainty, however large, as for a measurement.
 pub fn with_bar(e: Estimate, factor: f64, unit: &str) -> String {
     let (value, error) = (factor * e.value, e.error.map(|error| factor * error));
     let largest = value.abs().max(error.unwrap_or(0.0));
     let text = match error {
         None | Some(0.0) if value == 0.0 => "0".to_owned(),
-        // Powers of ten where zeros would be counted.
+        // Powers of ten instead of long rows of zeros.
         Some(error) if error > 0.0 && !(-4..9).contains(&exponent(largest)) => {
             let power = exponent(largest);
             let scale = 10f64.powi(-power);
@@ -131,7 +131,7 @@ pub fn with_bar(e: Estimate, factor: f64, unit: &str) -> String {
     format!("{text} {unit}").trim_end().to_owned()
 }
 
-/// A figure without a unit.
+/// A dimensionless figure.
 pub fn number(e: Estimate) -> String {
     in_unit(e, 1.0, "")
 }
@@ -147,7 +147,7 @@ pub fn percent(e: Estimate) -> String {
 /// 0 °C, K.
 pub const CELSIUS: f64 = 273.15;
 
-/// A temperature (K) in °C, with its rise above that of the inlet in K.
+/// A temperature (K) in °C, with its rise above the inlet temperature in K.
 pub fn temperature(e: Estimate, inlet: Option<f64>) -> String {
     let rise = inlet.map_or(e.value, |inlet| (e.value - inlet).abs().max(LEAST_RISE));
     if e.error.is_some_and(|error| error > WIDEST * rise) {
@@ -173,19 +173,19 @@ fn not_resolved_temperature(e: Estimate) -> String {
     format!("not resolved (between {low} and {high} °C)")
 }
 
-/// A length with a readable unit.
+/// A length in a readable unit.
 pub fn estimate(e: &Estimate) -> String {
     let (factor, unit) = length_unit(largest(e));
     in_unit(*e, factor, unit)
 }
 
-/// A pressure or stress with a readable unit.
+/// A pressure or stress in a readable unit.
 pub fn pressure_estimate(e: Estimate) -> String {
     let (factor, unit) = pressure_unit(largest(&e));
     in_unit(e, factor, unit)
 }
 
-/// A largest pressure; no more than a lower bound where the mesh does not draw its peak.
+/// A maximum pressure; only a lower bound if the mesh does not resolve the peak.
 pub fn peak(at: &Located) -> String {
     peak_of(at.estimate(), at.resolved)
 }
@@ -202,17 +202,17 @@ pub fn peak_of(e: Estimate, resolved: bool) -> String {
     )
 }
 
-/// Three digits, never above the number.
+/// Three digits, rounded down.
 fn floored(value: f64) -> String {
     if value <= 0.0 || !value.is_finite() {
         return digits(value, 3);
     }
     let step = 10f64.powi(exponent(value) - 2);
-    // What stands a rounding below a step is on it.
+    // A number within rounding of a step counts as that step.
     digits((value / step * (1.0 + 1e-12)).floor() * step, 3)
 }
 
-/// A figure that a result does not tell: `the minimum film thickness (between 0.1 and 0.7 nm)`.
+/// A figure that a result does not state: `the minimum film thickness (between 0.1 and 0.7 nm)`.
 pub fn unresolved(u: &Unresolved) -> String {
     let (factor, unit) = unit_of_size(u.figure.kind(), largest(&u.estimate));
     let text = match u.why {
@@ -227,18 +227,18 @@ pub fn unresolved(u: &Unresolved) -> String {
             format!("{} {unit}", digits(factor * u.estimate.value, 2)).trim_end()
         ),
         Why::OpenBalance => format!(
-            "open by {} % of the heat made",
+            "heat balance error {} % of the generated heat",
             digits(100.0 * u.estimate.value, 2)
         ),
         Why::OpenMassBalance => format!(
-            "open by {} % of the oil that passes the centre",
+            "mass balance error {} % of the flow through the centre",
             digits(100.0 * u.estimate.value, 2)
         ),
     };
     format!("{} ({text})", u.words())
 }
 
-/// Factor and unit in which a figure of this size (SI) is readable; of a share in per cent.
+/// Factor and unit for a figure of this size (SI); per cent for a share.
 pub fn unit_of_size(kind: Kind, size: f64) -> (f64, &'static str) {
     match kind {
         Kind::Length | Kind::Position | Kind::Offset => length_unit(size),
@@ -263,7 +263,7 @@ pub fn axis_name(figure: Figure) -> String {
     }
 }
 
-/// The size that asks for a unit: of the value, unless that is lost in its bar.
+/// The size that determines the unit: the value, unless it is smaller than its bar.
 fn largest(e: &Estimate) -> f64 {
     e.value.abs().max(e.error.unwrap_or(0.0))
 }
@@ -286,7 +286,7 @@ pub fn position(e: Estimate, half_width: f64) -> String {
 
 const PLACE_NOT_RESOLVED: &str = "place not resolved";
 
-/// Where a figure is, in half-widths.
+/// Place of a figure, in half-widths.
 pub fn place(solution: &Solution, at: &Located) -> String {
     if !at.place_resolved {
         return PLACE_NOT_RESOLVED.to_owned();
@@ -301,7 +301,7 @@ pub fn place(solution: &Solution, at: &Located) -> String {
         false if at.y == 0.0 => format!("{}, y/a 0", position(along, a)),
         false => {
             let error = at.place_error.map(|error| error / a);
-            // The other sign belongs to the mirror image.
+            // The opposite sign is that of the mirror image.
             let (sign, y) = match solution.shape.symmetry {
                 Symmetry::Half => ("±", at.y.abs()),
                 Symmetry::Full => ("", at.y),
@@ -399,23 +399,23 @@ mod tests {
         assert_eq!(temperature(plain, Some(313.0)), "36.85 °C (-3.00 K)");
     }
 
-    /// By hand, of a film of 245.0 ± 0.8 nm: a bar of 150 nm, none though one was asked for, and one of 20 mm on bodies of 16 mm are no results.
+    /// By hand, for a film of 245.0 ± 0.8 nm: not stated are a bar of 150 nm, a missing bar that was requested, and a film of 20 mm on bodies of 16 mm.
     #[test]
-    fn what_is_not_told_has_a_reason() {
+    fn unresolved_figures_have_a_reason() {
         let asked = Asked {
             bars: true,
             slides: false,
             radius: 0.016,
         };
-        let told = |film: Estimate, asked| {
+        let reason = |film: Estimate, asked| {
             let (_, mut solution) = sample::circle().clone();
             solution.summary.film_central = film;
             let found = Unresolved::all(&solution, asked);
             (found.iter().map(unresolved).collect::<Vec<_>>()).join("; ")
         };
-        assert_eq!(told(e(245e-9, 0.8e-9), asked), "");
+        assert_eq!(reason(e(245e-9, 0.8e-9), asked), "");
         assert_eq!(
-            told(e(245e-9, 150e-9), asked),
+            reason(e(245e-9, 150e-9), asked),
             "the central film thickness (between 95 and 400 nm)"
         );
         let without = Estimate {
@@ -423,11 +423,11 @@ mod tests {
             error: None,
         };
         assert_eq!(
-            told(without, asked),
+            reason(without, asked),
             "the central film thickness (no error bar could be computed)"
         );
         assert_eq!(
-            told(
+            reason(
                 without,
                 Asked {
                     bars: false,
@@ -437,12 +437,12 @@ mod tests {
             ""
         );
         assert_eq!(
-            told(e(0.02, 1e-4), asked),
+            reason(e(0.02, 1e-4), asked),
             "the central film thickness (20 mm, beyond the radius)"
         );
     }
 
-    /// A peak that the mesh cuts off is a lower bound, which rounding does not raise.
+    /// A peak that the mesh cuts off is a lower bound; rounding does not raise it.
     #[test]
     fn peaks_that_are_not_resolved_are_lower_bounds() {
         let at = |value: f64, error: f64, resolved: bool| Located {

@@ -1,6 +1,6 @@
-//! Looks for numbers that are not finite: JSON has none, and a file with one would be no result.
+//! Finds non-finite numbers: JSON cannot represent them, and a file with one would not be a valid result.
 //!
-//! Whatever serde can write is looked at, so that a new figure or field needs no line here; a new part of a solution has to be named once.
+//! All serialisable values are scanned, so new figures and fields need no line here; a new part of a solution must be named once.
 
 mod numbers;
 
@@ -11,10 +11,10 @@ use serde::Serialize;
 use crate::case::CaseEcho;
 use crate::solution::{Located, Solution, Thermal};
 
-/// Path of the first number that is not finite, as `summary.film_central.value`, or `None` if all are.
+/// Path of the first non-finite number, such as `summary.film_central.value`; `None` if all are finite.
 pub(super) fn first_not_finite(case: &CaseEcho, solution: &Solution) -> Option<String> {
     let Solution {
-        // A name, and the geometry of the mesh, which no file holds.
+        // A name, and the mesh geometry, which no file holds.
         kind: _,
         shape: _,
         hertz,
@@ -23,7 +23,7 @@ pub(super) fn first_not_finite(case: &CaseEcho, solution: &Solution) -> Option<S
         groups_asymptotic,
         scales,
         extents,
-        // By their names, below.
+        // Scanned by name below.
         measured: _,
         summary,
         starvation,
@@ -40,7 +40,7 @@ pub(super) fn first_not_finite(case: &CaseEcho, solution: &Solution) -> Option<S
         surface,
         elements,
         body,
-        // The way to the solution: a grid that failed may have numbers that are not finite, which are null in JSON.
+        // Solution statistics: a failed grid may have non-finite numbers; they are null in JSON.
         history: _,
         stats: _,
         left_out,
@@ -82,7 +82,7 @@ fn by_name(solution: &Solution) -> BTreeMap<&'static str, Located> {
     figures.map(|(figure, at)| (figure.name(), at)).collect()
 }
 
-/// Fields of temperatures, which do not stand in `result.json`.
+/// Temperature fields, which are not in `result.json`.
 fn temperatures(thermal: &Thermal) -> Option<String> {
     find("thermal.centreline", &thermal.centreline)
         .or_else(|| find("thermal.surface", &thermal.surface))
@@ -90,7 +90,7 @@ fn temperatures(thermal: &Thermal) -> Option<String> {
         .or_else(|| find("thermal.field", &thermal.field))
 }
 
-/// Path of the first number of a value that is not finite.
+/// Path of the first non-finite number of a value.
 fn find(name: &str, value: &impl Serialize) -> Option<String> {
     let path = numbers::first_not_finite(value)?;
     Some(format!("{name}{path}"))
@@ -102,7 +102,7 @@ mod tests {
     use crate::output::sample;
     use crate::solution::{BodyField, Figure, Reading};
 
-    /// A number of each part, and of each shape that serde knows, with its name.
+    /// Names a number in each part and for each shape that serde knows.
     type Spoil = (&'static str, fn(&mut CaseEcho, &mut Solution));
 
     const SPOILS: [Spoil; 11] = [
@@ -150,9 +150,9 @@ mod tests {
         }
     }
 
-    /// Statistics of the way to the solution refuse no result: they are null.
+    /// Non-finite solution statistics do not reject a result: they become null.
     #[test]
-    fn statistics_that_are_not_finite_lose_no_result() {
+    fn non_finite_statistics_do_not_reject_a_result() {
         let (case, solution) = sample::line();
         let mut solution = solution.clone();
         solution.history[1].residual = f64::NAN;

@@ -1,4 +1,4 @@
-//! Result folders that appear as a whole or not at all.
+//! Result folders written as a whole or not at all.
 
 use std::cell::RefCell;
 use std::fs::{self, File};
@@ -10,7 +10,7 @@ use super::target::{POINTS, check_target, is_own_name};
 use super::workplace::{Workplace, clear, exchange};
 use crate::files::clear_unfinished;
 
-/// A folder in the making beside its target; dropped unfinished, it vanishes.
+/// A temporary folder next to its target; removed if dropped unfinished.
 pub(super) struct NewFolder {
     target: PathBuf,
     parent: PathBuf,
@@ -19,11 +19,11 @@ pub(super) struct NewFolder {
     root: Part,
 }
 
-/// The folder in the making or a folder within.
+/// The temporary folder or a folder inside it.
 pub(super) struct Part {
-    /// Where it is while in the making.
+    /// Temporary path.
     place: Place,
-    /// Where it will be.
+    /// Final path.
     target: PathBuf,
 }
 
@@ -32,7 +32,7 @@ enum Place {
     Memory(RefCell<Vec<OutputFile>>),
 }
 
-/// A file of a result folder that is not on a disk.
+/// A file of a result folder in memory.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OutputFile {
     /// Its name.
@@ -42,13 +42,13 @@ pub struct OutputFile {
 }
 
 impl NewFolder {
-    /// Checks that the target may be written and makes the temporary folder beside it.
-    pub fn beside(target: &Path) -> Result<NewFolder, OutputError> {
+    /// Checks that the target may be written and makes the temporary folder next to it.
+    pub fn next_to(target: &Path) -> Result<NewFolder, OutputError> {
         clear_leftovers(target);
         check_target(target)?;
         let (target, parent) = place(target);
         fs::create_dir_all(&parent).map_err(|e| OutputError::io(&parent, e))?;
-        let workplace = Workplace::beside(&parent).map_err(|e| OutputError::io(&parent, e))?;
+        let workplace = Workplace::create_in(&parent).map_err(|e| OutputError::io(&parent, e))?;
         let path = workplace.new_folder();
         let root = Part {
             place: Place::Disk(path.clone()),
@@ -68,7 +68,7 @@ impl NewFolder {
         &self.root
     }
 
-    /// Makes the folder of one point within.
+    /// Makes the folder of one point.
     pub fn point(&self, name: &str) -> Result<Part, OutputError> {
         let path = self.path.join(POINTS).join(name);
         let target = self.target.join(POINTS).join(name);
@@ -77,23 +77,23 @@ impl NewFolder {
         Ok(Part { place, target })
     }
 
-    /// Puts the folder in its place, instead of a former result.
+    /// Moves the folder to its target, replacing a former result.
     pub fn finish(self) -> Result<(), OutputError> {
-        // Somebody may have put something there meanwhile
+        // The target may have changed meanwhile
         check_target(&self.target)?;
         self.workplace.put(&self.target, &self.parent, exchange)
     }
 }
 
-/// Clears what killed runs left beside a result folder, and brings back a former result that one of them had moved away.
-/// What cannot be cleared is left to the next run.
+/// Clears the remains of killed runs next to a result folder and restores a former result that one of them had moved away.
+/// Remains that cannot be removed are kept for the next run.
 pub fn clear_leftovers(target: &Path) {
     let (_, parent) = place(target);
     clear(&parent);
     clear_unfinished(&parent);
 }
 
-/// Where a folder is or will be, and the folder around it. A link to a former result stays; what it points to is replaced.
+/// The path of a folder and its parent folder. A link to a former result stays; the folder it points to is replaced.
 fn place(asked: &Path) -> (PathBuf, PathBuf) {
     let target = crate::files::place(asked).unwrap_or_else(|_| asked.to_owned());
     let parent = match target.parent() {
@@ -112,7 +112,7 @@ impl Part {
         }
     }
 
-    /// The files of a folder in memory, as they were written one after the other; none of one on a disk.
+    /// The files of a folder in memory, in the order of writing; empty for a folder on disk.
     pub fn into_files(self) -> Vec<OutputFile> {
         match self.place {
             Place::Disk(_) => Vec::new(),
@@ -120,12 +120,12 @@ impl Part {
         }
     }
 
-    /// Where a file of this folder will be.
+    /// Final path of a file of this folder.
     pub fn shown(&self, name: &str) -> PathBuf {
         self.target.join(name)
     }
 
-    /// Writes one file and brings it to the disk; errors name the file in the target.
+    /// Writes one file and syncs it to disk; errors name the file in the target.
     pub fn file(
         &self,
         name: &str,

@@ -1,4 +1,4 @@
-//! Heat in the report: the thermal data of a case, and what comes of them; profiles across the film.
+//! Heat in the report: thermal data, temperatures and effects of a case; profiles across the film.
 
 use std::io::{self, Write};
 
@@ -11,7 +11,7 @@ use crate::output::BODIES;
 use crate::solution::{CrossProfile, Section, Solution, Thermal};
 use crate::words::digits;
 
-/// What carries the heat.
+/// The thermal data of lubricant and bodies.
 pub(super) fn write(out: &mut Lines, thermal: &ThermalEcho) {
     let of = |material: &HeatEcho| {
         let law = |name: &str| match name {
@@ -39,7 +39,7 @@ pub(super) fn write(out: &mut Lines, thermal: &ThermalEcho) {
     }
 }
 
-/// Temperatures, heat, and what it does to film and traction.
+/// Temperatures, heat, and the effects on film and traction.
 pub(super) fn write_results(out: &mut Lines, solution: &Solution, thermal: &Thermal) {
     out.heading("Heat");
     write_section(out, solution, Section::Temperature);
@@ -63,7 +63,7 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution, thermal: &Ther
     let contraction = match c.rounds {
         0 | 1 => String::new(),
         _ => format!(
-            ", each changes {} times as much as the one before",
+            ", each change {} times the previous one",
             digits(c.contraction, 2)
         ),
     };
@@ -82,7 +82,7 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution, thermal: &Ther
 const PROFILE_COLUMNS: &str = "x_m,y_m,x_over_a,y_over_a,film_thickness_m,z_m,z_over_h,temperature_K,\
     velocity_x_m_per_s,velocity_y_m_per_s,shear_rate_per_s,generalized_viscosity_Pa_s";
 
-/// Writes profiles across the film, one line per height, SI; `half_width` a in m.
+/// Writes SI profiles across the film, one line per height; `half_width` is a in m.
 ///
 /// # Errors
 /// Those of the writer.
@@ -115,10 +115,10 @@ pub(super) fn write_profiles(
     Ok(())
 }
 
-/// Of a profile's place, in half-widths: for legends.
+/// Place of a profile in half-widths, for legends.
 pub(super) fn profile_label(profile: &CrossProfile, half_width: f64) -> String {
     let (x, y) = (profile.x / half_width, profile.y / half_width);
-    // A product and a quotient by the same number leave dust.
+    // Rounds off the error of a product and a quotient by the same number.
     let round = |v: f64| digits((1e6 * v).round() / 1e6, 4).replace('-', "−");
     match y {
         0.0 => format!("*x*/*a* = {}", round(x)),

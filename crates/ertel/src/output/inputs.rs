@@ -1,4 +1,4 @@
-//! What the inputs of a case do to its figures, in the report.
+//! Sensitivities to the inputs, in the report.
 
 use super::lines::{Lines, Table};
 use crate::solution::{
@@ -10,26 +10,26 @@ use crate::words::digits;
 const KEY_WIDTH: usize = 44;
 const NUMBER_WIDTH: usize = 11;
 
-/// Effects, in per cent of a figure for one per cent of an input, that are not listed one by one.
+/// Effects below this, in per cent of a figure per per cent of an input, are only named.
 const NEGLIGIBLE: f64 = 1e-3;
 
-/// Shares of an uncertainty that are not listed one by one.
+/// Shares of an uncertainty below this are not listed separately.
 const NEGLIGIBLE_SHARE: f64 = 0.01;
 
-/// Half-width of an interval, over the figure, beyond which derivatives alone tell little.
+/// Half-width of an interval, relative to the figure, above which first-order results are unreliable.
 const FAR_FROM_LINEAR: f64 = 0.2;
 
-/// Sensitivities, the largest for the films first, and the uncertainty that those of the inputs come to.
+/// Sensitivities, the largest for the films first, and the resulting uncertainty from the inputs.
 pub(super) fn write(out: &mut Lines, solution: &Solution) {
     write_uncertainty(out, solution);
     let Some(sensitivities) = &solution.sensitivities else {
         if solution.thermal.is_some() {
-            out.heading("Sensitivities: not computed where heat counts unless [output] sensitivities = true");
+            out.heading("Sensitivities: not computed for thermal cases unless [output] sensitivities = true");
         }
         return;
     };
     out.heading("Sensitivities: per cent of the figure for one per cent of the input, for one kelvin of a temperature");
-    // A traction that is zero has no per cent, and one that is not resolved none that mean anything; figures without a symbol are in result.json.
+    // A traction of zero has no percentage, and that of an unresolved figure is meaningless; figures without a symbol are in result.json.
     let figures: Vec<&FigureSensitivity> = sensitivities
         .figures
         .iter()
@@ -73,22 +73,24 @@ pub(super) fn write(out: &mut Lines, solution: &Solution) {
         .collect();
     if !missing.is_empty() {
         out.line(&format!(
-            "not computed of what is not resolved: {}",
+            "not computed for unresolved figures: {}",
             missing.join(", ")
         ));
     }
     match sensitivities.by {
         SensitivityMethod::Adjoint => {}
         SensitivityMethod::LinearSolves => {
-            out.line("by linear solves on coarser grids, good to a few per cent of the largest");
+            out.line(
+                "from linear solves on coarser grids; accurate to a few per cent of the largest",
+            );
         }
         SensitivityMethod::Differences => {
-            out.line("by differences of solves on one mesh, good to about a per cent");
+            out.line("from differences of solves on one mesh; accurate to about one per cent");
         }
     }
 }
 
-/// Keys with their effects, the largest on a film first, and the keys without.
+/// Keys with their effects, the largest effect on a film first, and the keys without effects.
 fn rows<'a>(
     sensitivities: &'a Sensitivities,
     figures: &[&FigureSensitivity],
@@ -96,7 +98,7 @@ fn rows<'a>(
     let all = (sensitivities.inputs.iter().enumerate())
         .filter(|(_, input)| input.value != 0.0)
         .map(|(i, input)| {
-            // Per cent for one per cent, or for one kelvin; of the largest temperature, kelvins.
+            // Per cent per per cent, or per kelvin; kelvins for the largest temperature.
             let step = match input.is_temperature() {
                 true => 100.0,
                 false => input.value,
@@ -118,7 +120,7 @@ fn rows<'a>(
     (rows, keys)
 }
 
-/// Inputs left out, by their reason.
+/// Omitted inputs, grouped by reason.
 fn left_out(sensitivities: &Sensitivities) -> Vec<(&str, Vec<&str>)> {
     let mut reasons: Vec<(&str, Vec<&str>)> = Vec::new();
     for input in &sensitivities.left_out {
@@ -133,7 +135,7 @@ fn left_out(sensitivities: &Sensitivities) -> Vec<(&str, Vec<&str>)> {
     reasons
 }
 
-/// Its symbol, or its words where it has none.
+/// The symbol of a figure, or its words.
 fn short(figure: Figure) -> &'static str {
     match figure.symbol() {
         "" => figure.words(),
@@ -152,7 +154,7 @@ fn write_uncertainty(out: &mut Lines, solution: &Solution) {
             .map(|(key, share)| format!("{key} {:.0} %", 100.0 * share))
             .collect();
         let size = match (figure.figure.kind(), figure.value) {
-            // Per cent of a temperature mean nothing.
+            // A percentage of a temperature is meaningless.
             (Kind::Temperature, _) => {
                 format!("{} K", digits(figure.half_width, 2))
             }
@@ -182,7 +184,7 @@ fn write_uncertainty(out: &mut Lines, solution: &Solution) {
     }
 }
 
-/// With its sign, to three decimals.
+/// With sign, to three decimals.
 fn signed(value: f64) -> String {
     if value.abs() < 0.5 * NEGLIGIBLE {
         return "0".to_owned();
@@ -196,9 +198,9 @@ mod tests {
     use super::*;
     use crate::solution::{Bar, Reading};
 
-    /// Traction whose sign is not known has no per cent: it would be millions. One that the mesh resolves has.
+    /// A traction of unknown sign has no percentage: it would be in the millions. A resolved one has.
     #[test]
-    fn only_what_is_resolved_has_sensitivities() {
+    fn only_resolved_figures_have_sensitivities() {
         let (_, solution) = sample::line();
         for (error, is_shown) in [(1e-5, true), (1.0, false)] {
             let mut solution = solution.clone();

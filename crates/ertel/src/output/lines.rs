@@ -1,18 +1,18 @@
-//! A report as headings, rows and tables: written as text here, as a page by [`super::html`].
+//! A report as headings, rows and tables: written as text here and as a page by [`super::html`].
 
 use std::fmt::Write;
 
 use crate::warning::Warning;
 
-/// Width of the column of names.
+/// Width of the name column.
 pub(super) const NAME_WIDTH: usize = 34;
 
-/// A piece of a report.
+/// A block of a report.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Block {
-    /// Title of the whole.
+    /// Title of the report.
     Title(String),
-    /// Heading of what follows.
+    /// Heading of the following blocks.
     Heading(String),
     /// A quantity and its value.
     Row(String, String),
@@ -22,7 +22,7 @@ pub(super) enum Block {
     Note(String),
     /// A table.
     Table(Table),
-    /// What the user should know.
+    /// A warning.
     Warnings(Vec<String>),
 }
 
@@ -33,20 +33,20 @@ pub(super) struct Table {
     pub head: Vec<String>,
     /// Cells.
     pub rows: Vec<Vec<String>>,
-    /// Width of each column as text, and the blanks that follow it in any case.
+    /// Width of each column in text form, and the minimum number of spaces after it.
     pub widths: Vec<(usize, usize)>,
 }
 
-/// A report in the making.
+/// A report under construction.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Lines {
-    /// Its pieces in their order.
+    /// Its blocks in order.
     pub blocks: Vec<Block>,
 }
 
 impl Lines {
     pub fn title(&mut self, title: &str) {
-        // Control characters of a title stay out of the terminal
+        // Removes control characters from a title
         let mut clean: String = title.chars().filter(|c| !c.is_control()).collect();
         if clean.trim().is_empty() {
             clean = "Elastohydrodynamic contact".to_owned();
@@ -75,7 +75,7 @@ impl Lines {
         self.blocks.push(Block::Table(table));
     }
 
-    /// Warnings under a heading of their own, if there are any; then notes.
+    /// Warnings under a separate heading, if there are any; then notes.
     pub fn warnings(&mut self, warnings: &[Warning]) {
         let shown = shown_warnings(warnings);
         if !shown.is_empty() {

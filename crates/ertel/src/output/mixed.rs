@@ -1,4 +1,4 @@
-//! What the report says of rough surfaces.
+//! Rough surfaces in the report.
 
 use std::fmt::Write;
 
@@ -9,10 +9,10 @@ use crate::mixed::Asperities;
 use crate::solution::{Estimate, Solution};
 use crate::words::{digits, pressure};
 
-/// Where the load and the friction of asperities come from.
+/// Source of the asperity load and friction model.
 pub(super) const ASPERITY_SOURCE: &str = "Greenwood and Tripp 1970";
 
-/// The numbers that describe asperities.
+/// The asperity parameters.
 pub(super) fn describe(asperities: &Asperities) -> String {
     let mut text = format!(
         "σβη {}, σ/β {}",
@@ -25,7 +25,7 @@ pub(super) fn describe(asperities: &Asperities) -> String {
     text
 }
 
-/// Film over roughness, and what that is called.
+/// The ratio of film thickness to roughness, and its definition.
 pub(super) fn write_lambda(out: &mut Lines, solution: &Solution) {
     let Some(mixed) = &solution.mixed else { return };
     let ratio = |lambda: Estimate| match lambda.error {
@@ -84,7 +84,7 @@ pub(super) fn write_asperities(out: &mut Lines, solution: &Solution) {
     }
 }
 
-/// A share in per cent; a tiny one as a power of ten.
+/// A share in per cent; tiny ones with a power of ten.
 pub(super) fn share(share: Estimate) -> String {
     match share.value < 1e-4 {
         true => number(share),

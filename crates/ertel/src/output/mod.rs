@@ -1,6 +1,6 @@
-//! Results for people and programs: report, `result.json`, tables, fields and pictures.
+//! Results for users and programs: report, `result.json`, tables, fields and pictures.
 //!
-//! [`write()`] puts everything into one folder that appears as a whole or not at all.
+//! [`write()`] writes everything into one folder, as a whole or not at all.
 
 pub mod centreline;
 mod check;
@@ -65,13 +65,13 @@ use crate::files::write_whole;
 use crate::params::{OutputParams, PictureFormats};
 use crate::solution::Solution;
 
-/// Why results were not written. Nothing is left half-written.
+/// Why results were not written. No partial result remains.
 #[derive(Debug, thiserror::Error)]
 pub enum OutputError {
     /// The system refused: disk full, no permission, and so on.
     #[error("cannot write {}: {source}", path.display())]
     Io {
-        /// What was being written.
+        /// The file or folder being written.
         path: PathBuf,
         /// The system's reason.
         source: io::Error,
@@ -82,7 +82,7 @@ pub enum OutputError {
         /// The target.
         path: PathBuf,
     },
-    /// The target holds something else than a former result.
+    /// The target holds something other than a former result.
     #[error(
         "will not replace the folder {}: {reason}. Choose another folder, or empty this one",
         path.display()
@@ -90,22 +90,22 @@ pub enum OutputError {
     ForeignFolder {
         /// The target.
         path: PathBuf,
-        /// What it holds.
+        /// The foreign content.
         reason: String,
     },
     /// A number to be written is not finite.
     #[error("the result is not written, because it holds a number that is not finite: {what}")]
     NotFinite {
-        /// Which.
+        /// The number.
         what: String,
     },
-    /// The name of a picture says no format.
+    /// The name of a picture has no known format.
     #[error("the name of a picture must end in .svg, .pdf or .png, not {}", path.display())]
     Suffix {
         /// The name.
         path: PathBuf,
     },
-    /// A picture cannot be made in one of the formats.
+    /// A picture cannot be encoded in one of the formats.
     #[error(transparent)]
     Drawing(#[from] ertel_plot::DrawingError),
 }
@@ -119,18 +119,18 @@ impl OutputError {
     }
 }
 
-/// What outputs call the bodies.
+/// Names of the bodies in outputs.
 pub(crate) const BODIES: [&str; 2] = ["body 1", "body 2"];
 
 /// Writes a result folder: `result.json`, `report.txt`, `report.html`, `case.toml`, `centreline.csv`,
-/// `surface.vtu`, `body.vtu`, `result.nc` and the pictures, as `params` asks (its `folder` is not looked at); of a thermal contact
-/// `cross-film.csv` and `temperature.vtu`, too.
+/// `surface.vtu`, `body.vtu`, `result.nc` and the pictures, as `params` requests (its `folder` is ignored); for a thermal contact
+/// also `cross-film.csv` and `temperature.vtu`.
 ///
-/// The files are written beside the target first, brought to the disk, and then put in place; a
-/// former result there is replaced, anything else is refused.
+/// The files are written next to the target, synced to disk, and then moved into place; a
+/// former result is replaced, anything else is refused.
 ///
 /// # Errors
-/// [`OutputError`]; the target is then as it was before.
+/// [`OutputError`]; the target is then unchanged.
 pub fn write(
     case: &CaseEcho,
     solution: &Solution,
@@ -138,15 +138,15 @@ pub fn write(
     params: &OutputParams,
 ) -> Result<(), OutputError> {
     check_solution(case, solution)?;
-    let folder = NewFolder::beside(target)?;
+    let folder = NewFolder::next_to(target)?;
     write_files(folder.root(), case, solution, params)?;
     folder.finish()
 }
 
-/// The files that [`write()`] puts into a folder, in memory: for programs without a disk.
+/// The files that [`write()`] puts into a folder, in memory, for programs without a disk.
 ///
 /// # Errors
-/// [`OutputError`]: pictures that cannot be made, and numbers that are not finite.
+/// [`OutputError`]: pictures that cannot be encoded, and non-finite numbers.
 pub fn files(
     case: &CaseEcho,
     solution: &Solution,
@@ -188,7 +188,7 @@ fn write_files(
         let temperatures = thermal.map(|t| &t.centreline);
         centreline::write_centreline(out, &solution.centreline, temperatures, half_width)
     })?;
-    // What takes longest to make, at the same time.
+    // The slowest parts, in parallel.
     let (tolerance, scale) = (Some(case.solver.tolerance), case.temperature_scale());
     let surface = || -> io::Result<Vec<u8>> {
         let mut bytes = Vec::new();
@@ -231,7 +231,7 @@ fn write_files(
         let image = pictures::Image::new(solution, light, case.fluid.density);
         let png = image.png()?;
         folder.file("interferogram.png", |out| out.write_all(&png))?;
-        // The image alone is the PNG file; with axes it is SVG or PDF.
+        // The PNG file is the image alone; SVG and PDF have axes.
         let picture = pictures::Picture::new("interferogram", image.drawing(&case.title, &png));
         let formats = PictureFormats {
             png: false,
@@ -242,7 +242,7 @@ fn write_files(
     Ok(())
 }
 
-/// A picture in the formats that are asked for.
+/// A picture in the requested formats.
 fn write_picture(
     folder: &Part,
     picture: &pictures::Picture,
@@ -268,7 +268,7 @@ fn write_picture(
 /// Suffix and content of a file.
 pub(crate) type SuffixedFile = (&'static str, Vec<u8>);
 
-/// The files of a picture in the formats that are asked for.
+/// The files of a picture in the requested formats.
 fn drawn(
     drawing: &ertel_plot::Drawing,
     formats: PictureFormats,
@@ -282,7 +282,7 @@ fn drawn(
         .collect())
 }
 
-/// Writes a picture as [`put_picture`] does. All formats are made before the first file is written.
+/// Writes a picture as [`put_picture`] does. All formats are encoded before the first file is written.
 ///
 /// # Errors
 /// [`OutputError`].
@@ -296,10 +296,10 @@ pub(crate) fn replace_picture(
     put_picture(folder, name, &picture_files(drawing, formats)?, former)
 }
 
-/// The files of a picture, if there is one, in the formats that are asked for.
+/// The files of a picture, if any, in the requested formats.
 ///
 /// # Errors
-/// [`OutputError`] of a picture that cannot be made.
+/// [`OutputError`] if a picture cannot be encoded.
 pub(crate) fn picture_files(
     drawing: Option<&ertel_plot::Drawing>,
     formats: PictureFormats,
@@ -307,8 +307,8 @@ pub(crate) fn picture_files(
     Ok(drawing.map_or(Ok(Vec::new()), |drawing| drawn(drawing, formats))?)
 }
 
-/// Writes a picture as `name.svg`, `name.pdf` and `name.png`, as far as there are such files. Where there is none now, or not in this
-/// format, the one of a former run in one of the formats `former` is removed, for it would show another result; others may be the user's.
+/// Writes a picture as `name.svg`, `name.pdf` and `name.png`, as far as these files exist. A file of a former run in one of the
+/// formats `former` is removed if it has no replacement, because it would show another result; others may be the user's.
 ///
 /// # Errors
 /// [`OutputError`].
@@ -338,10 +338,10 @@ pub(crate) fn put_picture(
     Ok(())
 }
 
-/// Writes a picture into one file, in the format that its suffix names.
+/// Writes a picture into one file, in the format given by its suffix.
 ///
 /// # Errors
-/// [`OutputError::Suffix`] for another suffix than those of [`PictureFormats::NAMES`].
+/// [`OutputError::Suffix`] for a suffix other than those of [`PictureFormats::NAMES`].
 pub fn write_drawing(path: &Path, drawing: &ertel_plot::Drawing) -> Result<(), OutputError> {
     for (_, content) in drawn(drawing, picture_format(path)?)? {
         write_whole(path, &content).map_err(|e| OutputError::io(path, e))?;
@@ -349,7 +349,7 @@ pub fn write_drawing(path: &Path, drawing: &ertel_plot::Drawing) -> Result<(), O
     Ok(())
 }
 
-/// The format that the suffix of a file name asks for.
+/// The format given by the suffix of a file name.
 ///
 /// # Errors
 /// [`OutputError::Suffix`].

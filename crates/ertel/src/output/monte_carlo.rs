@@ -1,4 +1,4 @@
-//! What sampled inputs come to: a file, a picture and a table for the terminal.
+//! Statistics of sampled inputs: a file, a picture and a table for the terminal.
 
 use std::f64::consts::PI;
 use std::path::Path;
@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::figure::{axis_name, unit_of_size};
 use super::lines::Lines;
-use super::machine::{TOLD, TOLD_IN_TIME};
+use super::machine::{REPORTED, REPORTED_IN_TIME};
 use super::pictures::film_unit;
 use super::result_json::FORMAT_VERSION;
 use super::{OutputError, replace_picture};
@@ -18,15 +18,15 @@ use crate::study::monte_carlo::{Distribution, MonteCarlo, QUANTILES, Sampled};
 use crate::words::digits;
 use ertel_plot::{Axis, Chart, Drawing, Look, PALETTE, Series, Side, side_by_side};
 
-/// Name of the statistics beside the table of the samples.
+/// Name of the statistics file next to the table of the samples.
 pub const MONTE_CARLO: &str = "monte-carlo.json";
-/// Value of its key `format`.
+/// Value of the key `format`.
 const MONTE_CARLO_FORMAT: &str = "ertel-monte-carlo";
-/// The picture beside it, without suffix.
+/// Name of the picture next to it, without suffix.
 const PICTURE: &str = "monte-carlo";
 
-/// Writes statistics and picture into the folder of the study, the picture in the formats `pictures`. The uncertainties to first order
-/// are shown with them where there are any.
+/// Writes statistics and picture into the folder of the study, the picture in the formats `pictures`. First-order uncertainties
+/// are included if available.
 ///
 /// # Errors
 /// Files that cannot be written.
@@ -86,12 +86,12 @@ fn json(found: &MonteCarlo, first_order: Option<&Uncertainties>) -> Value {
     })
 }
 
-/// Standard deviation to first order.
+/// First-order standard deviation.
 fn standard(figure: &Distribution, first_order: Option<&Uncertainties>) -> Option<f64> {
     Some(0.5 * reading(figure, first_order)?.half_width)
 }
 
-/// The figure and its uncertainty to first order; whole machines have none.
+/// The figure and its first-order uncertainty; machines have none.
 fn reading<'a>(
     figure: &Distribution,
     first_order: Option<&'a Uncertainties>,
@@ -102,11 +102,13 @@ fn reading<'a>(
     }
 }
 
-/// Figures that are shown: of machines the main ones; all are in the file.
+/// Displayed figures: the main ones of machines; the file has all.
 fn shown(found: &MonteCarlo) -> impl Iterator<Item = &Distribution> {
     let is_shown = |figure: &&Distribution| match figure.figure {
         Sampled::Contact(_) => true,
-        Sampled::Machine { name, .. } => TOLD.contains(&name) || TOLD_IN_TIME.contains(&name),
+        Sampled::Machine { name, .. } => {
+            REPORTED.contains(&name) || REPORTED_IN_TIME.contains(&name)
+        }
     };
     found.figures.iter().filter(is_shown)
 }
@@ -151,7 +153,7 @@ pub fn monte_carlo_report(found: &MonteCarlo, first_order: Option<&Uncertainties
     out.text()
 }
 
-/// What a figure is, in words.
+/// Description of a figure.
 fn title(figure: &Distribution) -> String {
     match figure.figure {
         Sampled::Contact(figure) => figure.title(),
@@ -159,7 +161,7 @@ fn title(figure: &Distribution) -> String {
     }
 }
 
-/// Factor and unit in which a figure is shown.
+/// Factor and display unit of a figure.
 fn unit(figure: &Distribution) -> (f64, String) {
     let (factor, unit) = match figure.figure {
         Sampled::Contact(of) => unit_of_size(of.kind(), figure.mean),
@@ -172,7 +174,7 @@ fn unit(figure: &Distribution) -> (f64, String) {
     (factor, format!("{space}{unit}"))
 }
 
-/// Frequencies of the samples, and the normal distribution of the first order.
+/// Frequencies of the samples, and the first-order normal distribution.
 fn picture(found: &MonteCarlo, first_order: Option<&Uncertainties>) -> Drawing {
     let charts: Vec<Chart> = shown(found).map(|f| chart(f, first_order)).collect();
     side_by_side("Uncertainty of the inputs", &charts, 2)

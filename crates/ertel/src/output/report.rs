@@ -1,4 +1,4 @@
-//! The summary that a user reads.
+//! The summary report.
 
 use std::path::Path;
 
@@ -11,14 +11,14 @@ use crate::case::CaseEcho;
 use crate::contact::roller::Profile;
 use crate::contact::{Contact, ContactKind, Groups, Hertz, Supply};
 use crate::params::Method;
-use crate::plausible::left_out::words;
+use crate::plausible::neglected::words;
 use crate::solution::{Balance, Estimate, Figure, FormulaFilm, Section, Solution, Timings};
 use crate::words::{digits, force, length, pressure};
 
-/// Width of the column of values that have something beside them.
+/// Width of the value column in rows with a second column.
 const VALUE_WIDTH: usize = 26;
 
-/// The report as text: the case in SI, Hertz contact, groups, results beside published formulas,
+/// The report as text: the case in SI, Hertz contact, groups, results compared with published formulas,
 /// effort, warnings and, where given, the folder of the files.
 pub fn report(case: &CaseEcho, solution: &Solution, folder: Option<&Path>) -> String {
     let mut out = Lines::default();
@@ -143,7 +143,7 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
         Supply::Flooded => {}
         Supply::OilLayer { thickness } => out.row("oil layer on both surfaces", length(thickness)),
         Supply::Meniscus { distance } => {
-            out.row("meniscus before the centre", length(distance));
+            out.row("meniscus upstream of the centre", length(distance));
         }
     }
     let fluid = &case.fluid;
@@ -156,7 +156,7 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
     );
     if let Some(law) = &fluid.shear_thinning {
         let left_out = if case.solver.newtonian {
-            " (left out: solver.newtonian)"
+            " (neglected: solver.newtonian)"
         } else {
             ""
         };
@@ -205,7 +205,7 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
     }
 }
 
-/// What an estimated key is, in words: of a blend, that of a part by its name.
+/// Description of an estimated key; in a blend, with the name of the component.
 fn estimate_in_words(key: &str) -> String {
     let words = match key {
         "density.beta" => "thermal expansion β",
@@ -253,7 +253,7 @@ pub(super) fn write_contact(
     );
 }
 
-/// Size and pressure of the dry contact: of a roller those of a line under its mean load per length, and those of its crown.
+/// Size and pressure of the dry contact: for a roller, of a line under the mean load per length, and of its crown.
 pub(super) fn write_hertz(out: &mut Lines, contact: &Contact, hertz: &Hertz, reduced_modulus: f64) {
     let of_line = match &contact.roller {
         Some(_) => ", mean load per length",
@@ -270,7 +270,7 @@ pub(super) fn write_hertz(out: &mut Lines, contact: &Contact, hertz: &Hertz, red
     };
     let ellipse = Contact::elliptical([contact.radius, crown_radius], contact.load, 0.0);
     let ellipse = Hertz::new(&ellipse, reduced_modulus);
-    // A crown whose contact ends before its length does.
+    // Only if the contact of the crown is shorter than the roller.
     let ends_before = (ellipse.half_width_y).is_some_and(|b| 2.0 * b < roller.length);
     if ends_before && roller.misalignment == 0.0 {
         let text = format!(
@@ -304,19 +304,19 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
         );
     }
     write_section(out, solution, Section::Traction);
-    write_ends_of_sums(out, solution);
+    write_integration_limits(out, solution);
     write_section(out, solution, Section::Shear);
     mixed::write_asperities(out, solution);
-    out.row("left out by the model", words(&solution.left_out));
+    out.row("neglected by the model", words(&solution.left_out));
 }
 
-/// Balances that the solution should keep.
+/// Balance errors of the solution.
 fn write_checks(out: &mut Lines, solution: &Solution) {
     let (c, is_point) = (&solution.checks, !solution.shape.is_line());
     let unit = if is_point { "W" } else { "W/m" };
-    out.heading("Checks of the solution (each an error of its own)");
+    out.heading("Checks of the solution (separate from the error bars)");
     let balance = |b: &Balance, what: &str| {
-        beside(
+        two_columns(
             &percent_or_power(b.error),
             &format!("{} {what} {}", digits(b.value, 4), digits(b.other, 4)),
         )
@@ -328,10 +328,7 @@ fn write_checks(out: &mut Lines, solution: &Solution) {
     out.row("power balance error", balance(&c.power, &becomes));
     out.row(
         "rolling resistance balance error",
-        balance(
-            &c.rolling,
-            "by the shear at the walls, by the offset of the load",
-        ),
+        balance(&c.rolling, "from wall shear, from the load offset"),
     );
     out.row("load balance error", percent_or_power(c.load));
     out.row("mass balance error", percent_or_power(c.mass));
@@ -340,8 +337,8 @@ fn write_checks(out: &mut Lines, solution: &Solution) {
     }
 }
 
-/// A figure and what stands beside it.
-pub(super) fn beside(text: &str, other: &str) -> String {
+/// A figure and a second column.
+pub(super) fn two_columns(text: &str, other: &str) -> String {
     format!("{text:<VALUE_WIDTH$}  {other}")
         .trim_end()
         .to_owned()
@@ -356,11 +353,11 @@ fn write_starvation(out: &mut Lines, solution: &Solution) {
         |film: Option<Estimate>| film.map_or(String::new(), |h| format!("of {}", estimate(&h)));
     out.row(
         "h_c over the flooded film",
-        beside(&ratio(s.ratio_central), &of(s.film_central_flooded)),
+        two_columns(&ratio(s.ratio_central), &of(s.film_central_flooded)),
     );
     out.row(
         "h_min over the flooded film",
-        beside(&ratio(s.ratio_minimum), &of(s.film_minimum_flooded)),
+        two_columns(&ratio(s.ratio_minimum), &of(s.film_minimum_flooded)),
     );
     match s.meniscus_position {
         Some(_) => write_section(out, solution, Section::Supply),
@@ -371,8 +368,8 @@ fn write_starvation(out: &mut Lines, solution: &Solution) {
     }
 }
 
-/// Where traction, moment and friction power are summed to, if that is where the bodies end.
-fn write_ends_of_sums(out: &mut Lines, solution: &Solution) {
+/// The extent over which traction, moment and friction power are integrated, if it ends with the bodies.
+fn write_integration_limits(out: &mut Lines, solution: &Solution) {
     let summed = &solution.summed_to;
     if summed.ends_with_bodies {
         let ends = match summed.body_end_y {
@@ -383,8 +380,8 @@ fn write_ends_of_sums(out: &mut Lines, solution: &Solution) {
             None => format!("x ±{}", length(summed.body_end_x)),
         };
         out.row(
-            "  these are summed to",
-            format!("{ends}, where the bodies end"),
+            "  integrated up to",
+            format!("{ends}, the edge of the bodies"),
         );
     }
 }
@@ -483,7 +480,7 @@ pub(super) fn power(value: f64) -> String {
     format!("{value:.3e}")
 }
 
-/// Shares below this are round-off.
+/// Smaller shares are round-off.
 const ROUND_OFF: f64 = 1e-9;
 
 pub(super) fn percent_or_power(share: f64) -> String {
@@ -505,19 +502,19 @@ mod tests {
     use crate::warning::{Warning, WarningKind};
 
     #[test]
-    fn round_off_is_no_figure() {
+    fn round_off_is_not_shown() {
         let shown = [0.0, 2.2e-16, -3.3e-10, 6.158e-6, -0.0192].map(percent_or_power);
         let expected = ["0", "below 1e-9", "below 1e-9", "6.158e-6", "-1.92 %"];
         assert_eq!(shown, expected);
     }
 
     #[test]
-    fn viscosities_read_well() {
+    fn viscosities_are_readable() {
         assert_eq!(viscosity(0.04), "40 mPa·s");
         assert_eq!(viscosity(4.0), "4 Pa·s");
     }
 
-    /// Figures known from elsewhere: a and p_h of Hertz's formulas for glass on steel, speeds 0.5 (1 ± 0.05), the groups by hand,
+    /// Known figures: a and p_h from Hertz's formulas for glass on steel, speeds 0.5 (1 ± 0.05), the groups by hand,
     /// and 264.1/245 − 1 = 7.8 %.
     #[test]
     fn report_holds_the_case_and_the_results() {

@@ -1,4 +1,4 @@
-//! `result.json`: everything but the fields, for programs.
+//! `result.json`: everything except the fields, in machine-readable form.
 
 use serde_json::{Value, json};
 
@@ -7,15 +7,15 @@ use crate::run::NUMERICS;
 use crate::solution::{Figure, Located, Section, Solution};
 use crate::warning::{codes, notes, silenced, texts};
 
-/// Value of the key `format` by which a result is recognised.
+/// Value of the key `format` that identifies a result.
 pub const FORMAT: &str = "ertel-result";
 /// Version of the layout of `result.json`.
 pub const FORMAT_VERSION: u64 = 2;
 
-/// The document; SI throughout.
+/// The JSON document in SI units.
 pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<Value> {
     let s = &solution.summary;
-    // Share of the computed film by which a formula is off, where both exist
+    // Relative difference of a formula from the computed film, if both exist
     let difference = |formula: Option<f64>, film: f64| formula.map(|h| h / film - 1.0);
     let formulas: Vec<Value> = solution
         .formulas
@@ -105,7 +105,7 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
     Ok(document)
 }
 
-/// Every figure that the contact has, by its name: value, error bar, unit, and the place of those that have one.
+/// Every figure of the contact by name: value, error bar, unit, and place if it has one.
 pub(super) fn figures_json(solution: &Solution) -> Value {
     let is_line = solution.shape.is_line();
     let entry = |(figure, at): (Figure, Located)| {
@@ -127,7 +127,7 @@ pub(super) fn figures_json(solution: &Solution) -> Value {
     figures.into()
 }
 
-/// Unit of each key that has one, wherever it occurs; all others are dimensionless.
+/// Unit of each key with a dimension, wherever it occurs; all others are dimensionless.
 pub(super) fn units(is_line: bool) -> Value {
     const UNITS: [(&str, &[&str]); 11] = [
         (

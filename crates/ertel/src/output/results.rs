@@ -1,10 +1,10 @@
-//! The figures of a solution in the report: a row for each that the registry has.
+//! The figures of a solution in the report: a row for each figure of the registry.
 
 use super::figure::{
     estimate, in_unit, number, peak, percent, place, position, pressure_estimate, temperature,
 };
 use super::lines::Lines;
-use super::report::beside;
+use super::report::two_columns;
 use crate::contact::Symmetry;
 use crate::solution::{ErrorClass, Estimate, Figure, Kind, Located, Section, Solution};
 
@@ -12,7 +12,7 @@ use crate::solution::{ErrorClass, Estimate, Figure, Kind, Located, Section, Solu
 pub(super) fn write_section(out: &mut Lines, solution: &Solution, section: Section) {
     let found = solution.figures().filter(|(f, _)| f.section() == section);
     for (figure, at) in found.filter(|(figure, at)| !is_repetition(solution, *figure, at)) {
-        let text = beside(
+        let text = two_columns(
             &value(solution, figure, &at),
             &remark(solution, figure, &at),
         );
@@ -20,14 +20,14 @@ pub(super) fn write_section(out: &mut Lines, solution: &Solution, section: Secti
     }
 }
 
-/// Whether another row says the same.
+/// Whether another row shows the same.
 fn is_repetition(solution: &Solution, figure: Figure, at: &Located) -> bool {
     let is_half = solution.shape.symmetry == Symmetry::Half;
     match figure {
         Figure::FilmCentrelineMinimum => solution.shape.is_line(),
         Figure::PressureCentral => (solution.figure(Figure::PressureMaximum))
             .is_some_and(|largest| largest.resolved && largest.value == at.value),
-        // Both ends are alike, and the load stands in the middle.
+        // Both ends are equal, and the load acts in the middle.
         Figure::EdgePressureRight | Figure::RollerMoment | Figure::LoadPosition => is_half,
         Figure::FilmTemperatureLowest => {
             inlet_temperature(solution).is_some_and(|inlet| at.value >= inlet - LEAST_COOLING)
@@ -36,10 +36,10 @@ fn is_repetition(solution: &Solution, figure: Figure, at: &Located) -> bool {
     }
 }
 
-/// Cooling below the inlet temperature that is told, K.
+/// Smallest reported cooling below the inlet temperature, K.
 const LEAST_COOLING: f64 = 0.005;
 
-/// Share of the heat of shear below which heat is round-off, such as that of compression where the laws know none.
+/// Fraction of the shear heat below which heat is round-off, such as compression heat if the laws have none.
 const ROUND_OFF: f64 = 1e-9;
 
 fn inlet_temperature(solution: &Solution) -> Option<f64> {
@@ -73,14 +73,14 @@ fn is_round_off(solution: &Solution, figure: Figure, e: Estimate) -> bool {
         && shear.is_some_and(|shear| e.value.abs() < ROUND_OFF * shear.value.abs())
 }
 
-/// What stands beside a value: its place, or its share of the heat that is carried off.
+/// The second column: the place, or the share of the total heat carried away.
 fn remark(solution: &Solution, figure: Figure, at: &Located) -> String {
     if figure.error_class() == ErrorClass::HeatCarried {
         return share_of_heat(solution, at.value);
     }
-    // Where a higher one may stand elsewhere, the place says nothing.
-    let is_told = figure.kind() != Kind::PeakPressure || at.resolved || at.place_resolved;
-    match figure.has_place() && is_told {
+    // The place is meaningless if a higher peak may be elsewhere.
+    let is_known = figure.kind() != Kind::PeakPressure || at.resolved || at.place_resolved;
+    match figure.has_place() && is_known {
         true => place(solution, at),
         false => String::new(),
     }
@@ -94,7 +94,7 @@ fn share_of_heat(solution: &Solution, heat: f64) -> String {
         heat.map(|(_, at)| at.value).sum::<f64>()
     };
     let carried = of_heat(ErrorClass::HeatCarried);
-    // Of next to nothing, shares say nothing.
+    // Shares of a negligible amount are meaningless.
     match carried.abs() > 1e-6 * of_heat(ErrorClass::HeatShear).abs() {
         true => format!("{:.1} %", 100.0 * heat / carried),
         false => String::new(),

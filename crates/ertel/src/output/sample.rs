@@ -1,4 +1,4 @@
-//! Small contacts, solved once for all tests of output: those of the golden records.
+//! Small contacts from the golden records, solved once for all output tests.
 
 use std::path::Path;
 use std::sync::OnceLock;
@@ -35,7 +35,7 @@ fn solved(text: &str) -> Sample {
     (case.echo(), solution)
 }
 
-/// Sets a figure that the summary has, too, with its error bar, SI.
+/// Sets a figure with its error bar, SI, including its value in the summary.
 pub(super) fn set(solution: &mut Solution, figure: Figure, value: f64, error: f64) {
     solution.measured.figures.set(figure, Reading::new(value));
     let bar = Bar {

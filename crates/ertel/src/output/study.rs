@@ -13,22 +13,22 @@ use crate::study::{Column, ISOTHERMAL, StudyEcho, titled};
 use crate::words::digits;
 use ertel_plot::{Axis, Chart, Drawing, ErrorBars, Look, PALETTE, Series, side_by_side};
 
-/// Values of an axis from which films over it are a picture.
+/// Minimum number of axis values for a picture.
 const FEWEST_POINTS: usize = 3;
-/// Ratio of the largest to the smallest value from which an axis is logarithmic.
+/// Smallest ratio of the largest to the smallest value for a logarithmic axis.
 const LOG_FROM: f64 = 5.0;
 
-/// Share of the largest value below which one is round-off.
+/// Fraction of the largest value below which a value is round-off.
 const ROUND_OFF: f64 = 1e-6;
-/// Panels of a picture at the most, and in a row.
+/// Maximum number of panels in a picture, and in a row.
 const MOST_PANELS: usize = 12;
 const PANELS_IN_A_ROW: usize = 3;
-/// Colour of legend entries that hold for curves of all colours.
+/// Colour of legend entries for curves of all colours.
 const LEGEND_GREY: &str = "#404040";
 
-/// A figure of the points with its look.
+/// A figure of the points with its line style.
 struct Shown {
-    /// Title of its column, and of that of its error bar.
+    /// Titles of its column and of its error bar's column.
     titles: [String; 2],
     words: String,
     look: Look,
@@ -37,7 +37,7 @@ struct Shown {
 impl Shown {
     fn of(figure: Figure, look: Look) -> Shown {
         let column = Column::of(figure);
-        // Films and coefficients have the same unit in all contacts.
+        // Films and coefficients have the same unit for all contacts.
         let error = column.error_title(false).unwrap_or_default();
         Shown {
             titles: [column.title(false), error],
@@ -51,11 +51,11 @@ impl Shown {
 pub struct StudyPicture {
     /// Name without suffix.
     pub name: &'static str,
-    /// The picture; `None` where the study has none of that name.
+    /// The picture; `None` if the study has none of that name.
     pub drawing: Option<Drawing>,
 }
 
-/// Every picture that studies may have: of contacts films and tractions, of whole machines their figures.
+/// Every picture that studies may have: films and tractions of contacts, and figures of machines.
 pub fn study_pictures(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Vec<StudyPicture> {
     let is_machine = |record: &Record| record.field("contacts").is_some();
     let machine = (study.points.iter())
@@ -96,10 +96,10 @@ pub fn study_pictures(study: &StudyEcho, records: &HashMap<PointKey, Record>) ->
     pictures
 }
 
-/// A column that points in time alone have.
+/// A column that only transient points have.
 const IN_TIME: &str = "film_central_lowest_m";
 
-/// Figures of whole machines and of runs in time likewise.
+/// The same for figures of machines and transient runs.
 fn study_figures(
     study: &StudyEcho,
     records: &HashMap<PointKey, Record>,
@@ -122,14 +122,14 @@ fn study_figures(
     layout.picture(study, records, &figures, scale, &label)
 }
 
-/// Whether some point has a number there.
+/// Whether some point has a number in this column.
 fn has_field(study: &StudyEcho, records: &HashMap<PointKey, Record>, title: &str) -> bool {
     (0..study.points.len()).any(|point| field(study, records, point, title).is_some())
 }
 
-/// Central films with dots and minimum films with rings, with their error bars, over the axis with the most numbers, a colour for
-/// each combination of the others, and a panel for each value of one of them where these are more than there are colours; dashed
-/// the points without heat, where an axis switches it. `None` where no axis has three numbers, or there are too many
+/// Central films with dots and minimum films with rings, with error bars, over the axis with the most numbers. Each
+/// combination of the other axes has a colour. If there are more combinations than colours, the values of one axis have panels.
+/// Points without heat are dashed if an axis switches it. `None` if no axis has three numbers, or there are too many
 /// combinations.
 fn study_films(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Option<Drawing> {
     let layout = Layout::new(study)?;
@@ -143,7 +143,7 @@ fn study_films(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Option
     layout.picture(study, records, &films, [factor, 0.0], &label)
 }
 
-/// Traction coefficients likewise; `None` also where nothing slides.
+/// The same for traction coefficients; `None` also without sliding.
 fn study_tractions(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Option<Drawing> {
     let layout = Layout::new(study)?;
     let slides = |i| field(study, records, i, "slide_to_roll_ratio").is_some_and(|s| s != 0.0);
@@ -171,25 +171,25 @@ fn field(
     record.field(name)?.parse().ok()
 }
 
-/// Points of one colour, with heat or without.
+/// Points of one colour, thermal or isothermal.
 struct Curve {
-    /// Panel, by its number.
+    /// Index of the panel.
     panel: usize,
     label: String,
     is_isothermal: bool,
     points: Vec<usize>,
 }
 
-/// Which points make a curve.
+/// The grouping of points into curves.
 struct Layout {
-    /// Values of the lower axis by point, in the unit that is shown.
+    /// Values of the lower axis by point, in the display unit.
     xs: Vec<f64>,
     x_label: String,
-    /// Curves of one label have one colour.
+    /// Curves with the same label have the same colour.
     curves: Vec<Curve>,
     /// Labels in the order of their colours.
     labels: Vec<String>,
-    /// Headings of the panels; a single one has none.
+    /// Headings of the panels; empty for a single one.
     panels: Vec<String>,
 }
 
@@ -202,21 +202,21 @@ impl Layout {
         };
         let distinct = |c: &usize| column(*c).collect::<HashSet<_>>().len();
         let numeric = (0..study.columns.len()).filter(|c| number(*c).is_some());
-        // The first of equals.
+        // Ties: the first column.
         let x = numeric.rev().max_by_key(distinct)?;
         if distinct(&x) < FEWEST_POINTS {
             return None;
         }
         let switch = study.columns.iter().position(|title| title == ISOTHERMAL);
         let switch = switch.filter(|c| distinct(c) > 1);
-        // Of columns that go side by side the first one tells the point.
+        // Of columns that vary together, only the first is shown.
         let mut shown: Vec<usize> = Vec::new();
         for c in 0..study.columns.len() {
-            let is_told = |other: &usize| {
+            let is_implied_by = |other: &usize| {
                 let pairs = column(*other).zip(column(c)).collect::<HashSet<_>>().len();
                 pairs == distinct(other)
             };
-            if c != x && Some(c) != switch && distinct(&c) > 1 && !shown.iter().any(is_told) {
+            if c != x && Some(c) != switch && distinct(&c) > 1 && !shown.iter().any(is_implied_by) {
                 shown.push(c);
             }
         }
@@ -281,7 +281,7 @@ impl Layout {
         all.collect::<Vec<f64>>().into_iter()
     }
 
-    /// All panels that have a point, axes alike.
+    /// All panels with points, on equal axes.
     fn picture(
         &self,
         study: &StudyEcho,
@@ -323,7 +323,7 @@ impl Layout {
             values.map(|h| factor * h + summand)
         };
         let largest = heights().fold(0.0, |l: f64, h| l.max(h.abs()));
-        // The traction of a contact that rolls is round-off of either sign.
+        // The traction of a contact in pure rolling is round-off of either sign.
         let heights = || heights().filter(|h| h.abs() > ROUND_OFF * largest);
         let y_axis = match is_wide(x_range) && is_wide(range(heights())) {
             true => Axis::log_close_around(y_label, heights()),
@@ -394,8 +394,8 @@ impl Layout {
     }
 }
 
-/// Which of the columns that vary make panels, and which make colours: no panels where the colours suffice, else as few as
-/// possible of one column, or of two. `count` is the number of combinations of columns.
+/// Which of the varied columns become panels, and which become colours: no panels if the colours suffice, otherwise as few as
+/// possible from one column, or from two. `count` is the number of combinations of columns.
 fn panels_and_colours(
     shown: &[usize],
     count: &dyn Fn(&[usize]) -> usize,
@@ -418,7 +418,7 @@ fn panels_and_colours(
     Some((panels, colours))
 }
 
-/// `load 30 kN/m`, `squalane-pip`, `isothermal true`: a value of a column, in the unit of the user.
+/// `load 30 kN/m`, `squalane-pip`, `isothermal true`: a value of a column in the user's unit.
 fn value_in_words(study: &StudyEcho, column: usize, value: &str) -> String {
     let (name, si) = words(&study.columns[column]);
     match value.parse::<f64>() {
@@ -433,7 +433,7 @@ fn value_in_words(study: &StudyEcho, column: usize, value: &str) -> String {
     }
 }
 
-/// The unit of a column as its user gave it, and how it is written in pictures; a temperature of older studies is in °C.
+/// The user's unit of a column, and its label in pictures; temperatures of older studies are in °C.
 fn user_unit(study: &StudyEcho, column: usize) -> Option<(Unit, String)> {
     let given = study.units.get(column).map_or("", String::as_str);
     let given = match (given, words(&study.columns[column]).1.as_str()) {
@@ -449,7 +449,7 @@ fn in_unit(value: f64, unit: Option<Unit>) -> f64 {
     unit.map_or(value, |unit| unit.from_si(value))
 }
 
-/// Label of the lower axis, and the unit of its values.
+/// Label and unit of the lower axis.
 fn axis_title(study: &StudyEcho, column: usize) -> (String, Option<Unit>) {
     let (mut name, si) = words(&study.columns[column]);
     if let Some(first) = name.get_mut(..1) {
@@ -477,7 +477,7 @@ pub(super) fn words(title: &str) -> (String, String) {
     (plain(name), String::new())
 }
 
-/// A name as it is written in a text.
+/// A name as written in text.
 fn plain(name: &str) -> String {
     name.replace('_', " ")
         .replace("slide to roll", "slide-to-roll")
@@ -510,7 +510,7 @@ mod tests {
         assert_eq!(of(&[0, 1]), Some((vec![1], vec![0])));
         assert_eq!(of(&[1, 2]), Some((vec![], vec![1, 2])));
         assert_eq!(of(&[0, 1, 2]), Some((vec![0], vec![1, 2])));
-        // Twenty lubricants have neither colours nor panels.
+        // Twenty lubricants exceed both colours and panels.
         assert_eq!(
             panels_and_colours(&[0], &|c| 20usize.pow(c.len() as u32)),
             None

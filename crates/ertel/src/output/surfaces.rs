@@ -1,11 +1,11 @@
-//! What the report says of maps of surfaces.
+//! Surface maps in the report.
 
 use super::lines::Lines;
 use crate::case::SurfaceEcho;
 use crate::contact::topography::Parameters;
 use crate::words::{digits, length};
 
-/// A map each: where it comes from, what was done to it, what it is.
+/// One block per map: its source, processing and statistics.
 pub(super) fn write(out: &mut Lines, surfaces: &[SurfaceEcho]) {
     for surface in surfaces {
         let name = surface.file.as_deref().unwrap_or("generated");
@@ -17,14 +17,14 @@ pub(super) fn write(out: &mut Lines, surfaces: &[SurfaceEcho]) {
         };
         let missing = match surface.missing {
             0 => String::new(),
-            n => format!(", {n} without a height, filled"),
+            n => format!(", {n} missing heights filled"),
         };
         out.row("surface", format!("{name}: {points}{missing}"));
         let level = match surface.level {
-            "none" => "  as it is",
-            "mean" => "  less its mean",
-            "plane" => "  less a plane",
-            _ => "  less a quadratic form",
+            "none" => "  unchanged",
+            "mean" => "  mean removed",
+            "plane" => "  plane removed",
+            _ => "  quadratic form removed",
         };
         out.row(level, parameters(&surface.levelled));
         let cutoffs: Vec<String> = [

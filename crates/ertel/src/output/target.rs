@@ -1,4 +1,4 @@
-//! Which folders a result may replace: those that hold nothing but a former result.
+//! Which folders a result may replace: those that contain only a former result.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -13,7 +13,7 @@ use super::machine::MACHINE_FORMAT;
 use super::result_json::FORMAT;
 use super::transient::{TRANSIENT_FORMAT, is_file_of_instant};
 
-/// Files that a result may hold; with any other file in it, a folder is not replaced.
+/// Files of a result; a folder with any other file is not replaced.
 const OWN_FILES: [&str; 102] = [
     "result.json",
     super::html::REPORT_PAGE,
@@ -109,7 +109,7 @@ const OWN_FILES: [&str; 102] = [
     "path.svg",
     "path.png",
     "path.pdf",
-    // As they were called before.
+    // Former names.
     "temperature-plane.svg",
     "temperature-plane.png",
     "temperature-ball.svg",
@@ -120,14 +120,14 @@ const OWN_FILES: [&str; 102] = [
     "cross-film.png",
 ];
 
-/// Folder within the results of a curve, with a folder for each of its points.
+/// Subfolder with the point folders of a curve.
 pub(super) const POINTS: &str = "points";
 
-/// Whether a result may be written here: nothing yet, an empty folder, or a former result.
+/// Whether a result may be written here: the path does not exist, is an empty folder, or holds a former result.
 ///
 /// # Errors
-/// [`OutputError::NotAFolder`] and [`OutputError::ForeignFolder`] for what is somebody else's;
-/// [`OutputError::Io`] where it cannot be read.
+/// [`OutputError::NotAFolder`] and [`OutputError::ForeignFolder`] for other contents;
+/// [`OutputError::Io`] if it cannot be read.
 pub fn check_target(target: &Path) -> Result<(), OutputError> {
     let failed = |e| OutputError::io(target, e);
     if target.as_os_str().is_empty() {
@@ -153,10 +153,10 @@ pub fn check_target(target: &Path) -> Result<(), OutputError> {
     }
 }
 
-/// Behind the name of a folder with a partial result next to a complete one.
+/// Suffix of a folder with a partial result next to a complete one.
 const PARTIAL: &str = "-partial";
 
-/// Where the result of a run goes that ended early: the target, or, where a complete result is, a folder next to it.
+/// The folder for the result of an interrupted run: the target, or a folder next to it if the target holds a complete result.
 pub fn place_of_partial(target: &Path) -> PathBuf {
     if !is_complete(target) {
         return target.to_owned();
@@ -167,7 +167,7 @@ pub fn place_of_partial(target: &Path) -> PathBuf {
     place.with_file_name(name)
 }
 
-/// Whether a folder holds the result of a run that came to its end.
+/// Whether a folder holds the result of a completed run.
 fn is_complete(folder: &Path) -> bool {
     #[derive(serde::Deserialize)]
     struct Ending {
@@ -183,11 +183,11 @@ fn is_complete(folder: &Path) -> bool {
         let ending: Option<Ending> = read_json(&folder.join(name));
         ending.is_some_and(|ending| ending.format == format && ending.complete != Some(false))
     };
-    // Results of one contact are there complete or not at all.
+    // Results of one contact are complete or absent.
     has_format(&folder.join("result.json"), FORMAT) || all.into_iter().any(has_ended)
 }
 
-/// Why a folder is not ertel's to replace; `None` of an empty one and of a former result.
+/// Why ertel may not replace a folder; `None` for an empty one and for a former result.
 pub(super) fn foreign(folder: &Path) -> io::Result<Option<String>> {
     if fs::read_dir(folder)?.next().is_none() {
         return Ok(None);
@@ -200,18 +200,18 @@ pub(super) fn foreign(folder: &Path) -> io::Result<Option<String>> {
         return Ok(Some("it holds files, but no result of ertel".into()));
     }
     let stray = match stray(folder)? {
-        // A result of one contact has no points, and each point has a result of its own.
+        // A result of one contact has no points, and each point has its result.
         None if folder.join(POINTS).is_dir() => match has_points {
             true => point_without_result(folder)?,
             false => Some(POINTS.into()),
         },
         found => found,
     };
-    Ok(stray.map(|name| format!("beside a former result it holds {}", name.display())))
+    Ok(stray.map(|name| format!("it holds a former result, but also {}", name.display())))
 }
 
-/// The first thing in a result folder, or in those of its points, that no result holds: a file of another name, and a
-/// folder or a link under the name of a file.
+/// The first entry of a result folder or its point folders that does not belong to a result: a file with another name, or a
+/// folder or link with the name of a file.
 pub(super) fn stray(folder: &Path) -> io::Result<Option<PathBuf>> {
     let mut has_points = false;
     for entry in fs::read_dir(folder)? {
@@ -246,7 +246,7 @@ fn is_own_file(name: &OsStr, kind: fs::FileType) -> bool {
     kind.is_file() && name.to_str().is_some_and(is_own_name)
 }
 
-/// Whether a file of a result may be called so.
+/// Whether a result may have a file of this name.
 pub(super) fn is_own_name(name: &str) -> bool {
     OWN_FILES.contains(&name) || is_file_of_instant(name)
 }
@@ -257,7 +257,7 @@ fn is_number(name: &OsStr) -> bool {
     name.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// The first folder of a point that holds files, but no result.
+/// The first point folder that holds files but no result.
 fn point_without_result(folder: &Path) -> io::Result<Option<PathBuf>> {
     for point in fs::read_dir(folder.join(POINTS))? {
         let point = point?;
@@ -269,7 +269,7 @@ fn point_without_result(folder: &Path) -> io::Result<Option<PathBuf>> {
     Ok(None)
 }
 
-/// Whether a file of JSON says that it has this format.
+/// Whether a JSON file has this value of `format`.
 pub(super) fn has_format(path: &Path, format: &str) -> bool {
     #[derive(serde::Deserialize)]
     struct Head {
@@ -278,7 +278,7 @@ pub(super) fn has_format(path: &Path, format: &str) -> bool {
     read_json(path).is_some_and(|head: Head| head.format == format)
 }
 
-/// Keys of a file of JSON. Whatever it is, looking at it neither waits nor keeps it in memory.
+/// Keys of a JSON file. Special and large files neither block nor fill the memory.
 fn read_json<T: serde::de::DeserializeOwned>(path: &Path) -> Option<T> {
     let (file, metadata) = open(path, LARGEST_OWN).ok()?;
     let text = io::BufReader::new(file.take(metadata.len()));

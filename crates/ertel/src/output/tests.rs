@@ -62,13 +62,13 @@ fn circular_contact_writes_every_file() {
             "surface.vtu",
         ]
     );
-    // Nothing is left of the temporary folder
+    // The temporary folder is removed
     assert_eq!(names(&place.path().join("new")), ["ball"]);
 }
 
-/// The text of which keys of journals have been made before there was `result.nc`: studies go on from them.
+/// The text that entered the keys of journals before `result.nc` existed: studies resume from them.
 #[test]
-fn default_output_has_the_text_that_it_had() {
+fn default_output_text_is_unchanged() {
     let text = "OutputParams { folder: None, pictures: PictureFormats { svg: true, pdf: false, png: false }, body_field: false, \
                 interferogram: None, sensitivities: WhereUncertain }";
     assert_eq!(format!("{:?}", OutputParams::default()), text);
@@ -79,7 +79,7 @@ fn default_output_has_the_text_that_it_had() {
     assert_ne!(format!("{asked:?}"), text);
 }
 
-/// What goes into a folder and what stays in memory: the same names, the same bytes.
+/// A folder on disk and files in memory have the same names and the same bytes.
 #[test]
 fn files_in_memory_are_those_of_the_folder() {
     let sample = sample::circle();
@@ -103,8 +103,8 @@ fn files_in_memory_are_those_of_the_folder() {
     }
 }
 
-/// A line contact has no maps. No number of the document may have become `null`: those that are
-/// are listed.
+/// A line contact has no maps. No number of the document may become `null`, except those
+/// listed.
 #[test]
 fn line_contact_result_is_complete() {
     let place = tempfile::tempdir().unwrap();
@@ -160,11 +160,11 @@ fn former_result_is_replaced() {
 }
 
 #[test]
-fn folders_and_files_of_others_are_left_alone() {
+fn foreign_folders_and_files_are_not_replaced() {
     let place = tempfile::tempdir().unwrap();
     let target = place.path().join("mine");
     fs::create_dir(&target).unwrap();
-    // An empty folder is free
+    // An empty folder may be used
     check_target(&target).unwrap();
     fs::write(target.join("notes.txt"), "precious").unwrap();
     let error = write_to(&target, sample::line()).unwrap_err();
@@ -172,7 +172,7 @@ fn folders_and_files_of_others_are_left_alone() {
         matches!(error, OutputError::ForeignFolder { .. }),
         "{error}"
     );
-    // A result.json of another program does not make it ours
+    // A result.json of another program is foreign
     fs::write(target.join("result.json"), "{\"format\": \"other\"}").unwrap();
     assert!(write_to(&target, sample::line()).is_err());
     assert_eq!(names(&target), ["notes.txt", "result.json"]);
@@ -187,7 +187,7 @@ fn folders_and_files_of_others_are_left_alone() {
 }
 
 #[test]
-fn notes_beside_a_former_result_keep_it() {
+fn folders_with_other_files_are_not_replaced() {
     let place = tempfile::tempdir().unwrap();
     let target = place.path().join("case");
     write_to(&target, sample::line()).unwrap();
@@ -203,7 +203,7 @@ fn failure_half_way_leaves_the_former_result() {
     write_to(&target, sample::line()).unwrap();
     let before = fs::read(target.join("result.json")).unwrap();
     let attempt = || -> Result<(), OutputError> {
-        let folder = NewFolder::beside(&target)?;
+        let folder = NewFolder::next_to(&target)?;
         folder
             .root()
             .file("result.json", |out| out.write_all(b"new"))?;
@@ -232,9 +232,9 @@ fn numbers_that_are_not_finite_are_not_written() {
     assert_eq!(names(place.path()), [] as [&str; 0]);
 }
 
-/// All three formats, or those that are asked for alone; each can be replaced by another run.
+/// All three formats, or only the requested ones; each can be replaced by another run.
 #[test]
-fn pictures_have_the_formats_that_are_asked_for() {
+fn pictures_have_the_requested_formats() {
     let place = tempfile::tempdir().unwrap();
     let target = place.path().join("x");
     let (case, solution) = sample::circle();
@@ -257,9 +257,9 @@ fn pictures_have_the_formats_that_are_asked_for() {
     assert_eq!(PictureFormats::named(["jpg"]), None);
 }
 
-/// Finite elements end below `solver.tolerance`; finite volumes by what a step would change, and no line is drawn that nothing has to reach.
+/// Finite elements converge to `solver.tolerance`; finite volumes stop at a tolerance of the step, and no tolerance line is drawn.
 #[test]
-fn a_tolerance_is_drawn_where_residuals_come_below_it() {
+fn a_tolerance_is_drawn_only_for_residuals() {
     let (case, solution) = sample::circle();
     for (method, is_drawn) in [
         (Method::FiniteElements, true),
@@ -278,9 +278,9 @@ fn a_tolerance_is_drawn_where_residuals_come_below_it() {
     }
 }
 
-/// Pictures are well-formed at least in this: every group that opens closes, no number is NaN.
+/// Basic well-formedness of pictures: every group is closed, and no number is NaN.
 #[test]
-fn pictures_are_sound() {
+fn pictures_are_well_formed() {
     for ((_, solution), n) in [(sample::line(), 2), (sample::circle(), 4)] {
         let pictures = pictures::pictures("T < U", solution, Some(1e-8));
         assert_eq!(pictures.len(), n);

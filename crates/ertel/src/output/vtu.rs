@@ -1,8 +1,8 @@
 //! VTK XML unstructured grids, binary data inline in base64.
 //!
-//! Each array is little-endian data in blocks that zlib has compressed, as ParaView, PyVista and meshio read it (`vtkZLibDataCompressor`, `header_type="UInt64"`): the base64 text of the number of
-//! blocks, their size, the size of the last one where it is shorter, and how long each has become, then the base64 text of the blocks. The units of all arrays are told once more in the field data, as the
-//! bytes of a JSON text: meshio reads numbers there and no strings.
+//! Each array is little-endian data in zlib-compressed blocks, as ParaView, PyVista and meshio read it (`vtkZLibDataCompressor`, `header_type="UInt64"`): the base64 text of the number of
+//! blocks, the block size, the size of a shorter last block, and the compressed size of each, then the base64 text of the blocks. The units of all arrays are repeated in the field data, as the
+//! bytes of a JSON text: meshio reads numbers there, but no strings.
 
 mod instant;
 mod whole;
@@ -19,7 +19,7 @@ use self::whole::Whole;
 use crate::contact::Shape;
 use crate::solution::{BodyField, ContactFields, FilmTemperatures, SurfaceField, TemperatureField};
 
-/// VTK cell types by number of nodes: triangles and segments, or tetrahedra, too.
+/// VTK cell types by number of nodes: triangles and segments, or also tetrahedra.
 const LINE: u8 = 3;
 const TRIANGLE: u8 = 5;
 const QUADRILATERAL: u8 = 9;
@@ -32,7 +32,7 @@ const QUADRATIC_TETRAHEDRON: u8 = 24;
 #[derive(Clone)]
 struct Array<'a> {
     name: &'a str,
-    /// SI unit, as `Pa.s`; empty for a number without one.
+    /// SI unit, such as `Pa.s`; empty if dimensionless.
     unit: &'static str,
     n_components: usize,
     data: Data,
@@ -75,8 +75,8 @@ impl Data {
     }
 }
 
-/// Writes the fields on the whole contact area: triangles, or the segments of a line contact; with the temperatures
-/// of a thermal contact. Lengths in m; arrays are named with their units.
+/// Writes the fields on the whole contact area: triangles, or the segments of a line contact; with temperatures
+/// for a thermal contact. Lengths in m; array names include their units.
 ///
 /// # Errors
 /// Those of the writer.
@@ -108,7 +108,7 @@ pub fn write_surface(
     grid.write(out)
 }
 
-/// Writes the temperature, K, of the whole film and both bodies; the cells say by `region` whether they belong to plane (0), film (1) or ball (2). Lengths in m, the film stretched by `film_magnification`.
+/// Writes the temperature, K, of the whole film and both bodies; the cell array `region` marks plane (0), film (1) or ball (2). Lengths in m, the film stretched by `film_magnification`.
 ///
 /// # Errors
 /// Those of the writer.
@@ -171,7 +171,7 @@ pub fn write_body(out: impl Write, shape: &Shape, body: &BodyField) -> io::Resul
     grid.write(out)
 }
 
-/// Cell type of so many nodes in a grid of two or three dimensions.
+/// Cell type for this number of nodes in a grid of two or three dimensions.
 fn cell_type(n_nodes: usize, dimension: usize) -> io::Result<u8> {
     match (n_nodes, dimension) {
         (2, _) => Ok(LINE),
@@ -292,12 +292,12 @@ fn write_grid(mut out: impl Write, grid: &Grid) -> io::Result<()> {
 fn section(out: &mut impl Write, name: &str, arrays: &[Array]) -> io::Result<()> {
     writeln!(out, "<{name}>")?;
     for array in arrays {
-        // Scalars without the attribute are one-dimensional arrays to every reader
+        // Readers take scalars without the attribute as one-dimensional arrays
         let mut size = match array.n_components {
             1 => String::new(),
             n => format!(" NumberOfComponents=\"{n}\""),
         };
-        // Of arrays that belong to no points or cells VTK reads as many tuples as it is told
+        // VTK needs the number of tuples for arrays that belong to no points or cells
         if name == "FieldData" {
             let n_tuples = array.data.len() / array.n_components;
             size += &format!(" NumberOfTuples=\"{n_tuples}\"");
@@ -313,10 +313,10 @@ fn section(out: &mut impl Write, name: &str, arrays: &[Array]) -> io::Result<()>
     writeln!(out, "</{name}>")
 }
 
-/// Bytes that are compressed on their own.
+/// Uncompressed bytes per block.
 const BLOCK: usize = 1 << 18;
 
-/// The level of zlib that is the fastest: higher ones make places and numbers of nodes little shorter, and fields hardly.
+/// The fastest level of zlib: higher ones hardly reduce the size of points, connectivity and fields.
 const LEVEL: u8 = 1;
 
 /// The text of an array.
@@ -344,11 +344,11 @@ mod tests {
         String::from_utf8(out).unwrap()
     }
 
-    /// What an array holds, of one block at most, by the layout of VTK's files.
+    /// The content of an array of at most one block, from the layout of VTK files.
     fn payload(file: &str, name: &str) -> Vec<u8> {
         let (_, rest) = file.split_once(&format!("Name=\"{name}\"")).unwrap();
         let text = rest.lines().nth(1).unwrap();
-        // Four numbers of eight bytes are 44 characters.
+        // Four 8-byte numbers are 44 characters.
         let header = STANDARD.decode(&text[..44]).unwrap();
         let number = |i: usize| u64::from_le_bytes(header[8 * i..][..8].try_into().unwrap());
         let block = STANDARD.decode(&text[44..]).unwrap();
@@ -358,7 +358,7 @@ mod tests {
         data
     }
 
-    /// With its length before it, as base64 text.
+    /// Prefixed with its length, as base64 text.
     fn packed(file: &str, name: &str) -> String {
         let data = payload(file, name);
         STANDARD.encode([&(data.len() as u64).to_le_bytes()[..], &data].concat())
@@ -394,7 +394,7 @@ mod tests {
     }
 
     #[test]
-    fn cells_that_vtk_lacks_are_refused() {
+    fn cells_without_a_vtk_type_are_rejected() {
         let body = BodyField {
             points: vec![[0.0; 3]; 5],
             cells: vec![vec![0, 1, 2, 3, 4]],

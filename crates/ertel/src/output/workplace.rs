@@ -1,15 +1,15 @@
-//! Where a folder is made, how it comes into its place, and what killed runs left there.
+//! Temporary folders: their creation, their exchange with the target, and the cleanup after killed runs.
 //!
-//! Beside the target there is a hidden folder with
+//! A hidden folder next to the target holds
 //!
-//! | entry | what |
+//! | entry | content |
 //! |---|---|
 //! | `lock` | locked as long as the run lives |
-//! | `new` | the folder in the making; once both have changed places, the former one |
-//! | `former/NAME` | the former folder `NAME` on its way out, where two names cannot be exchanged at once |
+//! | `new` | the folder under construction; after the exchange, the former one |
+//! | `former/NAME` | the former folder `NAME` before its removal, if two names cannot be exchanged atomically |
 //!
-//! Where the system can exchange two names, one of both folders is in place at every moment. Elsewhere a kill between two
-//! renames leaves the former one in `former`, from which the next run brings it back.
+//! If the system can exchange two names, one of the two folders is in place at every moment. Otherwise, a kill between the two
+//! renames keeps the former one in `former`, from which the next run restores it.
 
 use std::fs::{self, File, TryLockError};
 use std::io;
@@ -23,33 +23,33 @@ const PREFIX: &str = ".ertel-";
 const LOCK: &str = "lock";
 const NEW: &str = "new";
 const FORMER: &str = "former";
-/// How often another run may be quicker to clear what seems left over.
+/// Maximum number of attempts if other runs clear the new folder as a remnant.
 const TRIES: usize = 10;
 
-/// The hidden folder; dropped, it vanishes with all that it holds.
+/// The hidden folder; dropping the value removes it and its content.
 pub(super) struct Workplace {
     folder: PathBuf,
-    /// Whether it stays, since it holds what is nowhere else.
+    /// Whether it is kept because it holds the only copy of a result.
     is_kept: bool,
-    /// Held as long as the value.
+    /// Locked for the lifetime of the value.
     _lock: File,
 }
 
 impl Drop for Workplace {
     fn drop(&mut self) {
         if !self.is_kept {
-            // What is left, the next run clears.
+            // The next run clears the remains.
             let _ = remove(&self.folder);
         }
     }
 }
 
-/// Exchanges two names at once; `false` where that cannot be done.
+/// Exchanges two names atomically; `false` if that is impossible.
 pub(super) type Exchange = fn(&Path, &Path) -> io::Result<bool>;
 
 impl Workplace {
-    /// Makes it in `parent`.
-    pub fn beside(parent: &Path) -> io::Result<Workplace> {
+    /// Creates it in `parent`.
+    pub fn create_in(parent: &Path) -> io::Result<Workplace> {
         for _ in 0..TRIES {
             let folder = tempfile::Builder::new().prefix(PREFIX).tempdir_in(parent)?;
             let path = folder.path().join(LOCK);
@@ -57,10 +57,10 @@ impl Workplace {
                 Err(e) if e.kind() == io::ErrorKind::NotFound => continue,
                 lock => lock?,
             };
-            // On file systems without locks nobody can take it for left over, either.
+            // On file systems without locks, no run can take it for a remnant either.
             let is_taken = matches!(lock.try_lock(), Err(TryLockError::WouldBlock));
             if is_taken || !path.exists() {
-                continue; // Another run took it for left over just before it was locked.
+                continue; // Another run removed it as a remnant just before it was locked.
             }
             let workplace = Workplace {
                 folder: folder.keep(),
@@ -70,18 +70,20 @@ impl Workplace {
             fs::create_dir(workplace.new_folder())?;
             return Ok(workplace);
         }
-        Err(io::Error::other("other runs clear this place all the time"))
+        Err(io::Error::other(
+            "other runs keep clearing the temporary folder",
+        ))
     }
 
-    /// The folder in the making.
+    /// The folder under construction.
     pub fn new_folder(&self) -> PathBuf {
         self.folder.join(NEW)
     }
 
-    /// Puts the folder in its place, instead of a former result.
+    /// Moves the folder to its target, replacing a former result.
     ///
     /// # Errors
-    /// [`OutputError`]; what was in its place is there again.
+    /// [`OutputError`]; the former content of the target is restored.
     pub fn put(
         mut self,
         target: &Path,
@@ -94,7 +96,7 @@ impl Workplace {
         if !target.exists() {
             fs::rename(&new, target).map_err(failed)?;
         } else if exchange(&new, target).map_err(failed)? {
-            // What came between the check and now would be lost.
+            // Files added since the check would be lost.
             if let Err(error) = check_former(&new, target) {
                 if !exchange(&new, target).unwrap_or(false) {
                     self.is_kept = true;
@@ -121,12 +123,12 @@ impl Workplace {
     }
 }
 
-/// Exchanges two names as one step, where system and file system can.
+/// Exchanges two names atomically, if system and file system support it.
 #[cfg(any(target_os = "linux", target_os = "android", target_vendor = "apple"))]
 pub(super) fn exchange(a: &Path, b: &Path) -> io::Result<bool> {
     use rustix::fs::{CWD, RenameFlags, renameat_with};
     use rustix::io::Errno;
-    // Of file systems of a network, among others, and of old kernels.
+    // Unsupported by, among others, network file systems and old kernels.
     let unknown = [Errno::INVAL, Errno::NOSYS, Errno::NOTSUP, Errno::OPNOTSUPP];
     match renameat_with(CWD, a, CWD, b, RenameFlags::EXCHANGE) {
         Ok(()) => Ok(true),
@@ -140,7 +142,7 @@ pub(super) fn exchange(_a: &Path, _b: &Path) -> io::Result<bool> {
     Ok(false)
 }
 
-/// Whether the former folder, moved out of `target`, may go.
+/// Whether the former folder, moved out of `target`, may be removed.
 fn check_former(former: &Path, target: &Path) -> Result<(), OutputError> {
     match foreign(former).map_err(|e| OutputError::io(target, e))? {
         Some(reason) => Err(OutputError::ForeignFolder {
@@ -151,8 +153,8 @@ fn check_former(former: &Path, target: &Path) -> Result<(), OutputError> {
     }
 }
 
-/// Clears what killed runs left in a folder, and brings back a former result that one of them had moved away. What cannot
-/// be cleared now is left to the next run.
+/// Clears the remains of killed runs in a folder, and restores a former result that one of them had moved away. Remains that cannot
+/// be cleared now are kept for the next run.
 pub(super) fn clear(parent: &Path) {
     for entry in fs::read_dir(parent).into_iter().flatten().flatten() {
         let is_ours = entry.file_name().to_string_lossy().starts_with(PREFIX);
@@ -166,7 +168,7 @@ fn clear_one(left: &Path, parent: &Path) -> io::Result<()> {
     let path = left.join(LOCK);
     let is_lock = |meta: fs::Metadata| meta.is_file() && meta.len() == 0;
     if !fs::symlink_metadata(&path).is_ok_and(is_lock) {
-        // Only if it is empty; a run that is about to lock it makes another one.
+        // Only if it is empty; a run that is about to lock it creates another one.
         return fs::remove_dir(left);
     }
     for entry in fs::read_dir(left)? {
@@ -174,12 +176,12 @@ fn clear_one(left: &Path, parent: &Path) -> io::Result<()> {
             .iter()
             .any(|own| entry.as_ref().is_ok_and(|e| e.file_name() == *own))
         {
-            return Ok(()); // Somebody else's.
+            return Ok(()); // Not from ertel.
         }
     }
     let lock = File::options().write(true).open(&path)?;
     if lock.try_lock().is_err() {
-        return Ok(()); // At work, or no locks here.
+        return Ok(()); // In use, or no locks available.
     }
     let formers = match fs::read_dir(left.join(FORMER)) {
         Ok(entries) => entries.collect::<Result<Vec<_>, _>>()?,
@@ -198,13 +200,13 @@ fn clear_one(left: &Path, parent: &Path) -> io::Result<()> {
     if new.exists() && stray(&new)?.is_some() {
         return Ok(());
     }
-    // Locked until it is gone: a run that has just made it would take it for its own.
+    // Locked until it is removed: a new run would otherwise use it.
     let removed = remove(left);
     drop(lock);
     removed
 }
 
-/// Removes a workplace, the lock last: without it, the rest would not be taken for one.
+/// Removes a workplace, the lock last: without it, the rest would not be recognised as one.
 fn remove(workplace: &Path) -> io::Result<()> {
     for part in [NEW, FORMER] {
         match fs::remove_dir_all(workplace.join(part)) {

@@ -6,7 +6,7 @@ use super::target::check_target;
 use super::workplace::{Exchange, Workplace, clear, exchange};
 use super::{FORMAT, OutputError};
 
-/// No system exchanges two names in this way.
+/// Simulates a system without an atomic exchange.
 const NO_EXCHANGE: Exchange = |_, _| Ok(false);
 
 fn names(folder: &Path) -> Vec<String> {
@@ -26,7 +26,7 @@ fn fill(folder: &Path, note: &str) {
 }
 
 fn put(parent: &Path, note: &str, exchange: Exchange) -> Result<(), OutputError> {
-    let workplace = Workplace::beside(parent).unwrap();
+    let workplace = Workplace::create_in(parent).unwrap();
     fill(&workplace.new_folder(), note);
     workplace.put(&parent.join("case"), parent, exchange)
 }
@@ -35,10 +35,10 @@ fn note(parent: &Path) -> String {
     fs::read_to_string(parent.join("case/report.txt")).unwrap()
 }
 
-/// Somebody who looks all the time always finds a result, the former one or the new one.
+/// A continuous observer always finds a result, the former one or the new one.
 #[cfg(any(target_os = "linux", target_vendor = "apple"))]
 #[test]
-fn one_of_both_results_is_there_at_every_moment() {
+fn a_result_exists_at_every_moment() {
     let place = tempfile::tempdir().unwrap();
     put(place.path(), "0", exchange).unwrap();
     let (is_over, n_looks) = (AtomicBool::new(false), AtomicUsize::new(0));
@@ -65,7 +65,7 @@ fn one_of_both_results_is_there_at_every_moment() {
 }
 
 #[test]
-fn without_an_exchange_a_result_is_replaced_too() {
+fn results_are_replaced_without_exchange() {
     let place = tempfile::tempdir().unwrap();
     for note in ["old", "new"] {
         put(place.path(), note, NO_EXCHANGE).unwrap();
@@ -74,9 +74,9 @@ fn without_an_exchange_a_result_is_replaced_too() {
     assert_eq!(names(place.path()), ["case"]);
 }
 
-/// What somebody puts into the former result at the last moment is not lost.
+/// Files added to the former result at the last moment are not lost.
 #[test]
-fn things_of_others_bring_the_former_result_back() {
+fn foreign_files_restore_the_former_result() {
     for exchange in [exchange as Exchange, NO_EXCHANGE] {
         let place = tempfile::tempdir().unwrap();
         put(place.path(), "old", exchange).unwrap();
@@ -89,20 +89,20 @@ fn things_of_others_bring_the_former_result_back() {
 }
 
 #[test]
-fn what_a_killed_run_left_is_cleared() {
+fn remains_of_a_killed_run_are_cleared() {
     let place = tempfile::tempdir().unwrap();
     let parent = place.path();
     fill(&parent.join("case"), "new");
-    // Killed while it wrote, and after the exchange.
+    // Killed while writing, and after the exchange.
     let left = parent.join(".ertel-abc123");
     fill(&left.join("new"), "old");
     File::create(left.join("lock")).unwrap();
-    // Killed before it locked its place, and just before the end of its removal.
+    // Killed before locking its folder, and just before the end of its removal.
     fs::create_dir(parent.join(".ertel-empty")).unwrap();
     fs::create_dir(parent.join(".ertel-lock")).unwrap();
     File::create(parent.join(".ertel-lock/lock")).unwrap();
-    // A run that is alive, things of others, and what another program left.
-    let alive = Workplace::beside(parent).unwrap();
+    // A running process, foreign files, and the remains of another program.
+    let alive = Workplace::create_in(parent).unwrap();
     let mine = parent.join(".ertel-mine");
     fill(&mine.join("new"), "old");
     fs::write(mine.join("new/notes.txt"), "precious").unwrap();
@@ -118,9 +118,9 @@ fn what_a_killed_run_left_is_cleared() {
     assert_eq!(note(parent), "new");
 }
 
-/// Killed between two renames, where there is no exchange.
+/// Killed between two renames, without atomic exchange.
 #[test]
-fn a_former_result_that_was_moved_away_comes_back() {
+fn a_moved_former_result_is_restored() {
     let place = tempfile::tempdir().unwrap();
     let parent = place.path();
     let left = parent.join(".ertel-abc123");

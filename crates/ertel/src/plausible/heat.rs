@@ -1,4 +1,4 @@
-//! How much heat an isothermal contact leaves out.
+//! Heat that an isothermal contact neglects.
 
 use std::f64::consts::PI;
 
@@ -9,7 +9,7 @@ use crate::contact::Hertz;
 use crate::reference::thermal::{ThermalReduction, thermal_loading};
 
 /// Mean rise of the film, K, from which isothermal friction is doubted: oils lose 3 to 5 % of their viscosity per kelvin, so that a third
-/// of it is gone.
+/// of it is lost.
 pub const LARGEST_RISE: f64 = 10.0;
 
 /// Factor of the film by the heat of the inlet below which isothermal films are doubted: formulas for isothermal films are no closer.
@@ -75,7 +75,7 @@ pub struct Rise {
     pub is_lower_bound: bool,
 }
 
-/// What the heat of friction does: both bodies pass below a band of heat that they share, and the film is warmer still.
+/// Effect of frictional heat: both bodies pass below a band of heat that they share, and the film is warmer still.
 ///
 /// ```text
 ///   ΔT = (4/3) q √(2a/π)/(e₁√u₁ + e₂√u₂) + q h/(12 k),   q = P/A,  e = √(kρc)

@@ -1,5 +1,5 @@
-//! Results that converged and still cannot be true: friction that no lubricant transmits, films that are not small beside the
-//! bodies, air colder than the inlet oil and both bodies; and what the model leaves out, with its size.
+//! Converged results that are physically impossible: friction that no lubricant transmits, films that are not small compared with the
+//! bodies, air colder than the inlet oil and both bodies; and effects that the model neglects, with their size.
 //!
 //! | check | threshold | source |
 //! |---|---|---|
@@ -11,12 +11,12 @@
 //! | inertia of the film | [`inertia::NEGLIGIBLE_INERTIA`], [`inertia::CRITICAL_REYNOLDS`] | Habchi |
 //! | air colder than what flows in, heat balance | `UNDERSHOOT`, `LARGEST_HEAT_ERROR` | nothing cools before the contact |
 //!
-//! Checks of the input alone (Hertz pressure against the bodies' limit, width against each body's radii, the law's range) stand where the
+//! Checks of the input alone (Hertz pressure against the bodies' limit, width against each body's radii, the law's range) are made where the
 //! case is read.
 
 pub mod heat;
 pub mod inertia;
-pub mod left_out;
+pub mod neglected;
 
 use crate::case::Case;
 use crate::solution::{Estimate, Located, Solution, Traction};
@@ -35,18 +35,18 @@ pub const LARGEST_STRESS_RATIO: f64 = 0.1;
 /// over the length √(2hR) in which pressure builds up, and the parabola is taken for the circle.
 pub const LARGEST_FILM: f64 = 0.01;
 
-/// Share of the film by which a law with estimated constants may thin it without a word: they come from traction at high pressure, while films form in the
+/// Share of the film by which a law with estimated constants may thin it without a warning: they come from traction at high pressure, while films form in the
 /// inlet.
 pub const SMALL_THINNING: f64 = 0.02;
 
 /// Share of the largest rise by which, and K by which at the least, the film may be colder before the contact than what flows in:
-/// no more is left of an unresolved inflow.
+/// an unresolved inflow leaves no larger residual.
 const UNDERSHOOT: (f64, f64) = (0.02, 1.0);
 
-/// Share of the heat made from which it is told that the balance is open.
+/// Share of the generated heat above which an open heat balance is reported.
 const LARGEST_HEAT_ERROR: f64 = 0.01;
 
-/// Warnings about a solution that cannot be true.
+/// Warnings about a solution that is physically impossible.
 pub fn warnings(case: &Case, solution: &Solution) -> Vec<Warning> {
     [
         friction(case, &solution.traction, solution.hertz.pressure),
@@ -61,7 +61,7 @@ pub fn warnings(case: &Case, solution: &Solution) -> Vec<Warning> {
     ]
     .into_iter()
     .flatten()
-    .chain(left_out::warnings(
+    .chain(neglected::warnings(
         case,
         solution.summary.film_central.value,
         &solution.left_out,
@@ -75,8 +75,8 @@ pub fn smallest_radius(case: &Case) -> f64 {
     case.contact.radius.min(x).min(y)
 }
 
-/// What a case leaves out of what limits friction.
-fn left_out_of_friction(case: &Case) -> Vec<&'static str> {
+/// Limits of friction that a case neglects.
+fn neglected_limits(case: &Case) -> Vec<&'static str> {
     let thinning = case.friction_thinning();
     [
         (
@@ -105,14 +105,14 @@ fn friction(case: &Case, traction: &Traction, hertz_pressure: f64) -> Option<War
     let stress = traction.shear_stress_maximum.value;
     let largest = LARGEST_STRESS_RATIO * hertz_pressure;
     let (excess, what) = if slides && coefficient > LARGEST_TRACTION {
-        let told = match traction.across {
+        let reported = match traction.across {
             Some(_) => coefficient,
             None => traction.coefficient.value,
         };
-        (coefficient / LARGEST_TRACTION, too_much_traction(told))
+        (coefficient / LARGEST_TRACTION, too_much_traction(reported))
     } else if stress > largest {
         let what = format!(
-            "a shear stress of {} is beyond what lubricants bear (about 0.1 of the pressure, here {})",
+            "a shear stress of {} exceeds what lubricants can carry (about 0.1 of the pressure, here {})",
             pressure(stress),
             pressure(largest)
         );
@@ -128,7 +128,7 @@ fn friction(case: &Case, traction: &Traction, hertz_pressure: f64) -> Option<War
         ),
         false => (
             WarningKind::RollingStress,
-            "do not use the shear stress of this result; pure rolling leaves film and pressure alone",
+            "do not use the shear stress of this result; in pure rolling film and pressure are not affected",
         ),
     };
     let text = format!("{what}: {why}; {unusable}");
@@ -142,16 +142,16 @@ fn too_much_traction(coefficient: f64) -> String {
     )
 }
 
-/// What to look at where friction is beyond what lubricants transmit.
+/// Advice where friction is beyond what lubricants transmit.
 fn why_so_much_friction(case: &Case) -> String {
-    match &left_out_of_friction(case)[..] {
-        [] => "look at the constants of the lubricant's laws".to_owned(),
-        [one] => format!("the case leaves out {one}"),
-        [all @ .., last] => format!("the case leaves out {} and {last}", all.join(", ")),
+    match &neglected_limits(case)[..] {
+        [] => "check the constants of the lubricant's laws".to_owned(),
+        [one] => format!("the case neglects {one}"),
+        [all @ .., last] => format!("the case neglects {} and {last}", all.join(", ")),
     }
 }
 
-/// The same of a contact in time, by its largest traction coefficient; and of its largest film, m, beside the bodies.
+/// The same for a contact in time, by its largest traction coefficient, and by its largest film, m, compared with the bodies.
 pub fn in_time(case: &Case, coefficient: f64, film: f64) -> Vec<Warning> {
     let excess = coefficient.abs() / LARGEST_TRACTION;
     let friction = (excess > 1.0).then(|| {
@@ -167,14 +167,14 @@ pub fn in_time(case: &Case, coefficient: f64, film: f64) -> Vec<Warning> {
     friction.into_iter().chain(thick).collect()
 }
 
-/// Says so if a film thickness, m, is not small beside the radius, m. `film` names it.
+/// Warns if a film thickness, m, is not small compared with the radius, m. `film` names it.
 pub fn thick_film(film: &str, thickness: f64, radius: f64) -> Option<Warning> {
     let ratio = thickness / radius;
     let share = digits(ratio, 2);
     let words = if ratio > 1.0 {
-        "thicker than the body itself: there is no such contact; look at speed, viscosity and load"
+        "thicker than the body itself: no such contact exists; check speed, viscosity and load"
     } else if ratio > LARGEST_FILM {
-        "not small beside it: Reynolds' equation and the parabolic gap do not hold"
+        "too thick for Reynolds' equation and the parabolic gap"
     } else {
         return None;
     };
@@ -222,7 +222,7 @@ fn estimated_thinning(case: &Case, solution: &Solution) -> Option<Warning> {
     ))
 }
 
-/// Before the contact nothing cools: neither shear nor compression does, and expansion comes behind it.
+/// Nothing cools the film before the contact: shear and compression heat it, and expansion follows behind the contact.
 fn cold_inlet(case: &Case, solution: &Solution) -> Option<Warning> {
     let thermal = solution.thermal.as_ref()?;
     let heat = case.heat().ok().flatten()?;
@@ -233,7 +233,7 @@ fn cold_inlet(case: &Case, solution: &Solution) -> Option<Warning> {
     undershoot(&thermal.film_lowest, coldest, rise, solution.scales.length)
 }
 
-/// Says so if more heat is made than is carried off, or less.
+/// Warns if the heat balance is open.
 fn open_balance(solution: &Solution) -> Option<Warning> {
     let balance = &solution.thermal.as_ref()?.balance;
     let error = balance.error;
@@ -249,7 +249,7 @@ fn open_balance(solution: &Solution) -> Option<Warning> {
     Some(Warning::beyond(WarningKind::HeatBalance, error.abs(), text))
 }
 
-/// Says so if the lowest temperature of the film is before the contact and below `coldest`, K, that of the inlet oil and both bodies; `rise`
+/// Warns if the lowest temperature of the film is before the contact and below `coldest`, K, that of the inlet oil and both bodies; `rise`
 /// is the largest rise, K, `half_width` in m.
 fn undershoot(lowest: &Located, coldest: f64, rise: f64, half_width: f64) -> Option<Warning> {
     let below = coldest - lowest.value;
@@ -268,9 +268,9 @@ fn undershoot(lowest: &Located, coldest: f64, rise: f64, half_width: f64) -> Opt
 mod tests {
     use super::*;
 
-    /// 55 K below at the inlet edge is told; half a kelvin is not, nor 2 K beside a rise by 200 K, nor what expansion cools behind.
+    /// 55 K below at the inlet edge is reported; half a kelvin is not, nor 2 K with a rise of 200 K, nor cooling by expansion behind.
     #[test]
-    fn a_film_colder_than_what_flows_in() {
+    fn a_film_colder_than_the_inflow() {
         let words = |value, x, rise| {
             let lowest = Located {
                 value,
@@ -283,10 +283,10 @@ mod tests {
             };
             undershoot(&lowest, 313.0, rise, 1e-4).map(|w| w.text)
         };
-        let told = words(258.0, -4.5e-4, 6.4).unwrap();
+        let text = words(258.0, -4.5e-4, 6.4).unwrap();
         assert!(
-            told.starts_with("the film is 55.0 K colder at x/a -4.50"),
-            "{told}"
+            text.starts_with("the film is 55.0 K colder at x/a -4.50"),
+            "{text}"
         );
         assert_eq!(words(312.5, -4.5e-4, 6.4), None);
         assert_eq!(words(311.0, -4.5e-4, 200.0), None);

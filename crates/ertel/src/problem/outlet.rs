@@ -23,7 +23,7 @@ pub(super) fn near(film: f64) -> f64 {
     behind(1.0, film)
 }
 
-/// The same where the dry contact is up to this wide, in half-widths, as along rollers: what lies between it and the rupture goes with the film alone.
+/// The same where the dry contact is up to this wide, in half-widths, as along rollers: the distance from it to the rupture depends on the film alone.
 pub(super) fn behind(widest: f64, film: f64) -> f64 {
     1.5_f64.max((widest + 1.5 * film.sqrt()).ceil_half())
 }

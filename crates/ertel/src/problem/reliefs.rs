@@ -7,7 +7,7 @@ use crate::contact::{Pose, Scales, Shape, Symmetry};
 /// Cells across the shortest length of a relief: with 16 and with 32 of them waves of half a half-width keep the amplitude of a published table to 3 %.
 const CELLS_OVER_RELIEF: f64 = 16.0;
 
-/// A contact with reliefs; all of it is solved, under all of its load, where they are not alike on both sides of the motion.
+/// A contact with reliefs; all of it is solved, under all of its load, where they are not symmetric about the motion.
 pub fn with_reliefs(mut shape: Shape, reliefs: &[SurfaceRelief], scales: &mut Scales) -> Shape {
     let turn = shape.gap.turn;
     let reliefs: Vec<Relief> = (reliefs.iter())

@@ -1,4 +1,4 @@
-//! How much thinner than a Newtonian film that of a fluid is which stress thins, about: for the size of its cells.
+//! Estimated ratio of the film of a shear-thinning fluid to the Newtonian film, for the size of its cells.
 
 use ertel_rheology::shear::ShearThinning;
 
@@ -10,10 +10,10 @@ const SPEED_EXPONENT: f64 = 0.68;
 /// Largest shear rate that rolling makes in the inlet, over u/h_c: the wall's, 6u(h − h_c)/h², where h = 2h_c.
 const RATE_OF_ROLLING: f64 = 1.5;
 
-/// Share of the Newtonian film above which the mesh of the Newtonian film serves: what refinement brings in any case.
+/// Share of the Newtonian film above which the mesh of the Newtonian film serves: within the range of refinement in any case.
 const THICK_ENOUGH: f64 = 1.0 / 3.0;
 
-/// The central film that a mesh is made for, m: `newtonian`, or what is left of it where stress thins the fluid in the inlet to less than a
+/// The central film that a mesh is made for, m: `newtonian`, or the estimated thinned film where it is less than a
 /// third.
 pub(super) fn film_of_mesh(case: &Case, newtonian: f64) -> f64 {
     let Some(thinning) = case.shear_thinning() else {
@@ -25,7 +25,7 @@ pub(super) fn film_of_mesh(case: &Case, newtonian: f64) -> f64 {
     let rate = case.motion.entrainment_speed / newtonian * RATE_OF_ROLLING.hypot(slides);
     // Films are made where viscosity has grown by e.
     let pressure = if slope > 0.0 { slope.recip() } else { 0.0 };
-    let share = share_left(thinning, lubricant.ambient_viscosity() * rate, pressure);
+    let share = remaining_share(thinning, lubricant.ambient_viscosity() * rate, pressure);
     match share < THICK_ENOUGH {
         true => share * newtonian,
         false => newtonian,
@@ -37,7 +37,7 @@ pub(super) fn film_of_mesh(case: &Case, newtonian: f64) -> f64 {
 /// ```text
 ///   h = h_N φ^(−m),   φ = μ₁/η at τ,   τφ = μ₁γ̇ = S h_N/h   ⇒   τ φ(τ²)^(1 − m) = S
 /// ```
-fn share_left(thinning: &ShearThinning, stress: f64, pressure: f64) -> f64 {
+fn remaining_share(thinning: &ShearThinning, stress: f64, pressure: f64) -> f64 {
     let ln_fluidity =
         |ln_tau: f64| -> f64 { (thinning.relative_fluidity((2.0 * ln_tau).exp(), pressure)).ln() };
     let target = stress.ln();
@@ -69,12 +69,16 @@ mod tests {
         let law = ShearLaw::Carreau(Carreau::new(1e4, 0.5, 2.0, 0.0).unwrap());
         let thinning = ShearThinning::of(law);
         approx::assert_relative_eq!(
-            share_left(&thinning, 1e7, 0.0),
+            remaining_share(&thinning, 1e7, 0.0),
             0.02850,
             max_relative = 2e-3
         );
         // Far below G it is Newtonian.
-        approx::assert_relative_eq!(share_left(&thinning, 10.0, 0.0), 1.0, max_relative = 1e-6);
+        approx::assert_relative_eq!(
+            remaining_share(&thinning, 10.0, 0.0),
+            1.0,
+            max_relative = 1e-6
+        );
     }
 
     /// A limit far above the stress in the inlet leaves the film as it is; ten times below it next to nothing: φ = 10^(1/0.32), by hand
@@ -83,11 +87,11 @@ mod tests {
     fn a_limit_counts_where_it_is_reached() {
         let limited = |limit| ShearThinning::limited(StressLimit::new(limit, 0.0).unwrap());
         approx::assert_relative_eq!(
-            share_left(&limited(1e7), 1e5, 0.0),
+            remaining_share(&limited(1e7), 1e5, 0.0),
             1.0,
             max_relative = 1e-3
         );
-        let left = share_left(&limited(1e4), 1e5, 0.0);
+        let left = remaining_share(&limited(1e4), 1e5, 0.0);
         assert!((0.005..0.015).contains(&left), "{left}");
     }
 }

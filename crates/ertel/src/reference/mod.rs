@@ -1,6 +1,6 @@
-//! Published film-thickness formulas, shown beside the computed film.
+//! Published film-thickness formulas, for comparison with the computed film.
 //!
-//! Every formula carries its source; how sure its constants are stands in docs/reference/command.md. The film is h = H R in metres;
+//! Every formula carries its source; the status of its constants is in docs/reference/command.md. The film is h = H R in metres;
 //! groups follow [`Groups`].
 
 pub mod biboulet_houpert;
@@ -30,17 +30,17 @@ use serde::Serialize;
 use crate::contact::{Contact, ContactKind, Groups};
 use crate::solution::FormulaFilm;
 
-/// Central film of a contact in the four lubrication regimes, in the unit of whoever fills it: H = h/(R √(2U))
+/// Central film of a contact in the four lubrication regimes, in the unit of the caller: H = h/(R √(2U))
 /// from the formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Asymptotes {
-    /// Neither viscosity nor bodies feel the pressure.
+    /// Constant viscosity, rigid bodies.
     pub isoviscous_rigid: f64,
-    /// The bodies deflect, the viscosity stays.
+    /// Constant viscosity, elastic bodies.
     pub isoviscous_elastic: f64,
-    /// The viscosity grows with pressure, the bodies stay.
+    /// Viscosity grows with pressure, rigid bodies.
     pub piezoviscous_rigid: f64,
-    /// Both.
+    /// Viscosity grows with pressure, elastic bodies.
     pub piezoviscous_elastic: f64,
 }
 
@@ -160,7 +160,7 @@ impl FilmFormula {
 
     /// Central and minimum film in m, where the formula gives them.
     ///
-    /// Outside of what it was made for (power laws in G of an isoviscous fluid, the isoviscous
+    /// Outside its range (power laws in G of an isoviscous fluid, the isoviscous
     /// limit of a piezoviscous one) both are `None`.
     pub fn film(self, contact: &Contact, groups: &Groups) -> (Option<f64>, Option<f64>) {
         let [radius, across] = contact.radii_along_and_across();

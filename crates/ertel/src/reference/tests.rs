@@ -204,7 +204,7 @@ fn thermal_reductions_match_independent_values() {
 /// An isoviscous fluid (G = 0) has no power law in G, and gains the isoviscous limit:
 /// 1.96 · 1000^(−1/9) = 0.909751.
 #[test]
-fn isoviscous_contact_lists_only_what_applies() {
+fn isoviscous_contact_lists_only_applicable_formulas() {
     let groups = Groups {
         load: 1e-6,
         speed: 5e-13,

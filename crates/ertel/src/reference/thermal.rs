@@ -33,7 +33,7 @@ impl ThermalReduction {
         ThermalReduction::MurchWilson,
     ];
 
-    /// The one that estimates go by: a fit to solves of rolling and sliding contacts under pressures of bearings and gears, which AGMA 925
+    /// The one used in estimates: a fit to solves of rolling and sliding contacts under pressures of bearings and gears, which AGMA 925
     /// takes for gears.
     pub const RECOMMENDED: ThermalReduction = ThermalReduction::GuptaCheng;
 

@@ -1,9 +1,9 @@
-//! A case in time that stopped, as bytes that a later run goes on from.
+//! Serialised state of an interrupted transient run, from which a later run resumes.
 //!
 //! ```text
 //!   MAGIC, hash of the rest (16 bytes), program and case, the run
 //! ```
-//! Damaged bytes, a checkpoint of another case and one of another version of the program are refused.
+//! Damaged bytes, and checkpoints of another case or another program version, are rejected.
 
 use serde::{Deserialize, Serialize};
 use xxhash_rust::xxh3::{xxh3_64, xxh3_128};
@@ -25,7 +25,7 @@ const MAGIC: &[u8] = b"ertel checkpoint 3\n";
 /// Bytes of the hash.
 const HASH: usize = 16;
 
-/// A run that stopped.
+/// An interrupted run.
 #[derive(Debug, Deserialize, Serialize)]
 pub struct Checkpoint {
     made_by: MadeBy,
@@ -35,7 +35,7 @@ pub struct Checkpoint {
     pub(super) wall_seconds: f64,
 }
 
-/// What the results tell of the time until then.
+/// Results up to that time.
 #[derive(Debug, Default, Deserialize, Serialize)]
 pub(super) struct Collected {
     pub instants: Vec<InstantSolution>,
@@ -54,7 +54,7 @@ struct MadeBy {
 
 impl MadeBy {
     fn of(case: &Case) -> MadeBy {
-        // Tables and maps of files are a part of the case; its place and its pictures change no step.
+        // Tables and map files belong to the case; the location of the case and its pictures do not affect the steps.
         let mut case = case.clone();
         case.source.clear();
         case.origin = None;
@@ -69,25 +69,25 @@ impl MadeBy {
     }
 }
 
-/// Why a run cannot go on from some bytes.
+/// Why a run cannot resume from some bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CheckpointError {
-    /// They are something else.
-    #[error("this is no checkpoint of ertel")]
+    /// Not a checkpoint.
+    #[error("this is not an ertel checkpoint")]
     Foreign,
-    /// They end early, or were changed.
+    /// Truncated or changed.
     #[error("this checkpoint is damaged: its bytes do not match their hash")]
     Damaged,
-    /// They are of another version.
+    /// From another version.
     #[error("this checkpoint was written by another version of ertel, whose results may differ")]
     OtherVersion,
-    /// They are of another case.
-    #[error("this checkpoint is of a case with other values, tables or maps")]
+    /// From another case.
+    #[error("this checkpoint belongs to a case with other values, tables or maps")]
     OtherCase,
 }
 
 impl Checkpoint {
-    /// Of a run that has come to somewhere.
+    /// For a run that has reached some time.
     pub(super) fn new(
         case: &Case,
         physics: transient::Checkpoint,
@@ -107,17 +107,17 @@ impl Checkpoint {
         }
     }
 
-    /// As bytes.
+    /// Serialises the checkpoint.
     pub fn to_bytes(&self) -> Vec<u8> {
-        // Numbers, lists and texts have a form in bytes.
+        // Numbers, lists and texts always serialise.
         let body = postcard::to_allocvec(self).unwrap_or_default();
         [MAGIC, &xxh3_128(&body).to_le_bytes(), &body].concat()
     }
 
-    /// From bytes, for a case.
+    /// Reads a checkpoint of a case.
     ///
     /// # Errors
-    /// Bytes that are no checkpoint or a damaged one, and checkpoints of another version or another case.
+    /// If the bytes are not a checkpoint, are damaged, or belong to another version or another case.
     pub fn from_bytes(bytes: &[u8], case: &Case) -> Result<Checkpoint, CheckpointError> {
         let hashed = bytes
             .strip_prefix(MAGIC)
@@ -131,7 +131,7 @@ impl Checkpoint {
         if u128::from_le_bytes(*hash) != xxh3_128(body) {
             return Err(CheckpointError::Damaged);
         }
-        // Program and case come first: the rest may have another form.
+        // Program and case are checked first: the rest may have another layout.
         let (made_by, _): (MadeBy, _) =
             postcard::take_from_bytes(body).map_err(|_| CheckpointError::Damaged)?;
         let own = MadeBy::of(case);
@@ -144,7 +144,7 @@ impl Checkpoint {
         postcard::from_bytes(body).map_err(|_| CheckpointError::Damaged)
     }
 
-    /// Time that it has come to over the duration, s.
+    /// The reached time, s.
     pub fn reached(&self) -> f64 {
         (self.collected.instants.last()).map_or(0.0, |instant| instant.time)
     }

@@ -1,10 +1,10 @@
-//! The figures and fields of a case that was solved, whichever engine did.
+//! Figures and fields of a solved case, independent of the engine.
 
 use crate::case::Case;
 use crate::contact::{Hertz, Scales};
 use crate::engine::{Extents, Film, Problem};
 use crate::plausible;
-use crate::plausible::left_out::Known;
+use crate::plausible::neglected::Known;
 use crate::post;
 use crate::problem::groups as groups_of;
 use crate::solution::{
@@ -15,10 +15,10 @@ use crate::solution::{
 use crate::solve::SolveError;
 use crate::warning::{Warning, WarningKind};
 
-/// What an engine found, SI.
+/// Results of an engine, SI.
 pub(super) struct Found {
     pub measured: Measured,
-    /// Contact area that it was found on, in half-widths.
+    /// Contact area of the solve, in half-widths.
     pub extents: Extents,
     pub summary: Summary,
     pub film_reduction: Option<FilmReduction>,
@@ -27,11 +27,11 @@ pub(super) struct Found {
     pub surface: SurfaceField,
     pub elements: ElementFields,
     pub body: Option<BodyField>,
-    /// What the engine has to say about it.
+    /// Remarks of the engine.
     pub warnings: Vec<Warning>,
 }
 
-/// The solution of a case from what its engine found.
+/// Builds the solution of a case from the results of its engine.
 pub(super) fn describe<Plan>(
     case: &Case,
     problem: &Problem<Plan>,
@@ -110,7 +110,7 @@ pub(super) fn describe<Plan>(
         surface: found.surface,
         elements,
         body: found.body,
-        left_out: plausible::left_out::left_out(
+        left_out: plausible::neglected::neglected(
             case,
             &Known {
                 film_central: summary.film_central.value,
@@ -136,7 +136,7 @@ pub(super) fn describe<Plan>(
     };
     let asked = Asked {
         bars: case.solver.error_estimate,
-        // The forces of spin alone cancel.
+        // The net force of spin alone is zero.
         slides: case.motion.sliding_at_centre() > 0.0,
         radius: case.contact.radius,
     };
@@ -146,21 +146,21 @@ pub(super) fn describe<Plan>(
     solution
 }
 
-/// Half the extent of the contact area across the motion, in half-widths, or semi-axes along y of an ellipse.
+/// Half the extent of the contact area across the motion, in half-widths; semi-axes along y for an ellipse.
 pub(super) fn side_of<Plan>(problem: &Problem<Plan>, side: f64) -> f64 {
     let roller = problem.shape.zone.roller.as_ref();
     roller.map_or(side, |roller| roller.half_length())
 }
 
-/// Whether derivatives of a figure can be told: not of friction by a law that the film, which the derivatives go by, is solved without.
+/// Whether a figure has derivatives. These are of the film solve: friction by a law that is not part of it has none.
 pub(super) fn has_derivatives(case: &Case, figure: Figure) -> bool {
     !(case.friction_by_law && figure.section() == Section::Traction)
 }
 
-/// Adds how much each input counts, and what the uncertainty of the inputs comes to. A solution without is still one.
+/// Adds the sensitivities to the inputs and the resulting uncertainty. A solution without them remains valid.
 ///
 /// # Errors
-/// Only when the user wants to stop.
+/// Only if the user stops the run.
 pub(super) fn note_sensitivities(
     solution: &mut Solution,
     case: &Case,

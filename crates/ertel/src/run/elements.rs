@@ -1,4 +1,4 @@
-//! A case by finite elements.
+//! Solves a case by finite elements.
 
 use ertel_fem::platform::Instant;
 
@@ -9,7 +9,7 @@ use crate::contact::Scales;
 use crate::engine::{Engine, Solved};
 use crate::params::{Method, SensitivityDemand};
 use crate::post;
-use crate::problem::{problem, problem_beside, problem_by_slices};
+use crate::problem::{nearby_problem, problem, problem_by_slices};
 use crate::sensitivity::{by_adjoint, by_differences};
 use crate::solution::{Sensitivities, Solution, Stats};
 use crate::solve::adjoint::RoughAdjoints;
@@ -18,7 +18,7 @@ use crate::solve::sequence::{Problem, Start};
 use crate::solve::{Finished, FiniteElements, Observer, SolveError};
 use crate::warning::{Warning, WarningKind};
 
-/// The problem of a case, a roller's zone by slices, if a solve may begin.
+/// The problem of a case if it can be solved; the zone of a roller by slices.
 pub(super) fn may_begin(case: &Case) -> Result<Problem, SolveError> {
     case.heat()?;
     let problem = problem_by_slices(case);
@@ -26,17 +26,17 @@ pub(super) fn may_begin(case: &Case) -> Result<Problem, SolveError> {
     Ok(problem)
 }
 
-/// The problem that a solve begins with.
+/// The initial problem of a solve.
 fn ready(case: &Case) -> Result<Problem, SolveError> {
     let found = may_begin(case)?;
     Ok(match found.shape.zone.roller {
-        // Not before it is known that it is worth the time.
+        // Built only after the check succeeds, because it takes time.
         Some(_) => problem(case),
         None => found,
     })
 }
 
-/// Solves a case from a start, where that leads to its own solution; else from the dry contact.
+/// Solves a case from a start if that converges, otherwise from the dry contact.
 ///
 /// # Errors
 /// As [`super::solve`].
@@ -61,9 +61,9 @@ pub(super) fn solve(
         Some(end) => end,
         None => {
             recorder.history.clear();
-            // One after the other: there may be thousands.
+            // One at a time: there may be thousands.
             let own = problem.fluid.clone();
-            problem.make_room_for(ahead.iter().map(|case| problem_beside(case, &own)));
+            problem.make_room_for(ahead.iter().map(|case| nearby_problem(case, &own)));
             FiniteElements.solve(&problem, &mut recorder)?
         }
     };
@@ -92,10 +92,10 @@ pub(super) fn solve(
     Ok((solution, start))
 }
 
-/// How much each input counts.
+/// Sensitivities to the inputs.
 ///
 /// # Errors
-/// When that cannot be computed, or the user wants to stop.
+/// If they cannot be computed, or the user stops the run.
 fn sensitivities(
     solution: &Solution,
     case: &Case,
@@ -113,7 +113,7 @@ fn sensitivities(
     }
 }
 
-/// What the elements found, SI.
+/// Results of the elements, SI.
 fn found(case: &Case, problem: &Problem, solved: &Finished) -> Result<Found, SolveError> {
     let (finest, levels) = (&solved.finest, solved.levels());
     let measured = solved.measured(problem).with_meniscus(&case.supply);
@@ -131,7 +131,7 @@ fn found(case: &Case, problem: &Problem, solved: &Finished) -> Result<Found, Sol
     if order < case.mesh.pressure_order {
         let text = format!(
             "solved with pressures of order {order}: those of order {} did not converge; a finer mesh \
-             may carry them",
+             may help",
             case.mesh.pressure_order
         );
         warnings.push(Warning::new(WarningKind::Convergence, text));

@@ -29,15 +29,15 @@ use crate::solve::sequence;
 use crate::solve::{Observer, SolveError};
 use crate::warning::{Warning, WarningKind, silence};
 
-/// Version of the numerics: raised whenever the figures of some case move by more than rounding, so that points of studies that
-/// were solved before are solved anew.
+/// Version of the numerics: incremented whenever the figures of some case change by more than rounding. Study points
+/// solved by an earlier version are then recomputed.
 pub const NUMERICS: u32 = 25;
 
-/// Whether a solve of the case would begin: it has the data that it needs, and a mesh that is allowed resolves its film.
+/// Checks that a case can be solved: it has the required data, and an allowed mesh resolves its film.
 /// Takes milliseconds.
 ///
 /// # Errors
-/// As [`solve`] has them before any work.
+/// Those of [`solve`] before any computation.
 pub fn check(case: &Case) -> Result<(), SolveError> {
     match case.solver.method {
         // A first grid is always small enough.
@@ -47,25 +47,25 @@ pub fn check(case: &Case) -> Result<(), SolveError> {
     }
 }
 
-/// What the solve of a similar case can start from. Finite volumes start from the dry contact.
+/// Start for the solve of a similar case. Finite volumes start from the dry contact.
 pub struct Start {
     own: Option<Box<sequence::Start>>,
-    /// That of the same contact with more oil than it takes, where it has less.
+    /// Start of the fully flooded contact, for a starved one.
     flooded: Option<Box<sequence::Start>>,
 }
 
 /// Solves a case.
 ///
 /// # Errors
-/// When no mesh level converges, the mesh cannot be built, or the observer cancels.
+/// If no mesh level converges, the mesh cannot be built, or the observer cancels.
 pub fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
     let (solution, _) = solve_from(case, None, &[], observer)?;
     Ok(solution)
 }
 
-/// Solves a case from the solution of a similar one, where that leads to its own; else from the dry contact,
-/// on a mesh that suits those of the cases `ahead` that are similar, too. Returns with the solution what the
-/// next case can start from.
+/// Solves a case from the solution of a similar one if that converges, otherwise from the dry contact,
+/// on a mesh that also suits those of the cases `ahead` that are similar. Returns the solution and the
+/// start for the next case.
 ///
 /// # Errors
 /// As [`solve`].
@@ -75,15 +75,15 @@ pub fn solve_from(
     ahead: &[&Case],
     observer: &mut dyn Observer,
 ) -> Result<(Solution, Start), SolveError> {
-    // On a thread of the pool: from outside, each of the thousands of short parallel loops would wait for one
-    // thread to be woken before it began.
+    // On a thread of the pool: started from outside, each of the thousands of short parallel loops would wait for a
+    // thread to wake up.
     rayon::scope(|_| {
         let flooded = start.and_then(|start| start.flooded.as_deref());
         let flooded = solve_flooded(case, flooded, observer)?;
         let start = start.and_then(|start| start.own.as_deref());
         let (mut solution, own) = solve_here(case, start, ahead, observer)?;
         if let Some((full, _)) = &flooded {
-            solution.beside_flooded(full);
+            solution.compare_with_flooded(full);
         }
         silence(&mut solution.warnings, &case.output.silence);
         let start = Start {
@@ -94,10 +94,10 @@ pub fn solve_from(
     })
 }
 
-/// A solution, and what the next one can start from.
+/// A solution and the start for the next one.
 type Ended = (Solution, Option<sequence::Start>);
 
-/// The same case with more oil than the contact takes, where it has less; `None`, too, where that does not converge.
+/// The fully flooded case of a starved contact; `None` for a flooded contact, or without convergence.
 fn solve_flooded(
     case: &Case,
     start: Option<&sequence::Start>,
@@ -110,7 +110,7 @@ fn solve_flooded(
         supply: Supply::Flooded,
         ..case.clone()
     };
-    // Films of the same method are compared.
+    // Both films are from the same method.
     if first_method(case) == Method::FiniteVolumes {
         flooded.solver.method = Some(Method::FiniteVolumes);
     }
@@ -140,7 +140,7 @@ fn solve_here(
     };
     let first = first_method(case);
     match by(first, observer) {
-        Err(error) if did_not_converge(&error) && may_be_left_to_the_other(case, first) => {
+        Err(error) if did_not_converge(&error) && may_use_other_method(case, first) => {
             match by(first.other(), observer) {
                 Ok(end) => Ok(noting(end, first, &format!("did not converge: {error}"))),
                 Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
@@ -151,7 +151,7 @@ fn solve_here(
                 }),
             }
         }
-        Ok(end) if lacks_a_film(case, &end.0) && may_be_left_to_the_other(case, first) => {
+        Ok(end) if lacks_a_film(case, &end.0) && may_use_other_method(case, first) => {
             match by(first.other(), observer) {
                 Ok(other) if unresolved_films(&other.0).is_empty() => {
                     let lacking = unresolved_films(&end.0).join(" and ");
@@ -165,7 +165,7 @@ fn solve_here(
     }
 }
 
-/// A solution by the method other than `first`, with what became of that one.
+/// A solution by the method other than `first`, with the outcome of that one.
 fn noting((mut solution, start): Ended, first: Method, what: &str) -> Ended {
     let [first, second] = [first, first.other()].map(Method::words);
     let text = format!("solved by {second}, as {first} {what}");
@@ -182,8 +182,8 @@ fn unresolved_films(solution: &Solution) -> Vec<String> {
         .collect()
 }
 
-/// Whether a solution does not resolve a film although nothing but its method limits its meshes: what near edges do, no method knows better, and a limit in
-/// unknowns is wanted.
+/// Whether a solution does not resolve a film although only the method limits its meshes: near edges no method is better, and a limit on
+/// unknowns is intended.
 fn lacks_a_film(case: &Case, solution: &Solution) -> bool {
     let mesh = &case.mesh;
     let is_free = mesh.max_unknowns.is_none()
@@ -193,12 +193,12 @@ fn lacks_a_film(case: &Case, solution: &Solution) -> bool {
     is_free && case.solver.error_estimate && !unresolved_films(solution).is_empty()
 }
 
-/// Moes' groups M and L up to which finite elements take less time for a circular contact that is thinned by a power of the stress.
+/// Moes' groups M and L up to which finite elements are faster for a circular contact with power-law shear thinning.
 const ELEMENTS_UP_TO: [f64; 2] = [1500.0, 11.0];
 
-/// The method that a case asks for, or else the one that takes less time: finite volumes for circular and elliptical contacts and rollers of finite length that they
-/// solve. Finite elements for lines, for what has heat but rollers, and for circles that are thinned by a power of the stress, unless their films are thin, or so thick that
-/// pressures far away count, or their viscosities steep.
+/// The method that a case requests, otherwise the faster one: finite volumes for the circular and elliptical contacts and rollers of finite length that they
+/// can solve. Finite elements for lines, for thermal contacts other than rollers, and for circular contacts with power-law shear thinning, unless the film is thin, or so thick that
+/// far pressures matter, or the viscosity law is steep.
 pub fn first_method(case: &Case) -> Method {
     if let Some(method) = case.solver.method {
         return method;
@@ -206,14 +206,14 @@ pub fn first_method(case: &Case) -> Method {
     if !case.standing_reliefs().is_empty() {
         return Method::FiniteVolumes;
     }
-    // Where heat counts, both take as long for contacts that both solve, but for rollers, whose ends and middle elements of one size do not resolve.
+    // For thermal contacts, both methods take equally long, except for rollers: elements of one size do not resolve both their ends and their middle.
     let is_warm = case.thermal().is_some() && case.contact.kind != ContactKind::Roller;
     let is_left = is_warm || finite_volumes_refuse(case).is_some();
-    // Elements of high order that are small at the spike alone take less time for a line.
-    if asks_for_elements(case) || is_left || case.contact.kind.is_line() {
+    // High-order elements refined only at the spike are faster for a line.
+    if needs_elements(case) || is_left || case.contact.kind.is_line() {
         return Method::FiniteElements;
     }
-    // Finite volumes find the flow of a thinned film at each node again for each derivative.
+    // Finite volumes recompute the flow of a shear-thinning film at each node for each derivative.
     let thins_gently =
         || (case.shear_thinning()).is_some_and(|thinning| !thinning.is_exponential());
     let is_easy = || {
@@ -230,8 +230,8 @@ pub fn first_method(case: &Case) -> Method {
     }
 }
 
-/// Whether a case asks for finite elements by what only they have.
-fn asks_for_elements(case: &Case) -> bool {
+/// Whether a case requires finite elements.
+fn needs_elements(case: &Case) -> bool {
     let (own, usual) = (&case.solver, SolverParams::default());
     case.has_key_of_elements()
         || own.formulation != usual.formulation
@@ -242,7 +242,7 @@ fn asks_for_elements(case: &Case) -> bool {
         || own.penalty_scaling != usual.penalty_scaling
 }
 
-/// Whether a solve came to no end for its method, which another one may do without.
+/// Whether a solve failed for a reason specific to its method.
 fn did_not_converge(error: &SolveError) -> bool {
     matches!(
         error,
@@ -257,17 +257,17 @@ fn did_not_converge(error: &SolveError) -> bool {
     )
 }
 
-/// Whether a case that a method does not solve is left to the other one.
-fn may_be_left_to_the_other(case: &Case, first: Method) -> bool {
-    let is_left_open = case.solver.method.is_none() && !asks_for_elements(case);
+/// Whether a case that a method does not solve is passed to the other one.
+fn may_use_other_method(case: &Case, first: Method) -> bool {
+    let is_open = case.solver.method.is_none() && !needs_elements(case);
     let other_solves = match first {
         Method::FiniteElements => finite_volumes_refuse(case).is_none(),
         Method::FiniteVolumes => case.standing_reliefs().is_empty(),
     };
-    is_left_open && other_solves
+    is_open && other_solves
 }
 
-/// Passes everything on and keeps the iterations.
+/// Forwards everything and keeps the iterations.
 struct Recorder<'a> {
     observer: &'a mut dyn Observer,
     history: Vec<IterationRecord>,

@@ -1,10 +1,10 @@
-//! Figures of a whole run in time: extremes with the instants at which they are, means, and values at the end.
+//! Figures of a whole transient run: extremes with their instants, means, and final values.
 //!
-//! Films and pressures are known at instants with error bars. What is lowest over time lies, as each of them may err by its own bar,
+//! Films and pressures are known at instants, with error bars e_i. The minimum over time is within
 //! ```text
 //!   min_i (f_i − e_i)  ≤  min_i f_i  ≤  min_i (f_i + e_i)
 //! ```
-//! and may lie between two instants: the bar holds both ends of this interval, and what the parabola through an extreme and its neighbours goes beyond it.
+//! It may also be between two instants: the error bar covers both ends of this interval, and the overshoot of the parabola through an extreme and its neighbours.
 
 use super::transient::{InstantSolution, TransientSolution};
 use crate::solution::{Estimate, Figure, Kind};
@@ -14,26 +14,26 @@ use crate::solution::{Estimate, Figure, Kind};
 pub struct TimeFigure {
     /// Name in results: `film_minimum_lowest`.
     pub name: &'static str,
-    /// What it is, in words.
+    /// Description for users.
     pub words: &'static str,
-    /// What it measures.
+    /// Kind of quantity.
     pub kind: Kind,
     /// The figure with its bar.
     pub estimate: Estimate,
-    /// Instant at which it is, s; none of means.
+    /// Instant of the figure, s; `None` for means.
     pub time: Option<f64>,
-    /// Whether its bar is narrow enough for it to be told as a number.
+    /// Whether its error bar is narrow enough for a number.
     pub resolved: bool,
 }
 
 impl TimeFigure {
-    /// Whether it is one that is told with a bar, if that is known.
+    /// Whether it is a figure with an error bar, if one is known.
     pub fn has_bar(&self) -> bool {
-        TOLD.iter().any(|told| told.name == self.name)
+        REPORTED.iter().any(|row| row.name == self.name)
     }
 }
 
-/// What is told of a figure over time.
+/// Reduction of a figure over time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Over {
     Lowest,
@@ -42,16 +42,16 @@ enum Over {
     Last,
 }
 
-/// A row of the figures that are told.
-struct Told {
+/// A reported figure of a whole run.
+struct Row {
     figure: Figure,
     over: Over,
     name: &'static str,
     words: &'static str,
 }
 
-const fn told(figure: Figure, over: Over, name: &'static str, words: &'static str) -> Told {
-    Told {
+const fn row(figure: Figure, over: Over, name: &'static str, words: &'static str) -> Row {
+    Row {
         figure,
         over,
         name,
@@ -59,63 +59,63 @@ const fn told(figure: Figure, over: Over, name: &'static str, words: &'static st
     }
 }
 
-/// Figures of instants that are told of a whole run, in their order. The sign of friction tells its direction: its size counts.
-const TOLD: [Told; 10] = [
-    told(
+/// Instantaneous figures reported for a whole run, in order. The sign of friction is its direction: extremes are of its magnitude.
+const REPORTED: [Row; 10] = [
+    row(
         Figure::FilmCentral,
         Over::Lowest,
         "film_central_lowest",
         "lowest central film thickness",
     ),
-    told(
+    row(
         Figure::FilmCentral,
         Over::Highest,
         "film_central_highest",
         "highest central film thickness",
     ),
-    told(
+    row(
         Figure::FilmCentral,
         Over::Last,
         "film_central_last",
         "central film thickness at the end",
     ),
-    told(
+    row(
         Figure::FilmMinimum,
         Over::Lowest,
         "film_minimum_lowest",
         "lowest minimum film thickness",
     ),
-    told(
+    row(
         Figure::FilmMinimum,
         Over::Last,
         "film_minimum_last",
         "minimum film thickness at the end",
     ),
-    told(
+    row(
         Figure::PressureMaximum,
         Over::Highest,
         "pressure_maximum_highest",
         "highest pressure maximum",
     ),
-    told(
+    row(
         Figure::TractionCoefficient,
         Over::Highest,
         "traction_coefficient_highest",
         "highest traction coefficient",
     ),
-    told(
+    row(
         Figure::TractionCoefficient,
         Over::Mean,
         "traction_coefficient_mean",
         "mean traction coefficient",
     ),
-    told(
+    row(
         Figure::FrictionPower,
         Over::Mean,
         "friction_power_mean",
         "mean friction power",
     ),
-    told(
+    row(
         Figure::FilmTemperatureMaximum,
         Over::Highest,
         "film_temperature_maximum_highest",
@@ -123,7 +123,7 @@ const TOLD: [Told; 10] = [
     ),
 ];
 
-/// What has no bar.
+/// Figures without error bars.
 const WITHOUT_BAR: [(&str, &str, Kind); 7] = [
     (
         "amplitude_ratio_lowest",
@@ -154,15 +154,15 @@ const WITHOUT_BAR: [(&str, &str, Kind); 7] = [
     ),
 ];
 
-/// What a figure is, in words, by its name.
+/// Description of a figure with this name.
 pub fn words_of(name: &str) -> Option<&'static str> {
-    let of_instants = TOLD.iter().map(|told| (told.name, told.words));
+    let of_instants = REPORTED.iter().map(|row| (row.name, row.words));
     let others = WITHOUT_BAR.iter().map(|(name, words, _)| (*name, *words));
     let mut all = of_instants.chain(others);
     all.find(|(own, _)| *own == name).map(|(_, words)| words)
 }
 
-/// A value with half of its bar at an instant.
+/// A value with its error bar at an instant.
 #[derive(Clone, Copy, Debug)]
 struct At {
     time: f64,
@@ -170,10 +170,10 @@ struct At {
     bar: Option<f64>,
 }
 
-/// The figures of a run, as far as time has come; those that no instant has are left out.
+/// The figures of a run up to the reached time; figures without values are omitted.
 pub fn over_time(found: &TransientSolution) -> Vec<TimeFigure> {
-    let mut figures: Vec<TimeFigure> = (TOLD.iter())
-        .filter_map(|told| of_instants(told, &found.instants))
+    let mut figures: Vec<TimeFigure> = (REPORTED.iter())
+        .filter_map(|row| of_instants(row, &found.instants))
         .collect();
     let rows = WITHOUT_BAR.iter().filter_map(|(name, words, kind)| {
         let (value, time) = without_bar(name, found)?;
@@ -190,8 +190,8 @@ pub fn over_time(found: &TransientSolution) -> Vec<TimeFigure> {
     figures
 }
 
-fn of_instants(told: &Told, instants: &[InstantSolution]) -> Option<TimeFigure> {
-    let figure = told.figure;
+fn of_instants(row: &Row, instants: &[InstantSolution]) -> Option<TimeFigure> {
+    let figure = row.figure;
     let is_directed = matches!(figure, Figure::TractionCoefficient | Figure::FrictionPower);
     let rows: Vec<At> = (instants.iter())
         .filter_map(|instant| {
@@ -204,7 +204,7 @@ fn of_instants(told: &Told, instants: &[InstantSolution]) -> Option<TimeFigure> 
         })
         .collect();
     let last = rows.last()?;
-    let (estimate, time) = match told.over {
+    let (estimate, time) = match row.over {
         Over::Lowest => lowest(&rows, 1.0)?,
         Over::Highest => lowest(&rows, -1.0)?,
         Over::Mean => (mean(&rows)?, None),
@@ -214,9 +214,9 @@ fn of_instants(told: &Told, instants: &[InstantSolution]) -> Option<TimeFigure> 
         }
     };
     let narrow = |error: f64| error <= figure.widest_bar() * estimate.value.abs();
-    let resolved = match told.over {
+    let resolved = match row.over {
         Over::Last => instants.last()?.measured.is_resolved(figure),
-        // Of a temperature the rise counts, which the instant knows.
+        // A temperature is judged by its rise, which the instant provides.
         _ if figure == Figure::FilmTemperatureMaximum => {
             let at = instants.iter().find(|instant| Some(instant.time) == time)?;
             at.measured.is_resolved(figure)
@@ -224,8 +224,8 @@ fn of_instants(told: &Told, instants: &[InstantSolution]) -> Option<TimeFigure> 
         _ => estimate.error.is_none_or(narrow),
     };
     Some(TimeFigure {
-        name: told.name,
-        words: told.words,
+        name: row.name,
+        words: row.words,
         kind: figure.kind(),
         estimate,
         time,
@@ -233,7 +233,7 @@ fn of_instants(told: &Told, instants: &[InstantSolution]) -> Option<TimeFigure> 
     })
 }
 
-/// The lowest value, or with the sign −1 the highest one, with its bar and its instant.
+/// The lowest value, or with sign −1 the highest one, with error bar and instant.
 fn lowest(rows: &[At], sign: f64) -> Option<(Estimate, Option<f64>)> {
     let signed = |at: &At| sign * at.value;
     let known = (0..rows.len()).filter(|i| rows[*i].value.is_finite());
@@ -254,7 +254,7 @@ fn lowest(rows: &[At], sign: f64) -> Option<(Estimate, Option<f64>)> {
     Some((estimate, Some(rows[place].time)))
 }
 
-/// By how much the parabola through an extreme and its neighbours goes beyond it.
+/// Overshoot of the parabola through an extreme and its neighbours.
 fn beyond(rows: &[At], place: usize) -> f64 {
     let (Some(before), Some(after)) = (place.checked_sub(1).map(|i| &rows[i]), rows.get(place + 1))
     else {
@@ -269,7 +269,7 @@ fn beyond(rows: &[At], place: usize) -> f64 {
     if found.is_finite() { found } else { 0.0 }
 }
 
-/// The mean over time by trapezoids; its bar holds those of the instants, and a third of what every second instant alone makes of it.
+/// The mean over time by the trapezoidal rule; its bar covers those of the instants, and a third of the difference from every second instant.
 fn mean(rows: &[At]) -> Option<Estimate> {
     let (first, last) = (rows.first()?, rows.last()?);
     let duration = last.time - first.time;
@@ -294,7 +294,7 @@ fn mean(rows: &[At]) -> Option<Estimate> {
     Some(Estimate { value, error })
 }
 
-/// A figure without bar, with its instant.
+/// A figure without error bar, with its instant.
 fn without_bar(name: &str, found: &TransientSolution) -> Option<(f64, Option<f64>)> {
     let instants = &found.instants;
     let largest = |value: fn(&InstantSolution) -> f64| {
@@ -334,8 +334,8 @@ mod tests {
         of.iter().map(at).collect()
     }
 
-    /// By hand: 5 ± 1, 3 ± 0.5, 4 ± 2: the lowest lies between 2 and 3.5 as bars go. The parabola through (0, 5), (1, 3), (3, 4) has the divided differences −2 and ½, the second
-    /// difference 5/6 and at t = 1 the slope −7/6, so that it goes (7/6)²/(4·5/6) = 49/120 below 3. Of the highest, at the end of time, nothing lies beyond.
+    /// By hand: 5 ± 1, 3 ± 0.5, 4 ± 2: from the bars, the lowest is between 2 and 3.5. The parabola through (0, 5), (1, 3), (3, 4) has the divided differences −2 and ½, the second
+    /// difference 5/6 and at t = 1 the slope −7/6; it falls (7/6)²/(4·5/6) = 49/120 below 3. The highest value is at the end of the run and has no overshoot.
     #[test]
     fn extremes_by_hand() {
         let rows = rows(&[[0.0, 5.0, 1.0], [1.0, 3.0, 0.5], [3.0, 4.0, 2.0]]);
@@ -348,11 +348,11 @@ mod tests {
         );
         let (found, time) = lowest(&rows, -1.0).unwrap();
         assert_eq!((found.value, time), (5.0, Some(0.0)));
-        // 4 + 2 = 6 at most, and 5 − 1 at least.
+        // At most 4 + 2 = 6, and at least 5 − 1.
         assert_relative_eq!(found.error.unwrap(), 1.0);
     }
 
-    /// t² at 0, 1, 2, 3, 4 in steps of one: the trapezoids give 22 for 64/3, and steps of two 24, so that the bar is as long as the error where the values have none.
+    /// t² at 0, 1, 2, 3, 4: the trapezoidal rule gives 22 for 64/3 with steps of one and 24 with steps of two; without bars of the values, the bar equals the error.
     #[test]
     fn a_mean_by_hand() {
         let squares: Vec<[f64; 3]> = (0..5)
@@ -377,7 +377,7 @@ mod tests {
 
     #[test]
     fn every_name_has_words_and_occurs_once() {
-        let names: Vec<&str> = (TOLD.iter().map(|told| told.name))
+        let names: Vec<&str> = (REPORTED.iter().map(|row| row.name))
             .chain(WITHOUT_BAR.iter().map(|(name, ..)| *name))
             .collect();
         for (i, name) in names.iter().enumerate() {

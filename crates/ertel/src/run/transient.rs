@@ -1,4 +1,4 @@
-//! A case in time, by finite volumes.
+//! A transient case, by finite volumes.
 
 mod amplitude;
 mod fields;
@@ -33,9 +33,9 @@ use crate::volumes::roller_zone::with_rows_by_film;
 use crate::warning::{Warning, WarningKind, silence};
 use crate::words::{digits, length, pressure};
 
-/// Follows a case through time.
+/// Observes a transient case.
 pub trait InstantObserver: Observer {
-    /// An instant is solved.
+    /// Called after each solved instant.
     fn instant(&mut self, _reached: &Reached) {}
 
     /// Whether a checkpoint is wanted after this step.
@@ -43,22 +43,22 @@ pub trait InstantObserver: Observer {
         false
     }
 
-    /// It is told where it was wanted, and where the user stops the run.
+    /// Called if a checkpoint is wanted, and if the user stops the run.
     fn checkpoint(&mut self, _checkpoint: Checkpoint) {}
 }
 
 impl InstantObserver for crate::solve::NoObserver {}
 
-/// How far time has come.
+/// Progress of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reached {
     /// Time, s.
     pub time: f64,
-    /// Where it ends, s.
+    /// Duration, s.
     pub duration: f64,
-    /// Steps so far.
+    /// Number of steps so far.
     pub steps: usize,
-    /// Estimate of the wall time left, s.
+    /// Estimate of the remaining wall time, s.
     pub seconds_left: f64,
     /// Central film thickness, m.
     pub film_central: f64,
@@ -71,29 +71,29 @@ pub struct InstantSolution {
     pub time: f64,
     /// Speeds of body 1 and body 2 along the motion, m/s.
     pub speeds: [f64; 2],
-    /// Angular velocities of both about the contact normal, rad/s.
+    /// Angular velocities of both bodies about the contact normal, rad/s.
     pub spin: [f64; 2],
-    /// Load, N, of line contacts N/m.
+    /// Load, N; N/m for line contacts.
     pub load: f64,
     /// Radius along the motion, m.
     pub radius: f64,
     /// Temperature of bodies and oil, K.
     pub temperature: f64,
-    /// Thickness of the layer of oil at the edge of the contact area, m; none where the contact is flooded.
+    /// Oil layer thickness at the edge of the contact area, m; `None` if flooded.
     pub oil_layer: Option<f64>,
-    /// By how much the bodies have come nearer since t = 0, m.
+    /// Approach of the bodies since t = 0, m.
     pub approach: f64,
-    /// Its rate, m/s; negative where they part.
+    /// Its rate, m/s; negative while they separate.
     pub approach_velocity: f64,
-    /// Force of the film, N, of line contacts N/m.
+    /// Film force, N; N/m for line contacts.
     pub film_force: f64,
-    /// Figures with error bars: what the grids may err by at this instant, and the tolerance of the steps.
+    /// Figures with error bars: the grid error at this instant and the time-step tolerance.
     pub measured: Measured,
-    /// Length of the step that led here, s; 0 at the start.
+    /// Length of the preceding step, s; 0 at the start.
     pub step: f64,
     /// Newton iterations of that step on all grids.
     pub newton_iterations: usize,
-    /// Mass that the film gained or lost, over what passes the centre at the largest entrainment speed.
+    /// Mass gained or lost by the film, relative to the flow through the centre at the largest entrainment speed.
     pub mass_error: f64,
 }
 
@@ -102,7 +102,7 @@ pub struct InstantSolution {
 pub struct InstantProfile {
     /// Time, s.
     pub time: f64,
-    /// Places along the motion, m.
+    /// Positions along the motion, m.
     pub x: Vec<f64>,
     /// Pressure there, Pa.
     pub pressure: Vec<f64>,
@@ -110,10 +110,10 @@ pub struct InstantProfile {
     pub film: Vec<f64>,
 }
 
-/// Film and pressure on the centreline about the contact over all instants.
+/// Film and pressure on the centreline around the contact at all instants.
 #[derive(Clone, Debug, Default, Deserialize, Serialize)]
 pub struct FilmMap {
-    /// Places along the motion, m.
+    /// Positions along the motion, m.
     pub x: Vec<f64>,
     /// Film thickness there, m, for each instant.
     pub films: Vec<Vec<f32>>,
@@ -121,48 +121,48 @@ pub struct FilmMap {
     pub pressures: Vec<Vec<f32>>,
 }
 
-/// What became of a case in time.
+/// Results of a transient case.
 #[derive(Debug)]
 pub struct TransientSolution {
-    /// Instants from the start on.
+    /// Instants from the start.
     pub instants: Vec<InstantSolution>,
     /// Centrelines at the output times.
     pub profiles: Vec<InstantProfile>,
     /// Pressure and film on and off the centreline at the same times.
     pub fields: InstantFields,
-    /// Film and pressure over place and time.
+    /// Film and pressure over position and time.
     pub map: FilmMap,
-    /// A_d/A_i at each instant, what the film in the centre keeps of the amplitude of waves while one of them passes: as long as no whole wave has passed, none; empty where no waves pass
-    /// or where other reliefs are there.
+    /// A_d/A_i at each instant: the amplitude of the central film relative to that of the passing waves. `None` before a whole wave has passed; empty without waves
+    /// or with other reliefs.
     pub amplitude_ratios: Vec<Option<f64>>,
     /// Half-width of the dry contact under the largest load, m.
     pub half_width: f64,
-    /// How it went.
+    /// Solver statistics.
     pub info: Info,
-    /// Why it ended before its time, if it did.
+    /// Reason of an early end.
     pub failure: Option<TransientError>,
-    /// What the user should know.
+    /// Warnings.
     pub warnings: Vec<Warning>,
     /// Wall time, s.
     pub wall_seconds: f64,
 }
 
-/// Half-widths about the centre of the map of films, and places in it at most.
+/// Extent of the film map about the centre, in half-widths, and its maximum number of positions.
 const MAP: f64 = 1.5;
 const MAP_PLACES: usize = 480;
 
-/// Mass error from which a warning is given.
+/// Mass error above which a warning is given.
 const MASS_ERROR: f64 = 1e-2;
 
 impl TransientSolution {
-    /// Whether the film bears another force than the load at some instant: a body moves by its inertia, or its approach is given.
+    /// Whether the film force can differ from the load: a body moves by inertia, or its approach is prescribed.
     pub fn moves(&self) -> bool {
         let differs = |i: &InstantSolution| (i.film_force - i.load).abs() > 1e-2 * i.load;
         self.instants.iter().any(differs)
     }
 
-    /// Coefficient of restitution of a body that fell on the film and has left it: the velocity at which it goes over that at which it came. The force of the film is
-    /// known as well as the pressure in its middle: the bar adds up the share of each change of the velocity that this pressure errs by.
+    /// Coefficient of restitution of a body that fell on the film and has left it: the ratio of rebound to impact velocity. The film force is
+    /// known as well as the central pressure: the bar sums, over the velocity changes, the relative error of this pressure.
     pub fn restitution(&self) -> Option<Estimate> {
         let (first, last) = (self.instants.first()?, self.instants.last()?);
         let largest = self
@@ -188,21 +188,21 @@ impl TransientSolution {
     }
 }
 
-/// Share of the largest force of an impact below which a body has left the film.
+/// Fraction of the largest impact force below which a body has left the film.
 const NO_FORCE: f64 = 1e-4;
 
-/// Half-widths from the centre to the edges, times the root of the gap over a²/R, where bodies are apart at the start: rigid parabolas lose 1/200 of their force beyond.
+/// Half-widths from the centre to the edges, times the root of the gap over a²/R, for initially separated bodies: rigid parabolas lose 1/200 of their force beyond.
 const REACH_APART: f64 = 20.0;
 
-/// Solves a case with `[transient]` from its start on.
+/// Solves a case with `[transient]` from its start.
 ///
 /// # Panics
-/// For a case without.
+/// For a case without `[transient]`.
 pub fn solve(case: &Case, observer: &mut dyn InstantObserver) -> TransientSolution {
     solve_from(case, None, observer)
 }
 
-/// The same from where another run of it stopped, with the instants before.
+/// Resumes an interrupted run, with its previous instants.
 ///
 /// # Panics
 /// For a case without `[transient]`.
@@ -212,7 +212,7 @@ pub fn solve_from(
     observer: &mut dyn InstantObserver,
 ) -> TransientSolution {
     let transient = case.transient.clone().expect("the case has [transient]");
-    // On a thread of the pool, as steady contacts.
+    // On a thread of the pool, as for steady contacts.
     rayon::scope(|_| solve_here(case, &transient, from, observer))
 }
 
@@ -227,7 +227,7 @@ fn solve_here(
     let Reference { speed, load, .. } = by;
     let mut reference = case.clone();
     reference.contact = contact_with(case, load, by.radius);
-    // What is alike on both sides of the motion is so at all times.
+    // A case symmetric across the motion is so at all times.
     let largest = |course: &Course| course.largest(transient.duration);
     reference.motion = Motion {
         slide_to_roll_ratio_across: largest(&transient.slide_to_roll_ratio_across),
@@ -240,7 +240,7 @@ fn solve_here(
     let unit = length / speed;
     let conditions = conditions(transient, by, film, unit);
     if let Start::Apart { gap, .. } = conditions.start {
-        // Oil leaves to all sides, from where the case does not say otherwise.
+        // Oil flows out on all sides, unless the case states otherwise.
         problem.start_film = gap.max(problem.start_film.min(1.0));
         let reach = REACH_APART * gap.max(1.0).sqrt();
         let extents = &mut problem.extents;
@@ -250,10 +250,10 @@ fn solve_here(
             extents.side = reach;
         }
     } else if conditions.turns() {
-        // What was the outlet becomes the inlet.
+        // The outlet may become the inlet.
         problem.extents.outlet = problem.extents.outlet.max(-problem.extents.inlet);
     }
-    // Far pressures of steady parabolas count for nothing here: the contact area ends with the grid.
+    // Far pressures of steady parabolas do not apply: the contact area ends with the grid.
     let widest = widest(&problem);
     let (mesh, extents) = (&case.mesh, &mut problem.extents);
     if mesh.inlet.is_none() {
@@ -265,7 +265,7 @@ fn solve_here(
     if mesh.side.is_none() {
         extents.side = extents.side.min(widest);
     }
-    let on_its_way = on_its_way(transient, -problem.extents.inlet * length);
+    let oil_layer_delay = oil_layer_delay(transient, -problem.extents.inlet * length);
     problem.shape = with_reliefs(problem.shape, &case.reliefs, &mut problem.scales);
     problem.load = problem.scales.load;
     problem.plan.largest_cell = largest_cell(&problem.shape);
@@ -320,14 +320,14 @@ fn solve_here(
     match end {
         Ok(info) => found.info = info,
         Err(error) => {
-            found.info = error.info().unwrap_or_else(|| told(&found.instants));
+            found.info = error.info().unwrap_or_else(|| statistics(&found.instants));
             found.failure = Some(error);
         }
     }
-    found.warnings.extend(on_its_way);
+    found.warnings.extend(oil_layer_delay);
     found.amplitude_ratios = amplitude::amplitude_ratios(case, &found.instants);
     found.warnings.extend(warnings(&found));
-    found.warnings.extend(too_hard(case, &found));
+    found.warnings.extend(excessive_pressure(case, &found));
     let largest = |figure| {
         let values = found
             .instants
@@ -349,8 +349,8 @@ fn solve_here(
     found
 }
 
-/// What the instants tell of the steps of a run that was interrupted; those that were refused are not among them.
-fn told(instants: &[InstantSolution]) -> Info {
+/// Step statistics of an interrupted run, from its instants; refused steps are not counted.
+fn statistics(instants: &[InstantSolution]) -> Info {
     let steps = instants.iter().filter(|instant| instant.step > 0.0);
     let iterations = steps.clone().map(|instant| instant.newton_iterations);
     Info {
@@ -360,7 +360,7 @@ fn told(instants: &[InstantSolution]) -> Info {
     }
 }
 
-/// How finite volumes go about a case in time: films of each instant need no finer grids than those of a steady contact, and nothing is read off the spike of a line.
+/// Grid plan of a transient case: the films of each instant need no finer grids than those of a steady contact, and the pressure spike of a line is not evaluated.
 fn plan(case: &Case) -> Plan {
     Plan {
         least_grids: [LEAST_GRIDS, LEAST_GRIDS + 1],
@@ -368,7 +368,7 @@ fn plan(case: &Case) -> Plan {
     }
 }
 
-/// What changes, over the scales of the contact; the film thickness in m, and seconds in T.
+/// Time-dependent conditions in the scales of the contact; film thickness in m, and seconds per unit time.
 fn conditions(transient: &Transient, by: Reference, film: f64, unit: f64) -> Conditions {
     let Reference {
         speed,
@@ -415,16 +415,16 @@ fn conditions(transient: &Transient, by: Reference, film: f64, unit: f64) -> Con
     }
 }
 
-/// Collects what the results tell.
+/// Collects the results.
 struct Collector<'a> {
     case: &'a Case,
-    /// Time at which this run began, s.
+    /// Start time of this run, s.
     begun: f64,
     observer: &'a mut dyn InstantObserver,
     clock: Clock,
-    /// Length, film and pressure.
+    /// Scales of length, film and pressure.
     scales: [f64; 3],
-    /// Seconds in T.
+    /// Seconds per unit time.
     unit: f64,
     speed: f64,
     load: f64,
@@ -434,7 +434,7 @@ struct Collector<'a> {
     found: TransientSolution,
 }
 
-/// Conditions that may stay as they are: m, K, m.
+/// Values of conditions that do not vary: m, K, m.
 struct Steady {
     radius: f64,
     temperature: f64,
@@ -461,7 +461,7 @@ impl TransientObserver for Collector<'_> {
         }
         let films: Vec<f64> = profile.fields.iter().map(|f| f.film * film).collect();
         let x: Vec<f64> = profile.x.iter().map(|x| x * length).collect();
-        // The grids stay where they are, and so do the places.
+        // The grids are fixed, and so are the positions.
         let mut own = x.iter().zip(profile.fields.iter().zip(&films));
         let row = map.x.iter().map(|place| {
             own.find(|(x, _)| *x >= place)
@@ -543,13 +543,13 @@ impl TransientObserver for Collector<'_> {
     }
 }
 
-/// Tells how far (m) a layer of oil that changes is carried to the contact.
-fn on_its_way(transient: &Transient, distance: f64) -> Option<Warning> {
+/// Warns about the delay of a varying oil layer, carried over the distance (m) to the contact.
+fn oil_layer_delay(transient: &Transient, distance: f64) -> Option<Warning> {
     let changes = transient.oil_layer.is_some();
     let [first, second] = transient.speeds.at(0.0);
     let seconds = distance / (0.5 * (first + second));
     let text = format!(
-        "`oil_layer` is that at the inlet edge, {} before the centre: at the speed of the start it takes {} s to there",
+        "`oil_layer` applies at the inlet edge, {} upstream of the centre: at the initial speed, oil takes {} s to the centre",
         length(distance),
         digits(seconds, 3)
     );
@@ -562,23 +562,23 @@ fn on_its_way(transient: &Transient, distance: f64) -> Option<Warning> {
     })
 }
 
-/// Hertz pressure beyond which no law of a film holds, Pa.
-const HARDEST: f64 = 5e9;
+/// Hertz pressure above which no film law is valid, Pa.
+const MAX_HERTZ_PRESSURE: f64 = 5e9;
 
-/// Tells of a film force that a dry contact bears only with a pressure beyond all laws: of an impact, or of an approach that is given, it is known at the end alone.
-fn too_hard(case: &Case, found: &TransientSolution) -> Option<Warning> {
+/// Warns if the Hertz pressure of the film force exceeds all laws: for impacts and prescribed approaches, the force is known only at the end.
+fn excessive_pressure(case: &Case, found: &TransientSolution) -> Option<Warning> {
     let mut contact = case.contact.clone();
     contact.load = (found.instants.iter()).fold(0.0, |m, instant| instant.film_force.max(m));
     let hertz = Hertz::new(&contact, case.reduced_modulus());
-    (found.moves() && hertz.pressure > HARDEST).then(|| {
+    (found.moves() && hertz.pressure > MAX_HERTZ_PRESSURE).then(|| {
         Warning::new(WarningKind::PressureRange, format!(
-            "the film force comes to a Hertz pressure of {}, beyond 5 GPa: laws of the lubricant do not hold there",
+            "the film force corresponds to a Hertz pressure of {}, above 5 GPa: the lubricant laws are not valid there",
             pressure(hertz.pressure)
         ))
     })
 }
 
-/// What the user should know of the instants.
+/// Warnings from the instants.
 fn warnings(found: &TransientSolution) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let instants = &found.instants;
@@ -610,7 +610,7 @@ fn warnings(found: &TransientSolution) -> Vec<Warning> {
         .iter()
         .map(|instant| instant.mass_error.abs())
         .fold(0.0, f64::max);
-    // A first instant is that of the steady contact.
+    // The first instant is that of the steady contact.
     if worst > MASS_ERROR {
         warnings.push(Warning::new(WarningKind::MassBalance, format!(
             "the film gains or loses up to {} % of what passes the centre in a step: see the column `mass_error`{}",

@@ -1,4 +1,4 @@
-//! A case by finite volumes.
+//! Solves a case by finite volumes.
 
 use ertel_fem::platform::Instant;
 
@@ -19,7 +19,7 @@ use crate::volumes::roller_zone::with_rows_by_film;
 use crate::volumes::tangents::Tangents;
 use crate::volumes::{FiniteVolumes, Plan, fields, reduction, summary};
 
-/// Unknowns of a grid that refinement may go to unless the user allows more: some seconds.
+/// Default limit on the unknowns of a refined grid: some seconds.
 const MAX_UNKNOWNS: usize = 400_000;
 
 /// Solves a case.
@@ -51,8 +51,8 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
     let isothermal = match &problem.heat {
         None => None,
         Some(_) => {
-            let beside = own_problem(case);
-            output::isothermal(beside, solved.levels.len(), recorder.observer)?
+            let isothermal = own_problem(case);
+            output::isothermal(isothermal, solved.levels.len(), recorder.observer)?
         }
     };
     let film_reduction = match (case.shear_thinning(), &isothermal, &problem.heat) {
@@ -131,14 +131,14 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
     Ok(solution)
 }
 
-/// A case with cells that resolve its reliefs.
+/// A case with cells that resolve its surface relief.
 fn own_problem(case: &Case) -> Problem<Plan> {
     let mut problem = problem_by_slices(case).with_plan(plan(case));
     problem.plan.largest_cell = largest_cell(&problem.shape);
     problem
 }
 
-/// Target and limit of a case.
+/// Accuracy target and limit of a case.
 pub(super) fn plan(case: &Case) -> Plan {
     let mesh = &case.mesh;
     let target = mesh.target_error.unwrap_or(match mesh.preset {

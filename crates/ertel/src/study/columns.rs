@@ -1,4 +1,4 @@
-//! The columns of the tables of curves and studies: every figure of the registry, then what is computed from them.
+//! The columns of the tables of curves and studies: every figure of the registry, then derived figures.
 
 use std::fmt;
 
@@ -6,7 +6,7 @@ use super::{MachinePoint, Outcome, PointSolution, RunInTime};
 use crate::mark::{Mark, Marked, of_figure};
 use crate::solution::{Estimate, Figure, Kind, MixedLubrication, Solution, Thermal, Unresolved};
 
-/// A column of a table, and beside it that of its error bar if it has one.
+/// A column of a table, followed by that of its error bar if it has one.
 #[derive(Clone, Copy)]
 pub struct Column {
     /// Name in the header, without the unit.
@@ -350,7 +350,7 @@ fn starvation(point: &PointSolution) -> Option<&crate::solution::Starvation> {
     point.outcome.solution()?.starvation.as_ref()
 }
 
-/// What of a solution has no error bar.
+/// A quantity of a solution without error bar.
 macro_rules! plain {
     ($name:literal, $unit:literal, $solution:ident => $value:expr) => {
         Column::plain($name, $unit, |point| {
@@ -359,7 +359,7 @@ macro_rules! plain {
     };
 }
 
-/// What is computed from the figures, and what belongs to the solve.
+/// Figures derived from others, and data of the solve.
 const DERIVED: &[Column] = &[
     plain!("hertz_pressure", "Pa", s => s.hertz.pressure),
     Column::estimate("film_reduction_central", Kind::Share, |p| {
@@ -466,7 +466,7 @@ const DERIVED: &[Column] = &[
 mod tests {
     use super::*;
 
-    /// Points that lack figures lead to no column twice, and each column stands behind those before it at its point.
+    /// Points that lack figures lead to no column twice, and each column follows those before it at its point.
     #[test]
     fn titles_of_points_that_lack_some() {
         let all = joint_titles([

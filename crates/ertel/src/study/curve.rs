@@ -1,4 +1,4 @@
-//! A curve: point by point, each from the solution of the last.
+//! A curve: point by point, each from the solution of the previous one.
 
 use ertel_fem::platform::Instant;
 use ertel_quantity::Dimension;
@@ -26,10 +26,10 @@ pub trait CurveObserver: Observer {
 
 impl CurveObserver for crate::solve::NoObserver {}
 
-/// What became of a curve.
+/// Outcome of a curve.
 #[derive(Clone, Debug)]
 pub struct CurveSolution {
-    /// What varies.
+    /// The varied quantity.
     pub quantity: Quantity,
     /// Every point that was begun, in the order of the case file.
     pub points: Vec<PointSolution>,
@@ -54,9 +54,9 @@ impl CurveSolution {
 
 /// Solves the points of a curve in their order, each from the last one that was solved. A point that fails
 /// is kept with its reason. When the observer cancels, the points until then are returned. Newtonian and isothermal
-/// solutions, where the curve asks for them, start from one another, the first one from its own point.
+/// solutions, where the curve requests them, start from one another, the first one from its own point.
 ///
-/// Fields and iterations of the solutions are kept only where the curve asks for folders.
+/// Fields and iterations of the solutions are kept only where the curve requests folders.
 pub fn solve_curve(curve: &Curve, observer: &mut dyn CurveObserver) -> CurveSolution {
     let clock = Instant::now();
     let n_points = curve.points.len();
@@ -71,7 +71,7 @@ pub fn solve_curve(curve: &Curve, observer: &mut dyn CurveObserver) -> CurveSolu
             place: (index, n_points),
             label: value_text(&curve.quantity, point.value()),
             ahead: plan.ahead(index).map(|i| &curve.points[i].case).collect(),
-            beside: [curve.newtonian, curve.isothermal],
+            simpler: [curve.newtonian, curve.isothermal],
             fields: curve.folders,
             workers: cores(),
         };

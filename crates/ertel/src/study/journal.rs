@@ -30,13 +30,13 @@ pub const JOURNAL: &str = "journal.jsonl";
 /// Name of the file there that a run locks.
 pub const LOCK: &str = ".lock";
 
-/// Bytes of a line that is none: many times what a record takes.
+/// Bytes of a line that cannot be a record: many times the length of a record.
 const LONGEST_LINE: u64 = 100_000_000;
 
 /// How every record begins.
 const RECORD_START: &[u8] = br#"{"key":""#;
 
-/// What stands before and after the sum of a line, and its digits.
+/// Text before and after the sum of a line, and its digits.
 const SUM_START: &str = r#","sum":""#;
 const SUM_END: &str = r#""}"#;
 const SUM_DIGITS: usize = 16;
@@ -67,7 +67,7 @@ impl PointKey {
             // Journals before had the governing contact alone.
             what = " machine";
         }
-        // Whatever a case comes to hold, its debug text holds, too.
+        // The debug text includes all fields of a case, also future ones.
         let text = format!("{NUMERICS}{what} {case:?}");
         PointKey(xxh3_128(text.as_bytes()))
     }
@@ -144,7 +144,7 @@ pub struct Record {
     pub reason: String,
     /// Fields of its line in the table, by the title of their column.
     pub fields: Vec<(Title, Box<str>)>,
-    /// What the user should know.
+    /// Warnings.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<Warning>,
     /// Wall time, s.
@@ -214,7 +214,7 @@ pub struct Journal {
     _lock: Lock,
 }
 
-/// What stands in a journal.
+/// Contents of a journal.
 #[derive(Debug, Default)]
 pub struct Entries {
     /// The last record of each key.
@@ -415,9 +415,9 @@ mod tests {
         assert_eq!(Record::from_line(&before).unwrap(), record);
     }
 
-    /// What a solve does not see leaves the key as it is, whatever it sees changes it.
+    /// Inputs without effect on a solve do not change the key; all others do.
     #[test]
-    fn keys_know_what_a_solve_sees() {
+    fn keys_depend_on_the_inputs_of_a_solve() {
         let read = |text: &str| {
             let document = Document::parse("roller.toml", text).unwrap();
             Case::from_document(&document, Path::new("")).unwrap()

@@ -1,4 +1,4 @@
-//! A machine: its contacts side by side on all cores, each from the one that the plan of a study says.
+//! A machine: its contacts in parallel on all cores, each from the one given by the plan of a study.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -19,11 +19,11 @@ use crate::run::Start;
 use crate::solution::IterationRecord;
 use crate::solve::Observer;
 
-/// What the contacts that start from no other one of their machine have reached, by their places: those of the next point of a curve or a study
-/// start from it.
+/// Results of the contacts that start from no other contact of their machine, by their places: starting points for the next point of a curve
+/// or a study.
 pub(super) type RootStarts = BTreeMap<usize, Arc<Start>>;
 
-/// Solves a whole machine on all cores, at the temperature of its balance of heat where the case asks for it; `None` of a case that is no machine.
+/// Solves a whole machine on all cores, at the temperature of its heat balance where the case requests it; `None` for a case that is no machine.
 ///
 /// # Errors
 /// Laws of the lubricant that do not reach a temperature on the way.
@@ -37,7 +37,7 @@ pub fn solve_in_balance(
 /// Solves the contacts of a machine on all cores. A contact that fails is kept with its reason. When the observer cancels, the contacts until then are
 /// returned.
 ///
-/// Fields and iterations are kept only where the machine asks for folders.
+/// Fields and iterations are kept only where the machine requests folders.
 pub fn solve_machine(
     contacts: &MachineContacts,
     observer: &mut dyn CurveObserver,
@@ -52,7 +52,7 @@ pub(crate) fn cores() -> usize {
 }
 
 /// As [`solve_machine`], as many contacts at a time as there are `workers`, and those that start from no other one of the machine from `starts`;
-/// returns what these have reached. What it comes to does not depend on the number of workers.
+/// returns the results of the latter. The result does not depend on the number of workers.
 pub(super) fn solve_contacts(
     contacts: &MachineContacts,
     starts: &RootStarts,
@@ -124,11 +124,11 @@ pub(super) fn solve_contacts(
 struct Ended {
     index: usize,
     point: Box<PointSolution>,
-    /// What it has reached, where it starts from no other contact.
+    /// Its result, where it starts from no other contact.
     root: Option<Arc<Start>>,
 }
 
-/// What a thread tells.
+/// A message from a worker thread.
 enum Message {
     Begun(usize),
     Ended(Ended),
@@ -136,7 +136,7 @@ enum Message {
     Alive,
 }
 
-/// What the threads share.
+/// State shared by the threads.
 struct Shared<'a> {
     study: &'a Study,
     plan: &'a Plan,
@@ -153,7 +153,7 @@ impl Shared<'_> {
         let solve = || {
             // Interrupted or not, what is solved counts.
             let _ = self.walk.run(|index, from| {
-                let (ended, ends) = self.solve(index, from, &mut Teller(self, sender))?;
+                let (ended, ends) = self.solve(index, from, &mut Reporter(self, sender))?;
                 let _ = sender.send(Message::Ended(ended));
                 Ok::<_, Interrupted>(ends)
             });
@@ -182,7 +182,7 @@ impl Shared<'_> {
             place: (index, points.len()),
             label: points[index].label.clone(),
             ahead: self.plan.ahead(index).map(|i| &points[i].case).collect(),
-            beside: [false; 2],
+            simpler: [false; 2],
             fields: self.fields,
             workers: 1,
         };
@@ -196,10 +196,10 @@ impl Shared<'_> {
     }
 }
 
-/// Tells the thread that waits, and stops the solver when the user wants.
-struct Teller<'a, 'b>(&'a Shared<'b>, &'a Sender<Message>);
+/// Reports to the waiting thread, and stops the solver when the user wants.
+struct Reporter<'a, 'b>(&'a Shared<'b>, &'a Sender<Message>);
 
-impl Observer for Teller<'_, '_> {
+impl Observer for Reporter<'_, '_> {
     fn iteration(&mut self, _record: &IterationRecord) {
         let _ = self.1.send(Message::Alive);
     }
@@ -209,13 +209,13 @@ impl Observer for Teller<'_, '_> {
     }
 }
 
-impl CurveObserver for Teller<'_, '_> {
+impl CurveObserver for Reporter<'_, '_> {
     fn point(&mut self, index: usize, _n_points: usize, _label: &str) {
         let _ = self.1.send(Message::Begun(index));
     }
 }
 
-/// Tells of the contacts of a machine as parts of a point of a curve or a study.
+/// Reports the contacts of a machine as parts of a point of a curve or a study.
 pub(super) struct MachineObserver<'a> {
     pub(super) observer: &'a mut dyn CurveObserver,
     /// Place of the point, and number of points.

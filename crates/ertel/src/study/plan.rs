@@ -35,9 +35,9 @@ pub struct Plan {
     pub for_later: bool,
 }
 
-/// What tells points apart.
+/// Features that distinguish points.
 struct Features {
-    /// What one mesh cannot serve: shape, bodies, settings.
+    /// Properties for which one mesh cannot serve: shape, bodies, settings.
     kind: String,
     /// Logarithm of the relative film thickness that formulas predict.
     film: f64,
@@ -81,7 +81,7 @@ impl Plan {
         }
     }
 
-    /// The tree of a study; cases in time begin with steady contacts of their own.
+    /// The tree of a study; cases in time begin with separate steady contacts.
     pub fn new(study: &Study) -> Plan {
         if study.points.iter().any(|p| p.case.transient.is_some()) {
             return Plan::apart(study.points.len());
@@ -265,7 +265,7 @@ fn split(features: &[Features], mut members: Vec<usize>, groups: &mut Vec<Vec<us
 }
 
 fn features(study: &Study) -> Vec<Features> {
-    // Numbers of one sign are told apart by their ratios, others by their share of the axis.
+    // Numbers of one sign are compared by their ratios, others by their share of the axis.
     let scale = |column: usize| -> Box<dyn Fn(f64) -> f64 + Sync> {
         let numbers = study.points.iter().map(|p| p.values[column].number());
         let (low, high) = numbers
@@ -391,7 +391,7 @@ mod tests {
         assert_eq!(tree.ahead(1).collect::<Vec<_>>(), [0, 2, 3]);
     }
 
-    /// No group is too large for its tree, each point stands in one, and groups are neighbours.
+    /// No group is too large for its tree, each point is in one, and groups are neighbours.
     #[test]
     fn large_groups_are_split() {
         let n = 3 * MOST_IN_GROUP;

@@ -1,4 +1,4 @@
-//! One point of a curve or a study: from its case, and from what it starts, to what became of it.
+//! One point of a curve or a study: from its case and its start to its outcome.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
@@ -30,7 +30,7 @@ pub(crate) struct Task<'a> {
     /// Cases that its mesh should suit, too, if it needs a new one.
     pub(crate) ahead: Vec<&'a Case>,
     /// Which of the [`SIMPLER`] cases are solved, too.
-    pub(crate) beside: [bool; 2],
+    pub(crate) simpler: [bool; 2],
     /// Whether its fields and iterations are kept.
     pub(crate) fields: bool,
     /// Contacts of a machine that are solved side by side.
@@ -42,17 +42,17 @@ const NO_CONTACTS: &str = "the contacts of the machine can no longer be read: a 
 
 type Simplify = fn(&mut Case);
 
-/// Cases that may be solved beside a point: without shear thinning, and without heat.
+/// Cases that may be solved in addition to a point: without shear thinning, and without heat.
 const SIMPLER: [(&str, Simplify); 2] = [
     ("Newtonian", |case| case.solver.newtonian = true),
     ("isothermal", |case| case.solver.isothermal = true),
 ];
 
-/// What a point and the simpler cases beside it have reached, from which other points start.
+/// Results of a point and its simpler cases, from which other points start.
 #[derive(Clone, Default)]
 pub(crate) struct Ends {
     own: Option<Arc<Start>>,
-    beside: [Option<Arc<Start>>; 2],
+    simpler: [Option<Arc<Start>>; 2],
     /// Of a machine those of its contacts that start from no other.
     roots: RootStarts,
 }
@@ -66,7 +66,7 @@ impl Ends {
         }
     }
 
-    /// What the contact itself has reached.
+    /// Result of the contact itself.
     pub(super) fn own(&self) -> Option<Arc<Start>> {
         self.own.clone()
     }
@@ -94,25 +94,25 @@ impl Task<'_> {
         let from = ends.own.as_deref();
         let (outcome, end) = attempt(case, from, &self.ahead, self.fields, observer)?;
         ends.own = end.or(ends.own);
-        let mut beside = [None, None];
+        let mut simpler = [None, None];
         for (i, (name, simplify)) in SIMPLER.into_iter().enumerate() {
-            if !self.beside[i] {
+            if !self.simpler[i] {
                 continue;
             }
             observer.point(index, n_points, &format!("{}, {name}", self.label));
-            let simpler = |case: &Case| {
+            let simplified = |case: &Case| {
                 let mut case = case.clone();
                 simplify(&mut case);
                 case
             };
-            let ahead: Vec<Case> = self.ahead.iter().map(|case| simpler(case)).collect();
+            let ahead: Vec<Case> = self.ahead.iter().map(|case| simplified(case)).collect();
             let ahead: Vec<&Case> = ahead.iter().collect();
-            let from = ends.beside[i].as_deref().or(ends.own.as_deref());
-            let (outcome, end) = attempt(&simpler(case), from, &ahead, false, observer)?;
-            beside[i] = Some(outcome);
-            ends.beside[i] = end.or(ends.beside[i].take());
+            let from = ends.simpler[i].as_deref().or(ends.own.as_deref());
+            let (outcome, end) = attempt(&simplified(case), from, &ahead, false, observer)?;
+            simpler[i] = Some(outcome);
+            ends.simpler[i] = end.or(ends.simpler[i].take());
         }
-        let [newtonian, isothermal] = beside;
+        let [newtonian, isothermal] = simpler;
         let point = PointSolution {
             newtonian,
             isothermal,
@@ -121,7 +121,7 @@ impl Task<'_> {
         Ok((point, ends))
     }
 
-    /// What became of the point, without simpler cases beside it.
+    /// Outcome of the point, without its simpler cases.
     fn ended(&self, outcome: Outcome, clock: &Instant) -> PointSolution {
         let case = &self.point.case;
         let lubricant = &case.lubricant;
@@ -196,7 +196,7 @@ impl Task<'_> {
     }
 }
 
-/// What becomes of a case, and what others can start from. One that fails, in whatever way, leaves the others alone.
+/// Outcome of a case, and the start for others. A failure of any kind does not affect the others.
 fn attempt(
     case: &Case,
     from: Option<&Start>,
@@ -223,9 +223,9 @@ fn attempt(
 }
 
 /// Why a point whose solve panicked is not solved.
-const PANICKED: &str = "internal error; the message stands above";
+const PANICKED: &str = "internal error; see the message above";
 
-/// What becomes of a case in time, which starts from no other: its own steady contact, or bodies apart.
+/// Outcome of a case in time, which starts from no other: its own steady contact, or separated bodies.
 fn attempt_in_time(
     case: &Case,
     keep: bool,
@@ -242,7 +242,7 @@ fn attempt_in_time(
     }
 }
 
-/// Tells the observer of a curve of the instants of a point.
+/// Reports the instants of a point to the observer of a curve.
 struct Instants<'a>(&'a mut dyn CurveObserver);
 
 impl Observer for Instants<'_> {

@@ -23,7 +23,7 @@ pub const POINTS: &str = "study.json";
 /// Value of its key `format`.
 pub const STUDY_FORMAT: &str = "ertel-study";
 
-/// The points of a study, as kept beside their journal: what is needed to make its table.
+/// The points of a study, as kept next to their journal: the data for its table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StudyEcho {
     /// [`STUDY_FORMAT`].
@@ -46,7 +46,7 @@ pub struct StudyEcho {
 }
 
 impl StudyEcho {
-    /// What is kept of a study.
+    /// The stored data of a study.
     pub fn new(study: &Study) -> StudyEcho {
         let value = |value: &AxisValue| match value {
             AxisValue::Number(number, _) => format!("{number:e}"),
@@ -98,7 +98,7 @@ impl StudyEcho {
             }
             Ok(_) => Err(StudyError::io(
                 &path,
-                std::io::Error::other("it is no list of points of a study"),
+                std::io::Error::other("not a list of points of a study"),
             )),
             Err(e) => Err(StudyError::io(&path, e.into())),
         }
@@ -115,7 +115,7 @@ impl StudyEcho {
         write_whole(&path, text.as_bytes()).map_err(|e| StudyError::io(&path, e))
     }
 
-    /// Of each point with heat the one that differs in its switch alone, where an axis leaves heat out.
+    /// For each point with heat the one that differs in its switch alone, where an axis switches heat off.
     fn isothermal_points(&self) -> HashMap<usize, &PointKey> {
         let Some(switch) = self.columns.iter().position(|title| title == ISOTHERMAL) else {
             return HashMap::new();
@@ -140,7 +140,7 @@ impl StudyEcho {
         with_heat.collect()
     }
 
-    /// The table of the points that are finished, as text. What heat takes away is reckoned from the point without heat
+    /// The table of the points that are finished, as text. The thermal reduction is computed from the point without heat
     /// where the study has it.
     pub fn table(&self, records: &HashMap<PointKey, Record>) -> String {
         let mut text = String::from("point");
@@ -181,10 +181,10 @@ impl StudyEcho {
     }
 }
 
-/// Switch of a case that leaves heat out.
+/// Switch of a case that neglects heat.
 pub(crate) const ISOTHERMAL: &str = "solver.isothermal";
 
-/// Columns of what heat takes away, as a share of what there is without it, and the figures that they are of.
+/// Columns of thermal reductions, as a share of the isothermal value, and their figures.
 const REDUCTIONS: [(&str, Figure); 3] = [
     ("thermal_reduction_central", Figure::FilmCentral),
     ("thermal_reduction_minimum", Figure::FilmMinimum),
@@ -226,7 +226,7 @@ pub(crate) fn fields(point: &PointSolution) -> Vec<(Title, Box<str>)> {
     let is_line = point.case.contact.kind.is_line();
     let mut fields = match point.machine {
         None => operating_point(point, is_line),
-        // Each of its contacts has its own; the rest of it is told by the axes.
+        // Each contact has its own operating point; the axes give the rest.
         Some(_) => Vec::new(),
     };
     let figures = point_fields(point, is_line).into_iter();

@@ -4,13 +4,13 @@ use super::{Cell, CurveSolution, point_fields};
 use crate::run::over_time;
 use crate::solution::Figure;
 
-/// Columns of a table that name them: what was asked for, and all figures.
+/// Columns of a table that name them: requested figures, and all figures.
 const COLUMNS: [&str; 2] = ["unresolved", "uncertain_figures"];
 
 /// Figures that are named; of more only the number.
 const MOST: usize = 6;
 
-/// What a figure is called in reports, by its name in tables.
+/// Name of a figure in reports, by its name in tables.
 fn words_of(name: &str) -> String {
     let of = Figure::ALL.into_iter().find(|figure| figure.name() == name);
     of.map(|figure| figure.words())

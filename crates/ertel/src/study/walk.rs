@@ -1,4 +1,4 @@
-//! Points in the order of a plan, each with what the point that it starts from has reached.
+//! Points in the order of a plan, each with the result of the point that it starts from.
 //!
 //! A curve walks its chain on the thread that asks for it, a study its tree on many threads.
 
@@ -8,7 +8,7 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
 use super::plan::Plan;
 
-/// A walk over the points of a plan; `E` is what a point hands to those that start from it.
+/// A walk over the points of a plan; `E` is the result that a point passes to those that start from it.
 pub(crate) struct Walk<E> {
     /// Number of points that are solved, for their own sake or because others start from them.
     pub(crate) n_needed: usize,
@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn only_what_leads_to_wanted_points_is_solved() {
+    fn only_wanted_points_and_their_starts_are_solved() {
         let walk = Walk::new(&tree(), &[false, false, false, true]);
         assert_eq!(walk.n_needed, 2);
         assert_eq!(paths(&walk), [(0, vec![]), (3, vec![0])]);

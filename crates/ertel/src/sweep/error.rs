@@ -11,12 +11,12 @@ pub enum SweepError {
     /// Its files cannot be used.
     #[error(transparent)]
     Study(#[from] StudyError),
-    /// The folder is somebody else's.
+    /// The folder is foreign.
     #[error("cannot use the folder {} for a study: {reason}. Choose another folder", folder.display())]
     Foreign {
         /// The folder.
         folder: PathBuf,
-        /// What it holds.
+        /// Its foreign content.
         reason: String,
     },
     /// Two points are one.
@@ -38,7 +38,7 @@ pub enum SweepError {
         other: PathBuf,
     },
     /// A part to be joined is no study.
-    #[error("{} holds no study of ertel", folder.display())]
+    #[error("{} is not a study of ertel", folder.display())]
     NoStudy {
         /// Folder of the part.
         folder: PathBuf,

@@ -1,4 +1,4 @@
-//! The folder of a study: what makes it one, and what is written there.
+//! The folder of a study: how it is recognised, and the files written there.
 
 use std::collections::HashMap;
 use std::fs;
@@ -64,7 +64,7 @@ pub const SHARDS: &str = "shards";
 
 /// Makes the folder of a study, or opens a former one, and writes the list of points there.
 pub(super) fn open(folder: &Path, echo: &StudyEcho) -> Result<(Journal, Entries), SweepError> {
-    // Not even a lock goes into a folder of somebody else.
+    // Not even a lock is written into a foreign folder.
     look(folder)?;
     fs::create_dir_all(folder).map_err(|e| StudyError::io(folder, e))?;
     let lock = Lock::new(folder)?;
@@ -104,7 +104,7 @@ pub(super) fn look(folder: &Path) -> Result<Entries, SweepError> {
         }
     }
     if StudyEcho::read(folder)?.is_none() {
-        // The list of points is the first file of a study: whatever else is there is somebody's.
+        // The list of points is the first file of a study: any other file is foreign.
         let names = match fs::read_dir(folder) {
             Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Entries::default()),
             names => names.map_err(|e| StudyError::io(folder, e))?,
@@ -114,7 +114,7 @@ pub(super) fn look(folder: &Path) -> Result<Entries, SweepError> {
         {
             None => Ok(Entries::default()),
             Some(name) => Err(foreign(format!(
-                "it holds {}, but no {POINTS} of ertel",
+                "it contains {}, but no {POINTS} of ertel",
                 name.display()
             ))),
         };

@@ -45,7 +45,7 @@ pub fn merge(target: &Path, parts: &[PathBuf]) -> Result<SweepSummary, SweepErro
     };
     for (i, (key, values)) in echo.points.iter().enumerate() {
         let found = all.iter().filter_map(|entries| entries.records.get(key));
-        // A part may have tried once more what failed in another.
+        // A part may have retried points that failed in another.
         let found = found.max_by_key(|record| record.converged);
         let known = records.get(key).is_some_and(|record| record.converged);
         match found {

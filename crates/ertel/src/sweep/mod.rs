@@ -1,4 +1,4 @@
-//! A study: its points side by side on all cores, each from the one that the plan says.
+//! A study: its points in parallel on all cores, each from the one given by the plan.
 
 mod collect;
 mod error;
@@ -36,7 +36,7 @@ pub struct SweepParams {
     pub threads: Option<usize>,
     /// Part of the points to be solved.
     pub shard: Option<Shard>,
-    /// Whether each point's results are written into a folder of its own.
+    /// Whether each point's results are written into a separate folder.
     pub folders: bool,
     /// Whether points that failed are solved again.
     pub retry: bool,
@@ -97,13 +97,13 @@ pub struct SweepProgress<'a> {
     pub index: usize,
     /// Its values.
     pub label: &'a str,
-    /// What became of it.
+    /// Its outcome.
     pub record: &'a Record,
-    /// Estimate of the wall time left, s.
+    /// Estimate of the remaining wall time, s.
     pub seconds_left: f64,
 }
 
-/// What became of a study.
+/// Outcome of a study.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SweepSummary {
     /// Points of the study, or of the part that was run.
@@ -120,7 +120,7 @@ pub struct SweepSummary {
     pub failures: Vec<(usize, String, String)>,
     /// Points with figures that the mesh does not resolve.
     pub n_unresolved: usize,
-    /// Which figures these are, and those beside them.
+    /// Names of these figures, and of the other unresolved ones.
     pub unresolved: UnresolvedFigures,
     /// Warnings, those of one kind together.
     pub warnings: Vec<Merged>,
@@ -132,11 +132,11 @@ pub struct SweepSummary {
     pub interrupted: bool,
 }
 
-/// Runs a study in a folder, or what is left of it, and writes its table.
+/// Runs a study in a folder, or its remaining points, and writes its table.
 ///
-/// Finished points stand in the folder's journal, from which the next run goes on. What a point comes to does not
+/// Finished points are in the folder's journal, from which the next run continues. The result of a point does not
 /// depend on which points the journal had, nor on the number of cores: where a point starts from one that
-/// is finished, that one is solved once more.
+/// is finished, that one is solved again.
 ///
 /// # Errors
 /// [`SweepError`]; points finished until then are kept. A point that is not solved is no error.
@@ -154,7 +154,7 @@ pub fn sweep(
     sweep_part(study, (&plan, part), folder, params, observer)
 }
 
-/// Runs a part of the order of a plan, which is that of the study; `params.shard` is not looked at.
+/// Runs a part of the order of a plan, which is that of the study; `params.shard` is ignored.
 ///
 /// # Errors
 /// As [`sweep`].
@@ -278,8 +278,8 @@ pub fn sweep_part(
         }
         summary.n_unresolved += usize::from(record.is_unresolved());
         summary.unresolved.add(|column| record.field(column));
-        let told = (record.warnings.iter()).filter(|w| w.is_shown_with(&echo.silence));
-        warnings.extend(told.map(|w| (i, w)));
+        let shown = (record.warnings.iter()).filter(|w| w.is_shown_with(&echo.silence));
+        warnings.extend(shown.map(|w| (i, w)));
     }
     summary.warnings = by_kind(warnings);
     summary.wall_seconds = clock.elapsed().as_secs_f64();

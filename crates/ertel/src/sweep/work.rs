@@ -1,4 +1,4 @@
-//! What each thread does: it takes a point, solves it and hands on its record.
+//! Work of each thread: it takes a point, solves it and passes on its record.
 
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -16,7 +16,7 @@ use crate::study::point::{Ends, Interrupted, Task};
 use crate::study::table::{StudyEcho, record};
 use crate::study::walk::Walk;
 
-/// What the threads share.
+/// State shared by the threads.
 pub(super) struct Shared<'a> {
     pub(super) study: &'a Study,
     pub(super) echo: &'a StudyEcho,
@@ -55,7 +55,7 @@ impl Shared<'_> {
         }
         let points = &self.study.points;
         let key = self.echo.points[index].0;
-        // What was read first counts, should its files have changed since.
+        // The files as first read count, even if they have changed since.
         let whole = self.study.whole_point(index);
         let whole = whole.filter(|whole| PointKey::new(&whole.case) == key);
         let point = whole.as_ref().unwrap_or(&points[index]);
@@ -65,9 +65,9 @@ impl Shared<'_> {
             place: (index, points.len()),
             label: point.label.clone(),
             ahead: self.plan.ahead(index).map(|i| &points[i].case).collect(),
-            beside: [false; 2],
+            simpler: [false; 2],
             fields: folders,
-            // Cores without a point of their own help with the contacts of a machine.
+            // Idle cores help with the contacts of a machine.
             workers: self.threads / self.walk.n_running().max(1),
         };
         let solved = task.solve(from, &mut Stop(self));

@@ -60,7 +60,7 @@ fn crates() -> Vec<String> {
     order
 }
 
-/// What a file says of itself.
+/// Purpose of a file, from its first doc line.
 fn said(path: &str) -> String {
     let text = purpose(&read(path))
         .unwrap_or_else(|| panic!("{path} does not begin with what it is for, `//! ...`"));

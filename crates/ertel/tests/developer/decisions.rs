@@ -35,7 +35,7 @@ fn decisions_are_numbered_and_listed() {
     for (i, file) in files().iter().enumerate() {
         let n = i + 1;
         if number(file) != Some(n) {
-            wrong.push(format!("{file} stands where number {n} is due"));
+            wrong.push(format!("{file} is in the position of number {n}"));
         }
         let text = read(&format!("docs/decisions/{file}"));
         let mut lines = text.lines();

@@ -1,6 +1,6 @@
-//! `equations.md`: from each equation to the page that explains it, the code that computes it and the tests that hold it.
+//! `equations.md`: from each equation to the page that explains it, the code that computes it and the tests that check it.
 //!
-//! Doc comments name an equation in one of two ways: `Habchi 2008, eq. 2.10`, always with the source, or by a line of its own,
+//! Doc comments name an equation in one of two ways: `Habchi 2008, eq. 2.10`, always with the source, or by a separate line,
 //! `Theory: Carreau-Yasuda.`, the bold words or the heading under which a page of `docs/theory` has it. Doc comments of tests likewise.
 
 mod explained;
@@ -26,16 +26,16 @@ const LAWS: [&str; 6] = [
     "crates/ertel-ehl/src/forms",
 ];
 
-/// Files in these folders that have none of their own, and why.
+/// Files in these folders without an equation, and why.
 const WITHOUT: [(&str, &str); 1] = [("forms/dual.rs", "numbers that carry derivatives")];
 
-/// Equations that no page explains or no test of their own holds, and why.
+/// Equations without explaining page or without a test, and why.
 const EXCEPTIONS: [(&str, &str); 1] = [(
     "Habchi 2008, eq. 3.24",
     "the default replaces it; the study penalty-scaling compares both",
 )];
 
-/// What a doc comment stands above, and the equations in it.
+/// An item with a doc comment, and the equations in it.
 struct Item {
     file: String,
     /// Empty for the comment at the top of a file.
@@ -87,7 +87,7 @@ fn items(file: &str, problems: &mut Vec<String>) -> Vec<Item> {
     found
 }
 
-/// Whether tests in one file are those of the module in the other: inside of it, or beside it.
+/// Whether tests in one file are those of the module in the other: inside of it, or next to it.
 fn belongs(test: &str, module: &str) -> bool {
     let stem = module.trim_end_matches(".rs").trim_end_matches("/mod");
     test == module

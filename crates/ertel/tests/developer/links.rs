@@ -101,7 +101,7 @@ fn files_that_pages_name_are_there() {
 }
 
 #[test]
-fn names_that_are_gone_are_noticed() {
+fn missing_names_are_noticed() {
     assert!(has("crates/ertel/tests/arrows.rs", "arrows_run_down"));
     assert!(!has("crates/ertel/tests/arrows.rs", "arrows_run_up"));
     assert_eq!(files_named("in `a/b.rs`, not `fn c` or `*.rs`"), ["a/b.rs"]);

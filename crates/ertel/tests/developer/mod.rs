@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! cargo test --release -p ertel --test suite developer                   compare
-//! UPDATE_DOCS=1 cargo test --release -p ertel --test suite developer     write the generated parts anew
+//! UPDATE_DOCS=1 cargo test --release -p ertel --test suite developer     rewrite the generated parts
 //! ```
 
 mod architecture;
@@ -12,3 +12,4 @@ mod links;
 mod pages;
 mod reference;
 mod source;
+mod words;

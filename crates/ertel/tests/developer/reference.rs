@@ -32,7 +32,7 @@ fn the_table_of_figures_is_the_registry() {
     generated("docs/reference/results.md", "figures", &text);
 }
 
-/// Every name of a figure of a machine in the source is a row of the table, and no other is: what stands between quotes there, with an underscore
+/// Every name of a figure of a machine in the source is a row of the table, and no other is: the text between quotes there, with an underscore
 /// or as kappa, are these names.
 #[test]
 fn the_table_of_machines_has_every_figure() {
@@ -58,7 +58,7 @@ fn the_table_of_machines_has_every_figure() {
     assert_eq!(listed, names);
 }
 
-/// The page of warnings, and the codes that the schema knows, are the registry.
+/// The page of warnings, and the codes of the schema, are the registry.
 #[test]
 fn the_page_of_warnings_is_the_registry() {
     let mut text = String::from("| code | meaning | limit | what to do |\n|---|---|---|---|\n");

@@ -1,5 +1,6 @@
 //! Sources as text: what a module says of itself, and what a file defines.
 
+use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -26,7 +27,7 @@ pub fn file_of(folder: &Path, module: &str) -> PathBuf {
 
 /// The modules that a file declares, in its order, without those of tests.
 pub fn modules(text: &str) -> Vec<String> {
-    // A module that stands elsewhere is that of another crate.
+    // A module defined elsewhere belongs to another crate.
     let before = std::iter::once("").chain(text.lines());
     let own = before
         .zip(text.lines())
@@ -38,25 +39,37 @@ pub fn modules(text: &str) -> Vec<String> {
     names.filter(|name| !name.ends_with("tests")).collect()
 }
 
-/// All Rust files below a folder, sorted, each as its path in the repository.
-pub fn rust_files(folder: &str) -> Vec<String> {
-    fn walk(folder: &Path, found: &mut Vec<PathBuf>) {
+/// All files below a folder with one of some endings, sorted, each as its path in the repository; folders that builds and fuzzing fill are skipped.
+pub fn files(folder: &str, endings: &[&str]) -> Vec<String> {
+    const SKIPPED: [&str; 4] = ["target", "corpus", "node_modules", "pkg"];
+    fn walk(folder: &Path, endings: &[&str], found: &mut Vec<PathBuf>) {
         for entry in fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
+            let named = |names: &[&str], name: Option<&OsStr>| {
+                name.and_then(OsStr::to_str)
+                    .is_some_and(|name| names.contains(&name))
+            };
             if path.is_dir() {
-                walk(&path, found);
-            } else if path.extension().is_some_and(|end| end == "rs") {
+                if !named(&SKIPPED, path.file_name()) {
+                    walk(&path, endings, found);
+                }
+            } else if named(endings, path.extension()) {
                 found.push(path);
             }
         }
     }
     let root = root();
     let mut found = Vec::new();
-    walk(&root.join(folder), &mut found);
+    walk(&root.join(folder), endings, &mut found);
     let inside = |path: PathBuf| path.strip_prefix(&root).unwrap().display().to_string();
     let mut found: Vec<String> = found.into_iter().map(inside).collect();
     found.sort();
     found
+}
+
+/// All Rust files below a folder.
+pub fn rust_files(folder: &str) -> Vec<String> {
+    files(folder, &["rs"])
 }
 
 /// The name that a line of code defines: of a function, type, constant, module, or else of a field or a variant.

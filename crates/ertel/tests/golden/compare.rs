@@ -1,4 +1,4 @@
-//! Two records beside each other, and in words what differs.
+//! Comparison of two records, with a description of the differences.
 
 use std::fmt::Write;
 
@@ -24,7 +24,7 @@ const SHARE_OF_VALUE: f64 = 1e-3;
 /// Values that differ beyond figures, of which no more are printed.
 const MOST_LINES: usize = 20;
 
-/// What differs between two records.
+/// Differences between two records.
 #[derive(Debug, Default)]
 pub struct Difference {
     changes: Vec<Change>,
@@ -70,11 +70,11 @@ fn agree(key: &str, old: &str, new: &str, bar: Option<f64>) -> bool {
         Some(bar) if !key.starts_with("film_") || key.contains("temperature") => SHARE_OF_BAR * bar,
         _ => relative,
     };
-    // Beside a bar of zero rounding counts.
+    // With a bar of zero, rounding counts.
     (a - b).abs() <= allowed.max(ROUNDING * a.abs()) || old == new
 }
 
-/// What differs between two records, all but the machines that they come from.
+/// Differences between two records, except the machines that they come from.
 pub fn difference(old: &Record, new: &Record, mode: Mode) -> Difference {
     let (before, after) = (old.by_key(), new.by_key());
     let compared = |e: &Entry| mode == Mode::Exact || counts(&e.section, &e.key);
@@ -145,7 +145,7 @@ impl Change {
                 }
                 text
             }
-            (Some(old), None) => format!("- {name}: {old}, gone"),
+            (Some(old), None) => format!("- {name}: {old}, removed"),
             (None, Some(new)) => format!("+ {name}: {new}, new"),
             (None, None) => name,
         }

@@ -10,7 +10,7 @@ use ertel::study::curve::solve_curve;
 use serde::Serialize;
 use serde_json::Value;
 
-use super::figures::{Told, told};
+use super::figures::{PlacedFigure, placed_figure};
 use super::machine::Machine;
 use super::record::Record;
 
@@ -49,7 +49,7 @@ fn document(value: &impl Serialize) -> Result<Value, String> {
 
 fn describe(record: &mut Record, solution: &Solution) -> Result<(), String> {
     for figure in Figure::ALL {
-        if let Some(found) = told(solution, figure) {
+        if let Some(found) = placed_figure(solution, figure) {
             note_figure(record, figure, &found);
         }
     }
@@ -68,13 +68,13 @@ fn describe(record: &mut Record, solution: &Solution) -> Result<(), String> {
     Ok(())
 }
 
-fn note_figure(record: &mut Record, figure: Figure, told: &Told) {
+fn note_figure(record: &mut Record, figure: Figure, found: &PlacedFigure) {
     let name = figure.name();
-    record.float("figures", name, told.estimate.value);
-    if let Some(bar) = told.estimate.error {
+    record.float("figures", name, found.estimate.value);
+    if let Some(bar) = found.estimate.error {
         record.float("figures", format!("{name} bar"), bar);
     }
-    let Some(place) = &told.place else {
+    let Some(place) = &found.place else {
         return;
     };
     record.float("figures", format!("{name} x"), place.x);
@@ -84,7 +84,7 @@ fn note_figure(record: &mut Record, figure: Figure, told: &Told) {
     }
 }
 
-/// What has no place in the registry of figures, as it stands in `result.json`.
+/// Values outside the registry of figures, as in `result.json`.
 fn note_parts(record: &mut Record, solution: &Solution) -> Result<(), String> {
     let s = &solution.summary;
     record.float("checks", "pressure_minimum", s.pressure_minimum);
@@ -143,7 +143,7 @@ fn note_parts(record: &mut Record, solution: &Solution) -> Result<(), String> {
     Ok(())
 }
 
-/// Derivatives of the figures by the inputs, and what the uncertainty of the inputs comes to.
+/// Derivatives of the figures by the inputs, and the resulting uncertainties.
 fn note_derivatives(record: &mut Record, solution: &Solution) {
     if let Some(found) = &solution.sensitivities {
         for figure in &found.figures {

@@ -4,25 +4,25 @@ use ertel::solution::{Estimate, Figure, Located, Solution};
 
 /// A figure of a solution.
 #[derive(Clone, Copy, Debug)]
-pub struct Told {
+pub struct PlacedFigure {
     /// Value with its bar.
     pub estimate: Estimate,
     /// Where it is, if it has a place.
     pub place: Option<Located>,
 }
 
-impl From<Estimate> for Told {
-    fn from(estimate: Estimate) -> Told {
-        Told {
+impl From<Estimate> for PlacedFigure {
+    fn from(estimate: Estimate) -> PlacedFigure {
+        PlacedFigure {
             estimate,
             place: None,
         }
     }
 }
 
-impl From<Located> for Told {
-    fn from(located: Located) -> Told {
-        Told {
+impl From<Located> for PlacedFigure {
+    fn from(located: Located) -> PlacedFigure {
+        PlacedFigure {
             estimate: located.estimate(),
             place: Some(located),
         }
@@ -30,7 +30,7 @@ impl From<Located> for Told {
 }
 
 /// A figure, where the solution has it.
-pub fn told(solution: &Solution, figure: Figure) -> Option<Told> {
+pub fn placed_figure(solution: &Solution, figure: Figure) -> Option<PlacedFigure> {
     let at = solution.figure(figure)?;
     Some(match figure.has_place() {
         true => at.into(),

@@ -1,4 +1,4 @@
-//! What of a machine decides the last bits of a result.
+//! Properties of a machine that decide the last bits of a result.
 
 use std::fmt;
 use std::hash::Hasher;
@@ -10,7 +10,7 @@ use xxhash_rust::xxh3::Xxh3Default;
 use super::compare::Mode;
 use super::record::{MACHINE, Record};
 
-/// What decides the last bits.
+/// Properties that decide the last bits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Machine {
     /// Architecture, and the vector instructions by which kernels are chosen (faer, gemm, nano-gemm, pulp, matrixmultiply).

@@ -3,7 +3,7 @@
 //! ```text
 //! cargo test --release -p ertel --test golden                        compare
 //! cargo test --release -p ertel --test golden -- roller --skip tilt  some cases, by name
-//! cargo test --release -p ertel --test golden -- --update            write the records anew, and say what changed
+//! cargo test --release -p ertel --test golden -- --update            rewrite the records, and print the changes
 //! ```
 //!
 //! Each `cases/NAME.toml` has its record `records/NAME.txt`, one value on a line: every figure with its bar and its place, what is not
@@ -43,19 +43,19 @@ use record::Record;
 struct Options {
     #[command(flatten)]
     usual: Arguments,
-    /// Write the records anew instead of comparing with them, and print what changed
+    /// Rewrite the records instead of comparing with them, and print the changes
     #[arg(long)]
     update: bool,
 }
 
-/// What the trials of a run share.
+/// State shared by the trials of a run.
 struct Run {
     machine: Machine,
     update: bool,
     tally: Mutex<Tally>,
 }
 
-/// What became of the cases.
+/// Outcomes of the cases.
 #[derive(Default)]
 struct Tally {
     exact: usize,
@@ -161,7 +161,7 @@ impl Run {
         old: Option<&Record>,
         new: &Record,
     ) -> Result<(), String> {
-        let told = match old {
+        let change = match old {
             Some(old) if old == new => return Ok(()),
             Some(old) => {
                 let found = difference(old, new, Mode::Exact);
@@ -176,11 +176,11 @@ impl Run {
         std::fs::write(path, new.text(name))
             .map_err(|error| format!("{}: {error}", path.display()))?;
         let mut tally = self.tally.lock().map_err(|error| error.to_string())?;
-        tally.written.push(told);
+        tally.written.push(change);
         Ok(())
     }
 
-    /// Records whose cases are gone are errors, or are removed.
+    /// Records without a case are errors, or are removed.
     fn no_record_without_case(&self) -> Result<(), String> {
         let cases = names(&folder("cases"), "toml")?;
         let records = names(&folder("records"), "txt")?;

@@ -41,7 +41,7 @@ fn records_read_back() -> Result<(), String> {
     )?;
     ensure(
         Record::read("[a]\nb = 1\nb = 2\n").is_err(),
-        "a key that stands there twice is read",
+        "a duplicate key is read",
     )
 }
 
@@ -61,14 +61,14 @@ fn the_last_bit_counts() -> Result<(), String> {
     )
 }
 
-fn what_is_gone_and_what_is_new_are_told() -> Result<(), String> {
+fn removed_and_new_values_are_reported() -> Result<(), String> {
     let (old, mut new) = (sample(3e-7, 5e8, 7), Record::default());
     new.float("figures", "film_central", 3e-7);
     new.float("figures", "spike", 6e8);
     let text = difference(&old, &new, Mode::Exact).text();
     for line in [
-        "- [figures] pressure_central: 500000000.0, gone",
-        "- [levels] 0 Newton iterations: 7, gone",
+        "- [figures] pressure_central: 500000000.0, removed",
+        "- [levels] 0 Newton iterations: 7, removed",
         "+ [figures] spike: 600000000.0, new",
     ] {
         ensure(
@@ -106,8 +106,8 @@ pub fn trials() -> Vec<Trial> {
         trial("records::records_read_back", records_read_back),
         trial("records::the_last_bit_counts", the_last_bit_counts),
         trial(
-            "records::what_is_gone_and_what_is_new_are_told",
-            what_is_gone_and_what_is_new_are_told,
+            "records::removed_and_new_values_are_reported",
+            removed_and_new_values_are_reported,
         ),
         trial(
             "records::bars_count_on_another_machine",

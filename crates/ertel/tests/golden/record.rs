@@ -15,9 +15,9 @@ pub struct Record(Vec<Entry>);
 /// A value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// Where it stands: `figures`, or `point 2 figures` of a curve.
+    /// Its section: `figures`, or `point 2 figures` of a curve.
     pub section: String,
-    /// What it is.
+    /// Its name.
     pub key: String,
     /// The value as text; of floats the fewest decimals that read back as the same bits.
     pub value: String,
@@ -142,7 +142,7 @@ impl Record {
             let (key, value) = (line.split_once(" = "))
                 .ok_or_else(|| format!("line {}: neither a section nor `key = value`", i + 1))?;
             if record.get(&section, key).is_some() {
-                return Err(format!("line {}: `{key}` stands there twice", i + 1));
+                return Err(format!("line {}: `{key}` occurs twice", i + 1));
             }
             record.put(&section, key, value);
         }

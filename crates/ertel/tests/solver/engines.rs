@@ -1,5 +1,5 @@
-//! What is read off a film, by whatever engine: the table of finite elements against the fields at any place, and a film that knows no
-//! elements at all.
+//! Evaluation of a film by either engine: the table of finite elements against the fields at any place, and a film without
+//! elements.
 
 use std::f64::consts::PI;
 use std::path::Path;

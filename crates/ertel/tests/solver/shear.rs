@@ -118,7 +118,7 @@ fn a_paraboloid_that_spins() {
     let power = 0.1 * force + 900.0 * moment;
     assert_relative_eq!(f.here.work, power, max_relative = 2e-3);
     assert_relative_eq!(f.here.dissipation, power, max_relative = 2e-3);
-    // The whole square has more than three times as much, two half-widths much less: that is what the bar tells.
+    // The whole square has more than three times as much, two half-widths much less: the bar shows this.
     assert!(f.whole.moment[0] > 3.0 * moment);
     let near = 4.0 * PI * 0.04 * 900.0 * a * a * radius * (2.0 - h * 5.0_f64.ln());
     assert_relative_eq!(f.shorter.moment[0], near, max_relative = 2e-3);
@@ -134,7 +134,7 @@ fn a_paraboloid_that_spins() {
 /// Sliding, spin and slopes of the pressure in an ellipse: forces, moment, work of both surfaces and dissipation from their definitions in
 /// SI, summed over rings of the ellipse; the offset of the load and the rolling force over the square, by hand.
 #[test]
-fn sums_against_a_quadrature_of_its_own() {
+fn sums_agree_with_a_separate_quadrature() {
     let motion = "slide_to_roll_ratio = 0.1\nslide_to_roll_ratio_across = -0.05\n\
                   body_1_spin = \"-400 rad/s\"\nbody_2_spin = \"500 rad/s\"";
     let case = case("circular", motion, MESH);
@@ -231,7 +231,7 @@ fn oil_that_does_not_fill_the_gap() {
 
 /// Where nothing slides, stress is at the walls, ½h|∇p|: beyond the limit in the half of the zone where H exceeds that at R²/2.
 #[test]
-fn shares_beyond_the_limit_reckon_with_the_walls() {
+fn shares_beyond_the_limit_include_the_walls() {
     let thinning = "shear_thinning = { law = \"ree-eyring\", tau_0 = \"5 MPa\" }";
     let rest = format!("{thinning}\n{MESH}");
     let case = case("circular", "slide_to_roll_ratio = 0.0", &rest);
@@ -245,7 +245,7 @@ fn shares_beyond_the_limit_reckon_with_the_walls() {
     assert_relative_eq!(first.unwrap(), 0.5, epsilon = 0.03);
 }
 
-/// What leaves with the pressure where the bodies end closes the balance of the power, of a line contact whose bodies end close to its
+/// The power that leaves with the pressure where the bodies end closes the balance of the power, of a line contact whose bodies end close to its
 /// Hertz zone, where P is 0.03: without it a good part of the work of the surfaces would be missing.
 #[test]
 fn power_balances_up_to_the_end_of_the_bodies() {

@@ -15,7 +15,7 @@ use super::CASE;
 /// ∮ xy² n_x dl = ∫ y² dA, on all of half a contact and within its Hertz zone. A side that is another's, or that
 /// points inward, adds something else. On the plane y = 0 of the half all of them vanish.
 #[test]
-fn what_flows_through_the_sides_is_what_comes_of_within() {
+fn side_flow_equals_the_divergence_inside() {
     let document = Document::parse("case.toml", CASE).unwrap();
     let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
     let stage = problem.plan.stages[0];

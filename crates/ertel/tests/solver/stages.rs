@@ -1,4 +1,4 @@
-//! What a stage starts from and what it measures.
+//! Start and measurements of a stage.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -50,9 +50,9 @@ fn discretisation(problem: &Problem, stage: &Stage) -> Discretisation {
     Discretisation::new(&Arc::new(contact.unwrap()), stage.pressure_order)
 }
 
-/// What the diffusion at a ridge does to both films by the adjoints, against solves without it.
+/// Effect of the diffusion at a ridge on both films by the adjoints, against solves without it.
 #[test]
-fn the_diffusion_at_a_ridge_is_told() {
+fn the_effect_of_diffusion_at_a_ridge_is_reported() {
     let document = Document::parse("case.toml", CASE).unwrap();
     let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
     let mut stage = *problem.plan.stages.last().unwrap();
@@ -71,12 +71,15 @@ fn the_diffusion_at_a_ridge_is_told() {
             &mut ertel::solve::NoObserver,
         );
         end.unwrap();
-        let told = run.measure(state, &mut effort).unwrap().ridge;
-        ([central_film(&d, state), minimum_film(&d, state).0], told)
+        let reported = run.measure(state, &mut effort).unwrap().ridge;
+        (
+            [central_film(&d, state), minimum_film(&d, state).0],
+            reported,
+        )
     };
     let mut state = cold_start(&problem, &d);
     solve(&problem.plan.stages[0], &mut state);
-    let (with, told) = solve(&stage, &mut state);
+    let (with, reported) = solve(&stage, &mut state);
     let plain = Stage {
         constants: FilmConstants {
             ridge_diffusion: 0.0,
@@ -87,15 +90,15 @@ fn the_diffusion_at_a_ridge_is_told() {
     let (without, nothing) = solve(&plain, &mut state);
     assert_eq!(nothing, [0.0; 2]);
     let found = [0, 1].map(|j: usize| with[j] / without[j] - 1.0);
-    println!("{found:?} found, {told:?} told");
+    println!("{found:?} found, {reported:?} reported");
     // In h_min, elements cancel each other.
     let size = found[0].abs().max(found[1].abs());
-    for (found, told) in found.into_iter().zip(told) {
-        assert!(found.abs() > 1e-4 && (told - found.abs()).abs() < 0.03 * size);
+    for (found, reported) in found.into_iter().zip(reported) {
+        assert!(found.abs() > 1e-4 && (reported - found.abs()).abs() < 0.03 * size);
     }
 }
 
-/// A film below zero has errors as one above has: shares of negative sign would tell that there is nothing to refine.
+/// A film below zero has errors as one above has: shares of negative sign would indicate nothing to refine.
 #[test]
 fn films_below_zero_have_errors() {
     let document = Document::parse("case.toml", CASE).unwrap();

@@ -1,4 +1,4 @@
-//! Bodies whose radius is another one than that of the scales.
+//! Bodies whose radius differs from that of the scales.
 //!
 //! ```text
 //!   g = ½ (R_r/R − 1)(x² + κy²)        R_r: the radius of the scales
@@ -6,7 +6,7 @@
 
 use super::Height;
 
-/// What a changed radius adds to the paraboloid.
+/// Change of the paraboloid by a changed radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curvature {
     /// R_r/R − 1.

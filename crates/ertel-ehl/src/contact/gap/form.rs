@@ -1,4 +1,4 @@
-//! What a relief looks like.
+//! Shape of a relief.
 //!
 //! ```text
 //!   round: s = d cos(½π r/ρ) exp(−2 (r/ρ)²) within ρ = 1.2 r_0        a dent where d < 0 (Mourier et al. 2006)
@@ -53,9 +53,9 @@ pub enum Form {
         /// Direction of its rows, against the motion, rad.
         direction: f64,
     },
-    /// The same again and again.
+    /// A repeated form.
     Repeated {
-        /// What is repeated, not wider than the pitch.
+        /// The repeated form, not wider than the pitch.
         form: Box<Form>,
         /// Against the motion behind the first one; of ridges across them.
         along: Option<Repeat>,
@@ -69,7 +69,7 @@ pub enum Form {
 pub struct Repeat {
     /// From one to the next.
     pub pitch: f64,
-    /// How many there are; without end where there is none.
+    /// Their number; infinitely many if `None`.
     pub count: Option<u32>,
 }
 
@@ -88,7 +88,7 @@ impl Repeat {
         s - self.pitch * (self.within((s / self.pitch + first).round()) - first)
     }
 
-    /// A number that there is.
+    /// Limits an index to the existing repetitions.
     fn within(&self, number: f64) -> f64 {
         let last = self.count.map_or(f64::INFINITY, |n| f64::from(n) - 1.0);
         number.clamp(0.0, last)
@@ -98,7 +98,7 @@ impl Repeat {
 /// Share of r_0 to which a round or a ridge goes.
 const REACH: f64 = 1.2;
 
-/// Half-widths of a first crest before which waves are as good as gone: 10^(−10·0.6²) = 2.5e-4.
+/// Distance before the first crest, in wavelengths, where waves are negligible: 10^(−10·0.6²) = 2.5e-4.
 const HEAD: f64 = 0.6;
 
 /// Cosine below which a direction is that across the motion.
@@ -246,7 +246,7 @@ impl Form {
                     gradient: turned(*direction, gradient).map(|slope| slope * height / length),
                 };
             }
-            Form::Repeated { form, .. } => return form.at(self.beside_nearest(place)),
+            Form::Repeated { form, .. } => return form.at(self.from_nearest(place)),
         };
         Height {
             value,
@@ -254,8 +254,8 @@ impl Form {
         }
     }
 
-    /// A place from the origin of the nearest one, where it is repeated.
-    fn beside_nearest(&self, place: [f64; 2]) -> [f64; 2] {
+    /// A place relative to the nearest repetition, for repeated forms.
+    fn from_nearest(&self, place: [f64; 2]) -> [f64; 2] {
         let Form::Repeated {
             form,
             along: first,
@@ -305,7 +305,7 @@ impl Form {
                 dx.hypot(dy) < distance
             }
             Form::Repeated { form, .. } => {
-                let nearest = self.beside_nearest([-x, -y]).map(|x| -x);
+                let nearest = self.from_nearest([-x, -y]).map(|x| -x);
                 form.is_within(nearest, distance)
             }
         }
@@ -335,7 +335,7 @@ impl Form {
                 let own = turned(-*direction, place);
                 (0..2).all(|d| own[d].abs() < 0.5 * map.sides()[d] * units[0])
             }
-            Form::Repeated { form, .. } => form.covers(self.beside_nearest(place)),
+            Form::Repeated { form, .. } => form.covers(self.from_nearest(place)),
         }
     }
 

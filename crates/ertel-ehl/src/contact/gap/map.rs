@@ -3,7 +3,7 @@
 //! ```text
 //!   s(x, y) = Σ_ij c_ij B(x/Δx − i) B(y/Δy − j),        B the cubic B-spline, s = h at the points
 //! ```
-//! c_ij = 0 beyond the points, so that s falls to zero within two distances of them; heights that are zero along the rim leave no step
+//! c_ij = 0 beyond the points, so that s falls to zero within two distances of them; heights that are zero along the rim give no step
 //! there. De Boor, A Practical Guide to Splines, 2001, ch. IX and XVII.
 
 use super::Height;

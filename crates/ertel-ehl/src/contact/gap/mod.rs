@@ -6,7 +6,7 @@
 //! Lengths in half-widths a, heights in a²/R; x and y along the principal directions of the bodies. Paraboloid: Habchi 2008, eq. 2.22; for
 //! two principal curvatures Johnson 1985, eq. 4.3.
 //!
-//! A term is a file of its own here and a variant of [`GapTerm`]; nothing else changes for a new one.
+//! Each term is one file here and one variant of [`GapTerm`]; nothing else changes for a new one.
 
 mod curvature;
 mod form;
@@ -29,11 +29,11 @@ pub struct Gap {
     pub curvature_ratio: f64,
     /// From the motion to the principal directions.
     pub turn: Turn,
-    /// What is added to the paraboloid.
+    /// Terms added to the paraboloid.
     pub terms: Vec<GapTerm>,
 }
 
-/// Height at a place with its slopes. What else a term may have, as the rate of a moving one, becomes a field here.
+/// Height at a place with its slopes. Further properties of a term, such as the rate of a moving one, become fields here.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Height {
     /// The height.
@@ -58,7 +58,7 @@ pub enum GapTerm {
     Roller(RollerGap),
     /// A dent, a ridge, waves on one of the surfaces.
     Relief(Relief),
-    /// What a changed radius adds.
+    /// Change of the paraboloid by a changed radius.
     Curvature(Curvature),
 }
 
@@ -121,7 +121,7 @@ impl Gap {
         }
     }
 
-    /// How far a place has moved with a velocity since the paraboloid was lowest there, over that velocity; negative where it will be.
+    /// Time since a place that moves with a velocity passed the lowest gap of the paraboloid (distance over velocity); negative before.
     pub fn since_closest(&self, place: [f64; 2], velocity: [f64; 2]) -> f64 {
         let [x, y] = self.turn.to_axes(place);
         let [u, v] = self.turn.to_axes(velocity);

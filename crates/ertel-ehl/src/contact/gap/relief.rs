@@ -1,4 +1,4 @@
-//! What stands out of a surface or is missing from it, and moves with its body.
+//! Bumps and dents of a surface that move with its body.
 
 use super::{Body, Form, Height};
 use crate::contact::{Pose, Turn};
@@ -6,9 +6,9 @@ use crate::contact::{Pose, Turn};
 /// A relief of one of the bodies, along and across the motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relief {
-    /// What it looks like.
+    /// Its shape.
     pub form: Form,
-    /// Whose surface.
+    /// The body that has it.
     pub body: Body,
     /// Where its middle, or first crest, lies at the start.
     pub place: [f64; 2],
@@ -19,9 +19,9 @@ pub struct Relief {
 }
 
 impl Relief {
-    /// What it adds to the gap at a place along the principal directions.
+    /// Its contribution to the gap at a place along the principal directions.
     pub fn at(&self, place: [f64; 2]) -> Height {
-        let from = self.beside_middle(self.turn.to_motion(place));
+        let from = self.from_middle(self.turn.to_motion(place));
         let Height { value, gradient } = self.form.at(from);
         let gradient = self.moved.directed(gradient);
         Height {
@@ -32,17 +32,17 @@ impl Relief {
 
     /// Whether it lies within a distance from the centre.
     pub fn is_within(&self, distance: f64) -> bool {
-        let middle = self.beside_middle([0.0; 2]).map(|x| -x);
+        let middle = self.from_middle([0.0; 2]).map(|x| -x);
         self.form.is_within(middle, distance)
     }
 
     /// Whether it reaches a place along and across the motion.
     pub fn covers(&self, place: [f64; 2]) -> bool {
-        self.form.covers(self.beside_middle(place))
+        self.form.covers(self.from_middle(place))
     }
 
     /// From its middle to a place along and across the motion, in directions that are fixed to the body.
-    fn beside_middle(&self, place: [f64; 2]) -> [f64; 2] {
+    fn from_middle(&self, place: [f64; 2]) -> [f64; 2] {
         let [x, y] = self.moved.at_start(place);
         [x - self.place[0], y - self.place[1]]
     }

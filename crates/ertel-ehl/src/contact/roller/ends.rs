@@ -2,21 +2,21 @@
 
 use super::slices::NARROWEST;
 
-/// Load per length, over the mean one, below which there is none: that of the narrowest half-width.
+/// Load per length, over the mean one, that counts as zero: that of the narrowest half-width.
 pub(super) const LEAST: f64 = NARROWEST * NARROWEST;
-/// Pieces of the roller in which the ends of the contact are looked for, and how exactly they are found, in half-widths.
+/// Pieces of the roller searched for the ends of the contact, and the tolerance of the search, in half-widths.
 const PIECES: usize = 150;
 const TOLERANCE: f64 = 2e-3;
-/// Distances from an end at which its steepness is looked at, in half-widths, each twice the one before.
+/// Distances from an end at which its steepness is sampled, in half-widths, each twice the one before.
 const NEAREST: f64 = 0.02;
 const DISTANCES: i32 = 9;
-/// Distance of a contact's end from that of the roller up to which the edge of the roller presses in,
+/// Distance of the contact's end from that of the roller below which the edge of the roller indents the raceway,
 const AT_EDGE: f64 = 5e-3;
-/// and distance from an edge within which a missing film is its doing.
+/// and distance from an edge within which it causes a missing film.
 const AROUND_EDGE: f64 = 0.3;
 
-/// How long a cell may be along the axis that would be as long as wide, at gentle ends and at edges, whose pressure has no scale to
-/// follow;
+/// Largest aspect ratio of a cell along the axis: at gentle ends and at edges, whose pressure has no length
+/// scale;
 const LONGEST: f64 = 2.0;
 /// at steep ends as a share of the length over which the load rises: films are several times thinner there than in the middle;
 const OF_RISE: f64 = 0.3;
@@ -30,7 +30,7 @@ pub(super) struct End {
     pub y: f64,
     /// Length over which the load per length rises there from nothing to the mean one.
     pub rise: f64,
-    /// Whether the roller ends there, too, so that its edge presses in.
+    /// Whether the roller ends there, too, and its edge indents the raceway.
     pub cut: bool,
 }
 
@@ -74,7 +74,7 @@ impl End {
         }
     }
 
-    /// How long a cell may be there along the axis that would be as long as wide.
+    /// Largest aspect ratio of a cell there, along the axis.
     pub fn longest_cell(&self) -> f64 {
         match self.cut {
             true => LONGEST,
@@ -82,7 +82,7 @@ impl End {
         }
     }
 
-    /// Whether an edge presses in at y.
+    /// Whether an edge indents the raceway at y.
     pub fn presses_in_at(&self, y: f64) -> bool {
         self.cut && (y - self.y).abs() < AROUND_EDGE
     }
@@ -118,7 +118,7 @@ mod tests {
             assert_eq!(end.longest_cell(), LONGEST);
             assert!(end.presses_in_at(side) && !end.presses_in_at(0.99 * side));
         }
-        // Where no load is seen, none presses in.
+        // Without a load no edge indents the raceway.
         assert!(ends(50.0, &|_| 0.0).iter().all(|end| !end.cut));
     }
 }

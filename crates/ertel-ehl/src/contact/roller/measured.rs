@@ -1,4 +1,4 @@
-//! Measured traces of rollers made profiles.
+//! Profiles from measured traces of rollers.
 //!
 //! A trace has its zero anywhere, may be tilted, and scatters by tenths of a micrometre where the roller is straight. A profile falls
 //! off from its highest place towards both ends. Of all profiles that do, the one nearest to the trace in the mean square is taken:
@@ -7,7 +7,7 @@
 
 use serde::Serialize;
 
-/// What was done to a trace.
+/// Preparation of a measured trace.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Treatment {
     /// Added to each drop so that the smallest is zero, m.
@@ -62,8 +62,8 @@ impl Trace {
         self.drop = averaged.collect();
     }
 
-    /// The nearest profile that falls off towards both ends, with zero at its highest place, at the points that it needs; and what
-    /// that changed; of a `half`, whose highest place is its first point, too. `None` of a trace without points.
+    /// The nearest profile that falls off towards both ends, with zero at its highest place, at the points that it needs; and the
+    /// changes; of a `half`, whose highest place is its first point, too. `None` of a trace without points.
     pub fn fallen(&self, half: bool) -> Option<(Trace, Treatment)> {
         let z = &self.drop;
         let n = z.len();
@@ -110,7 +110,7 @@ impl Trace {
             }
             let y = &self.position[points];
             let is_flat = block.mean == lowest;
-            // The straight part keeps both ends; elsewhere the middle of a block stands for it, so that no steps are left.
+            // The straight part keeps both ends; elsewhere the middle of a block represents it, to avoid steps.
             if is_flat || i == 0 {
                 push(y[0], block.mean);
             }

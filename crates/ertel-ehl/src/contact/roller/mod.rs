@@ -1,4 +1,4 @@
-//! Rollers of finite length with a relief along their axis, which may stand at an angle to the raceway.
+//! Rollers of finite length with a relief along their axis, which may be tilted against the raceway.
 
 mod ends;
 pub mod measured;
@@ -23,7 +23,7 @@ pub struct Roller {
     pub misalignment: f64,
 }
 
-/// A roller that its ends carry, or that has no relief.
+/// A roller supported at its ends, or without relief.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Relief {
     /// The ends clear the raceway by this share of the drop that makes the pressure uniform.
@@ -40,12 +40,12 @@ impl Roller {
         [z - self.misalignment * y, slope - self.misalignment]
     }
 
-    /// Whether the two halves of the roller do the same.
+    /// Whether both halves of the roller are equal.
     pub fn is_symmetric(&self) -> bool {
         self.misalignment == 0.0 && self.profile.is_symmetric()
     }
 
-    /// How much relief the ends have under a load per length w (N/m) with its Hertz half-width b (m), in terms of the drop that Lundberg's
+    /// Relief of the ends under a load per length w (N/m) with its Hertz half-width b (m), in terms of the drop that Lundberg's
     /// profile for this load has at its ends; the end with less counts.
     pub fn relief(&self, line_load: f64, half_width: f64, reduced_modulus: f64) -> Relief {
         const POINTS: usize = 400;

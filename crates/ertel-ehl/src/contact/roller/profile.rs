@@ -1,4 +1,4 @@
-//! How far a roller falls off from a cylinder along its axis.
+//! Axial profile of a roller: its drop from a cylinder.
 
 use super::measured::Treatment;
 use serde::Serialize;
@@ -138,7 +138,7 @@ impl Profile {
         }
     }
 
-    /// As reports name it.
+    /// Its name in reports.
     pub fn name(&self) -> &'static str {
         match self {
             Profile::Straight { .. } => "straight with rounded ends",
@@ -157,17 +157,17 @@ pub struct ProfileTable {
     drop: Vec<f64>,
     #[serde(skip)]
     slope: Vec<f64>,
-    /// What made a profile of a measured trace, if anything was needed.
+    /// Preparation of a measured trace, if any was needed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub treatment: Option<Treatment>,
 }
 
-/// Why a table makes no profile.
+/// Why a table is not a valid profile.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ProfileTableError {
     /// Positions and drops do not pair up.
     #[error(
-        "{drops} drops for {positions} positions; both lists have one entry per point, three at least"
+        "{drops} drops for {positions} positions; both lists need one entry per point, at least three"
     )]
     Lengths {
         /// Number of positions.
@@ -176,22 +176,20 @@ pub enum ProfileTableError {
         drops: usize,
     },
     /// Positions do not increase.
-    #[error("position {0} does not lie beyond the one before it; positions increase")]
+    #[error("position {0} is not larger than the previous one; positions must increase")]
     Order(usize),
     /// A drop smaller than one nearer to the middle.
     #[error(
-        "drop {0} is smaller than one nearer to the middle by more than scatter: drops grow towards both ends"
+        "drop {0} is smaller than one nearer to the middle by more than scatter: drops must grow towards both ends"
     )]
     Dip(usize),
     /// The table does not reach the ends.
-    #[error(
-        "the table goes from {0:.6e} m to {1:.6e} m, but the roller from {2:.6e} m to {3:.6e} m"
-    )]
+    #[error("the table covers {0:.6e} m to {1:.6e} m, the roller from {2:.6e} m to {3:.6e} m")]
     Short(f64, f64, f64, f64),
 }
 
 impl ProfileTable {
-    /// From positions and drops in m; positions from 0 on stand for both sides of the middle.
+    /// From positions and drops in m; positions from 0 on describe both sides of the middle.
     ///
     /// # Errors
     /// Lists of different lengths, positions that do not increase, drops that do not grow towards the ends, and tables that do not cover
@@ -276,7 +274,7 @@ impl ProfileTable {
     }
 }
 
-/// Slopes at the points: weighted harmonic means of the chords beside, zero at extrema; at the ends the chord.
+/// Slopes at the points: weighted harmonic means of the adjacent chords, zero at extrema; at the ends the chord.
 fn slopes(x: &[f64], z: &[f64]) -> Vec<f64> {
     let chord = |i: usize| (z[i + 1] - z[i]) / (x[i + 1] - x[i]);
     let last = x.len() - 1;
@@ -356,7 +354,7 @@ mod tests {
         assert_relative_eq!(z(&long, 5.5e-3), 5.753_64e-7, max_relative = 1e-6);
         assert_eq!(z(&long, 3e-3), 0.0);
         assert_relative_eq!(z(&table, 6e-3), 1e-6, max_relative = 1e-12);
-        // no dip on the flat part, and nothing above the points beside
+        // no dip on the flat part, and nothing above the adjacent points
         for i in 0..=100 {
             let y = 8e-5 * f64::from(i);
             assert!((0.0..=8e-6).contains(&z(&table, y)) && (y > 4e-3 || z(&table, y) == 0.0));

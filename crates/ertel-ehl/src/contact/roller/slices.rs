@@ -1,10 +1,10 @@
-//! The dry contact of a roller, slice by slice: where a film starts from, and what a mesh is drawn around.
+//! The dry contact of a roller, slice by slice: the start of the film and of the mesh.
 //!
 //! Theory: Dry contact.
 
 use nalgebra::{DMatrix, DVector};
 
-/// Length of a slice, in half-widths: shorter ones than the contact is wide tell the pressure no better, and worse is the equation.
+/// Length of a slice, in half-widths: slices shorter than the contact width do not improve the pressure, and the equation is less accurate for them.
 const SLICE: f64 = 0.5;
 const FEWEST: f64 = 21.0;
 const MOST: f64 = 151.0;
@@ -16,7 +16,7 @@ pub(super) const NARROWEST: f64 = 0.05;
 
 /// Load per length along a roller, in the mean one w = F/l; y in half-widths b of the line contact under w.
 ///
-/// Each slice carries the Hertz pressure of its own load per length q, with the half-width β = √q and the largest pressure √q, in
+/// Each slice carries the Hertz pressure of its load per length q, with the half-width β = √q and the largest pressure √q, in
 /// those of the line; heights in b²/R:
 ///
 /// ```text
@@ -42,7 +42,7 @@ impl Slices {
         let mut load = vec![1.0; n];
         for _ in 0..ROUNDS {
             let next = balanced(&heights, width, &load);
-            // Half-widths go with the root: the mean settles quickly.
+            // Half-widths are proportional to the root: the mean converges quickly.
             for (old, new) in load.iter_mut().zip(next) {
                 *old = 0.5 * (*old + new);
             }
@@ -58,7 +58,7 @@ impl Slices {
     /// Load per length at y, in the mean one.
     pub fn load(&self, y: f64) -> f64 {
         let place = (y + self.half_length) / self.width - 0.5;
-        // A load that the end of the roller cuts off goes on to there.
+        // A load that the end of the roller cuts off continues to there.
         let at = |i: f64| self.load[(i.max(0.0) as usize).min(self.load.len() - 1)];
         let below = place.floor();
         let share = place - below;

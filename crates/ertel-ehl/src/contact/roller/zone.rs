@@ -1,10 +1,10 @@
-//! Where the dry contact of a roller carries pressure, and how a mesh is drawn out along it.
+//! Pressure zone of the dry contact of a roller, and grading of the mesh along it.
 
 use super::ends::{End, LEAST, ends};
 use super::slices::NARROWEST;
 use crate::contact::hertz;
 
-/// How long a cell may be along the axis that would be as long as wide, where the profile has a kink,
+/// Largest aspect ratio of a cell along the axis where the profile has a kink,
 const FINEST: f64 = 2.0;
 /// how fast that grows with the distance from there,
 const GROWTH: f64 = 1.5;
@@ -13,7 +13,7 @@ const LONGEST: f64 = 50.0;
 /// Distance of knots in such lengths, and the fewest pieces of half the roller.
 const KNOT_DISTANCE: f64 = 0.08;
 const FEWEST_PIECES: f64 = 80.0;
-/// Distance, in half-widths, of places outside of all that is loaded.
+/// Distance, in half-widths, of places outside all loaded slices.
 const OUTSIDE: f64 = 1e3;
 
 /// The zone of a roller in half-widths b of the line contact under the mean load per length.
@@ -22,10 +22,10 @@ const OUTSIDE: f64 = 1e3;
 #[derive(Clone, Debug, PartialEq)]
 pub struct RollerZone {
     half_length: f64,
-    /// Places along the axis that the mesh looks at.
+    /// Places along the axis that the mesh resolves.
     kinks: Vec<f64>,
     ends: [End; 2],
-    /// Axial places y and what they become in the plane where the mesh is made, rising.
+    /// Axial places y and their images in the plane of the mesh, rising.
     y: Vec<f64>,
     v: Vec<f64>,
     /// Load per length at each knot, over the mean one, and half-width.
@@ -35,7 +35,7 @@ pub struct RollerZone {
 
 impl RollerZone {
     /// Of a roller of half the length k with the loads per length of its dry contact, whose proportions count; `kinks` are places along the
-    /// axis that the mesh looks at.
+    /// axis that the mesh resolves.
     pub fn new(half_length: f64, load: impl Fn(f64) -> f64, kinks: &[f64]) -> RollerZone {
         let ends = ends(half_length, &load);
         RollerZone::between(ends, half_length, load, kinks)
@@ -47,12 +47,12 @@ impl RollerZone {
     }
 
     /// The same with rows and meshes drawn around the ends of other loads per length.
-    pub fn drawn_around(&self, load: impl Fn(f64) -> f64) -> RollerZone {
+    pub fn graded_around(&self, load: impl Fn(f64) -> f64) -> RollerZone {
         let ends = ends(self.half_length, &load);
         RollerZone::between(ends, self.half_length, |y| self.load(y), &self.kinks)
     }
 
-    /// The same with a mesh that tells whether an edge presses in, which these loads do not know.
+    /// The same with a mesh that resolves whether an edge indents, which these loads do not show.
     pub fn to_look_at_edges(&self, load: impl Fn(f64) -> f64) -> RollerZone {
         let ends = ends(self.half_length, &load).map(|end| End { cut: false, ..end });
         RollerZone::between(ends, self.half_length, load, &self.kinks)
@@ -119,7 +119,7 @@ impl RollerZone {
         zone
     }
 
-    /// Makes a map that differs from its mirror image by rounding alone equal to it.
+    /// Makes a map symmetric that differs from its mirror image only by rounding.
     fn level_out(&mut self) {
         let n = self.v.len();
         let alike = (0..n).all(|i| (self.v[i] + self.v[n - 1 - i]).abs() < 1e-9);
@@ -132,7 +132,7 @@ impl RollerZone {
         }
     }
 
-    /// Whether y lies at an end of the roller whose edge presses in.
+    /// Whether y lies at an end of the roller whose edge indents the raceway.
     pub fn is_at_edge(&self, y: f64) -> bool {
         self.ends.iter().any(|end| end.presses_in_at(y))
     }
@@ -142,7 +142,7 @@ impl RollerZone {
         self.half_length
     }
 
-    /// What the end of the roller becomes.
+    /// The end of the roller on the map.
     pub fn side(&self) -> f64 {
         self.v[self.v.len() - 1]
     }
@@ -200,7 +200,7 @@ impl RollerZone {
         [widest, farthest]
     }
 
-    /// Where the dry contact carries most.
+    /// Place of the largest pressure of the dry contact.
     pub fn heaviest(&self) -> f64 {
         let most = self.y.iter().zip(&self.loads);
         let most = most.max_by(|a, b| a.1.total_cmp(b.1));
@@ -236,8 +236,8 @@ impl RollerZone {
                 least = look_at([0.0, at], [width, at]);
             }
         }
-        // Every other knot will do. From the pieces beside the point outwards, as long as one may be nearer than those before: along
-        // rollers there are thousands.
+        // Every other knot is enough. Search outwards from the pieces next to the point while one may be nearer than those before:
+        // long rollers have thousands.
         let n_pieces = (self.v.len() - 1) / 2;
         let middle = (piece(&self.v, v) / 2).min(n_pieces.saturating_sub(1));
         let mut is_done = |i: usize, knot: usize| {
@@ -258,7 +258,7 @@ impl RollerZone {
     }
 }
 
-/// Places from one end of a roller to the other, from both ends to the middle, as close as the stretch of the mesh there asks for.
+/// Places from one end of a roller to the other, from both ends to the middle, as close as the stretch of the mesh there requires.
 fn knots(half_length: f64, stretch: &impl Fn(f64) -> f64) -> Vec<f64> {
     let longest = half_length / FEWEST_PIECES;
     let from = |side: f64| {
@@ -290,7 +290,7 @@ fn square(d: [f64; 2]) -> f64 {
     d[0] * d[0] + d[1] * d[1]
 }
 
-/// Which piece of rising knots holds x; the first and the last go on beyond.
+/// The piece of rising knots that contains x; the first and the last extend to infinity.
 fn piece(knots: &[f64], x: f64) -> usize {
     let after = knots.partition_point(|k| *k <= x);
     after.clamp(1, knots.len() - 1) - 1

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use super::Topography;
 
-/// What passes a filter.
+/// Pass band of a filter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pass {
     /// Longer waves than the cutoff.

@@ -1,4 +1,4 @@
-//! Surfaces that are made: self-affine ones with random phases.
+//! Generated surfaces: self-affine with random phases.
 //!
 //! ```text
 //!   C(q) = C_0 for q' ≤ q_r,   C_0 (q'/q_r)^(−2(1+H)) for q_r < q' ≤ q_s,   0 beyond;   q = 2π/λ
@@ -14,7 +14,7 @@ use rustfft::num_complex::Complex;
 
 use super::Topography;
 
-/// What a surface is made from.
+/// Parameters of a generated surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SelfAffine {
     /// Roll-off wavelength λ_r, m.
@@ -31,7 +31,7 @@ pub struct SelfAffine {
     pub lay: f64,
 }
 
-/// Grid of a surface that is made.
+/// Grid of a generated surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Generated {
     /// Its law.

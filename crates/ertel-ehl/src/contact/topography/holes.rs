@@ -33,14 +33,14 @@ impl Topography {
             let mut change = 0.0_f64;
             for &k in &holes {
                 let (i, j) = (k % nx, k / nx);
-                let beside = [
+                let neighbours = [
                     (i > 0).then(|| (k - 1, stiffness[0])),
                     (i + 1 < nx).then(|| (k + 1, stiffness[0])),
                     (j > 0).then(|| (k - nx, stiffness[1])),
                     (j + 1 < ny).then(|| (k + nx, stiffness[1])),
                 ];
                 let (mut sum, mut total) = (0.0, 0.0);
-                for (k, c) in beside.into_iter().flatten() {
+                for (k, c) in neighbours.into_iter().flatten() {
                     sum += c * self.heights[k];
                     total += c;
                 }

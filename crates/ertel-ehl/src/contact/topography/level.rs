@@ -3,13 +3,13 @@
 //! ```text
 //!   h → h − Σ c_k b_k,   Σ (h − Σ c_k b_k)² least,   b = 1;  1, x, y;  1, x, y, x², xy, y²
 //! ```
-//! Points without a height count for nothing.
+//! Points without a height are ignored.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::Topography;
 
-/// What is subtracted.
+/// The form that levelling subtracts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Levelling {
     /// The mean height.
@@ -34,7 +34,7 @@ impl Levelling {
 }
 
 impl Topography {
-    /// Subtracts a form. Where too few points have heights to tell it, nothing is subtracted and `false` comes back.
+    /// Subtracts a form. Returns `false`, and subtracts nothing, if too few points have heights to determine it.
     pub fn level(&mut self, form: Levelling) -> bool {
         let [nx, ny] = self.counts;
         let place = |k: usize| {
@@ -74,7 +74,7 @@ impl Topography {
 mod tests {
     use super::*;
 
-    /// What is added of a form comes off again, with holes, too; two forms of the same surface leave the same.
+    /// An added form is removed again, with holes, too; the same surface with two different forms gives the same result.
     #[test]
     fn forms_come_off() {
         for counts in [[30, 20], [40, 1]] {

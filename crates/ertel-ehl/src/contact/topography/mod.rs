@@ -1,4 +1,4 @@
-//! Heights of a surface at the points of a grid: form, filters, holes, and what describes them.
+//! Heights of a surface at the points of a grid: form, filters, holes and parameters.
 //!
 //! ISO 25178-2 (parameters), ISO 16610-21 and 16610-61 (Gaussian filters of profiles and surfaces).
 

@@ -1,4 +1,4 @@
-//! How the heights are made up of waves, along the rows and across them.
+//! Spectra of the heights, along the rows and across them.
 //!
 //! ```text
 //!   S(f_k) = 2 Δ/(N ⟨w²⟩) ⟨|Σ_n w_n z_n exp(−2πi k n/N)|²⟩,   f_k = k/(N Δ),   w_n = ½(1 − cos(2π n/N))        ∫ S df = Sq²
@@ -31,7 +31,7 @@ pub struct Spectrum {
 /// Bands in an octave.
 const BANDS: f64 = 2.0;
 
-/// Points below which a row says nothing of its waves.
+/// Fewest points of a row for a spectrum.
 const LEAST_POINTS: usize = 8;
 
 /// Of rows (`direction` 0) or columns (1) without holes; empty where they are too short.

@@ -163,7 +163,7 @@ fn rabinowitsch_line_flow() {
     }
 }
 
-/// Pure rolling of a power law: ∫|sG|^{m+2} ds/(Gκ^m) = G^{m+1}/[κ^m 2^{m+2}(m + 3)], beside the plateau's G/12.
+/// Pure rolling of a power law: ∫|sG|^{m+2} ds/(Gκ^m) = G^{m+1}/[κ^m 2^{m+2}(m + 3)], plus the plateau's G/12.
 #[test]
 fn power_law_in_pure_rolling() {
     let knee = 1e-3;
@@ -257,7 +257,7 @@ fn brute_force(law: &Law, p: f64, tau: [f64; 2], g: [f64; 2]) -> [f64; 5] {
     std::array::from_fn(|i| (4.0 * fine[i] - coarse[i]) / 3.0)
 }
 
-/// The surfaces slide as asked, and the flow is right, to 1e-10 of the mean shear rate in the film.
+/// The surfaces slide by Ω, and the flow is right, to 1e-10 of the mean shear rate in the film.
 #[test]
 fn matches_brute_force() {
     let all = states();
@@ -329,7 +329,7 @@ fn composite(law: &impl Fluidity, tau: [f64; 2], g: [f64; 2]) -> [f64; 5] {
     sums
 }
 
-/// Pressure stresses up to and beyond the limit, slides from rolling to what no film bears; the limit as it is, and softened.
+/// Pressure stresses up to and beyond the limit, slides from rolling to more than any film can carry; the limit as it is, and softened.
 #[test]
 fn limited_film_matches_brute_force() {
     let softened = [750.0, 81.0, 9.0].map(|softness| limited(None).softened(softness));
@@ -358,7 +358,7 @@ fn limited_film_matches_brute_force() {
     }
 }
 
-/// Derivatives of a film near its limit against differences small beside the stress of an e-fold, 0.026.
+/// Derivatives of a film near its limit against differences that are small compared with the stress of an e-fold, 0.026.
 #[test]
 fn limited_derivatives_match_differences() {
     for thinning in &limited_laws() {
@@ -489,7 +489,7 @@ fn sliding_is_symmetric() {
     assert_eq!(closed(&CARREAU, p, g, [0.0; 2]).mid_stress, [0.0; 2]);
 }
 
-/// Where the surfaces slide along x only, leaving out the derivatives by Ω_y changes no other to the bit.
+/// Where the surfaces slide along x only, omitting the derivatives by Ω_y changes no other by a bit.
 #[test]
 fn straight_films_leave_out_what_they_do_not_need() {
     for (g, slide, p) in states() {
@@ -509,7 +509,7 @@ fn straight_films_leave_out_what_they_do_not_need() {
 }
 
 /// Eyring's stress where pressure has made a glass of the oil: τ = τ₀ asinh(Ω/τ₀) of 27.9 within a step of round-off of the start, and
-/// the walls nearly without pressure. From half of that Newton's method does not come back within its iterations.
+/// the walls nearly without pressure. From half of that Newton's method does not converge within its iterations.
 #[test]
 fn eyring_of_a_glass() {
     let law = |stress| {

@@ -34,7 +34,7 @@ impl Side {
     }
 }
 
-/// E-folds below the largest shear rate with full accuracy, and with as much as still counts.
+/// E-folds below the largest shear rate with full accuracy, and with reduced accuracy.
 const UPPER_FOLDS: f64 = 12.0;
 const LOWER_FOLDS: f64 = 36.0;
 /// Points where the fluidity is too small to count.
@@ -81,7 +81,7 @@ impl CrossFilm {
                 .growth
                 .map_or(0.0, |g| 0.7 * (side.stress(to) - side.stress(from)) / g)
         };
-        // Growth ends where the law gives up.
+        // Growth ends where the law levels off.
         let end = joint + StressLimit::MOST_FOLDS * fold;
         let largest = largest.min(end);
         let counts = largest - LOWER_FOLDS * fold;

@@ -184,7 +184,7 @@ fn derivatives_match_differences() {
         (limited(), 0.8, [1.5, 0.4], [4.0, 1.0]),
     ] {
         let reference = ThermalFluid::new(&nodes, &base, |t| properties(p, t));
-        // The viscosity that stands for the film stays what it is when the temperature moves.
+        // The mean viscosity of the film stays fixed when the temperature changes.
         let at = |x: [f64; N]| {
             let profile = moved(&moved(&base, 0, x[P + 1]), 1, x[P + 2]);
             let mut fluid = ThermalFluid::new(&nodes, &profile, |t| properties(x[P], t));

@@ -1,12 +1,12 @@
-//! The pressure gradient that drives a held flow through a film whose temperatures change.
+//! The pressure gradient that drives a fixed flow through a film whose temperatures change.
 //!
 //! ```text
 //!   t(s) = τ + sκG,   ∫ tφ ds = Ω,   κΨ = Ψ₀               φ = f(|t|²)/μ̄(T(s)), G = H∇P
 //!   Ψ = ∫ (s − s̄)² φ ds,   s̄ = ∫ sφ ds/∫ φ ds                 conductance: q = κGΨ where f is one
 //! ```
-//! While temperatures are computed for given films, pressures would stay as they are, too. But at a given pressure gradient a warm
-//! layer shears faster and heats up further, whereas in the contact mass is conserved: what flows through the gap is given by the
-//! motion, and a film that thins needs less of a pressure gradient. So the flow that the pressure drives is held at that of the last
+//! While temperatures are computed for given films, pressures would be fixed, too. But at a given pressure gradient a warm
+//! layer shears faster and heats up further, whereas in the contact mass is conserved: the flow through the gap is given by the
+//! motion, and a less viscous film needs a smaller pressure gradient. So the flow that the pressure drives is held at that of the last
 //! films (Ψ₀, of their temperatures) instead of the gradient, which changes by κ. Once film and heat agree κ is one.
 //!
 //! Theory: The flow is held.
@@ -21,7 +21,7 @@ use crate::film::{MOST_NODES, Nodal};
 pub(super) struct Driven<'a, L> {
     /// Its fluidity over that of the viscosity below.
     pub law: &'a L,
-    /// What the law has at each height.
+    /// The law at each height.
     pub factors: &'a Nodal,
     pub heights: &'a Heights,
     /// G.

@@ -176,7 +176,7 @@ fn stabilisation_is_consistent() {
     assert!(supg[0] != plain[0] && gls[0] != plain[0] && gls[1] != plain[1]);
 }
 
-/// a, b, c and d of the weak form, term by term as they stand at the head of the form, with Pe and τ from coth here. None of the
+/// a, b, c and d of the weak form, term by term as in the module documentation, with Pe and τ from coth here. None of the
 /// terms of the stabilisation changes the order of convergence, for all are consistent: only their size can be tested.
 #[test]
 fn terms_of_the_weak_form() {

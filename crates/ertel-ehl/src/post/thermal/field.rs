@@ -9,7 +9,7 @@ use crate::solve::heat::space::HeatSpace;
 use crate::solve::points::fields_in;
 use crate::solve::system::State;
 
-/// Thickness, in half-widths, of about which the central film is drawn.
+/// Approximate drawn thickness of the central film, in half-widths.
 const DRAWN_FILM: f64 = 0.05;
 
 /// Film and bodies as they are solved (the half y ≤ 0 of symmetric contacts), the film stretched by 1, 2 or 5 times a power of ten.

@@ -12,7 +12,7 @@ use ertel_rheology::provenance::TemperatureRange;
 use crate::contact::{Scales, Symmetry};
 use crate::film::{FilmNodes, Nodal};
 use crate::params::ThermalParams;
-use crate::post::summary::beside;
+use crate::post::summary::comparison_pair;
 use crate::solution::Role;
 use crate::solution::{
     Coupling, Estimate, Figure, FilmTemperatures, HeatBalance, LevelStats, Located, Measured,
@@ -80,7 +80,7 @@ pub fn thermal(
     })
 }
 
-/// Kelvins beyond the range of the data that are no news: laws are no better than that.
+/// Excess over the range of the data, K, that is not reported: it is within the accuracy of the laws.
 const BEYOND: f64 = 1.0;
 
 /// A place in half-widths; where a half was solved, its mirror image has the same.
@@ -95,7 +95,7 @@ fn place([x, y]: [f64; 2], symmetry: Symmetry) -> String {
     }
 }
 
-/// What the user should know: temperatures that the data of the lubricant do not cover, points without film.
+/// Warnings: temperatures that the data of the lubricant do not cover, points without film.
 pub fn warnings(
     thermal: &Thermal,
     ranges: &[TemperatureRange],
@@ -112,7 +112,7 @@ pub fn warnings(
         (WarningKind::ColdestFilm, "falls to", &thermal.film_lowest),
     ] {
         let temperature = extreme.value;
-        // A range that the inlet leaves is told by the case.
+        // An inlet outside the range is reported with the case.
         let known = TemperatureRange::left(ranges, thermal.inlet_temperature);
         let range = TemperatureRange::left(ranges, temperature).filter(|range| {
             known != Some(*range)
@@ -122,7 +122,7 @@ pub fn warnings(
             continue;
         };
         let text = format!(
-            "the temperature of the film {verb} {:.1} °C at {}; the data of the lubricant hold {range} ({})",
+            "the temperature of the film {verb} {:.1} °C at {}; the data of the lubricant are valid {range} ({})",
             temperature - 273.15,
             place(extreme),
             range.basis
@@ -134,7 +134,7 @@ pub fn warnings(
     for [x, y] in &params.profiles {
         if !((inlet..=outlet).contains(x) && y.abs() <= side) {
             let text = format!(
-                "no profile across the film at [{x}, {y}] ([thermal] profiles): the contact area goes from {inlet} to \
+                "no profile across the film at [{x}, {y}] ([thermal] profiles): the contact area extends from {inlet} to \
                  {outlet} along the motion, and to ±{side} across it"
             );
             warnings.push(Warning::new(WarningKind::NoEffect, text));
@@ -146,7 +146,7 @@ pub fn warnings(
 /// Films and tractions with and without heat, where both were found on the same mesh; traction only where the
 /// surfaces slide.
 fn reduction(levels: &[LevelStats], measured: &Measured, slides: bool) -> Option<ThermalReduction> {
-    let [thermal, isothermal] = beside(levels, Role::Isothermal)?;
+    let [thermal, isothermal] = comparison_pair(levels, Role::Isothermal)?;
     let of = |figure| bars::reduction(figure, thermal, isothermal, measured);
     let isothermal_traction = isothermal.figures.value(Figure::TractionCoefficient)?;
     let relative = bars::relative_error_on(thermal, Figure::TractionCoefficient, measured);
@@ -154,7 +154,7 @@ fn reduction(levels: &[LevelStats], measured: &Measured, slides: bool) -> Option
         film_central: of(Figure::FilmCentral)?,
         film_minimum: of(Figure::FilmMinimum)?,
         traction: of(Figure::TractionCoefficient).filter(|_| slides),
-        // That mesh errs in it much as in the thermal one.
+        // The mesh error is much the same as that of the thermal film.
         isothermal_traction: Estimate {
             value: isothermal_traction,
             error: relative.map(|relative| relative * isothermal_traction.abs()),

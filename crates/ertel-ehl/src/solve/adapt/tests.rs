@@ -6,7 +6,7 @@ use crate::solve::bars::tests::level;
 const TARGET: f64 = 2e-3;
 const N: usize = 1000;
 
-/// A mesh whose films err by `films` and whose pressures by `pressure`, with the shares in different elements.
+/// A mesh with film errors `films` and pressure error `pressure`, with the shares in different elements.
 fn refinement_at(films: f64, pressure: f64) -> Option<Refinement> {
     refinement_where(films, (pressure, 900..1000), 0.0)
 }
@@ -47,7 +47,7 @@ fn refinement_where(
     next_refinement(&params, 2, &[level], [SMALLEST_ERROR; 2], 0, &indicator).ok()
 }
 
-/// Films that err too much are refined for alone, however wrong the pressure; then the pressure alone; then nothing.
+/// Films with large errors are refined for alone, whatever the pressure error; then the pressure alone; then nothing.
 #[test]
 fn films_come_before_the_pressure() {
     let halved = |refinement: &Refinement, elements: std::ops::Range<usize>| {
@@ -64,7 +64,7 @@ fn films_come_before_the_pressure() {
 
 /// Bars of 0.36 %, where 0.2 % are asked for: near enough to refine for the pressure, too.
 #[test]
-fn films_that_lack_little_are_refined_for_with_the_pressure() {
+fn films_near_their_target_are_refined_with_the_pressure() {
     let both = refinement_at(3e-4, 0.1).unwrap();
     assert_eq!(both.aim, RefinementTarget::Both);
     assert!(both.halvings[..100].iter().any(|h| *h > 0));
@@ -77,7 +77,7 @@ fn films_that_lack_little_are_refined_for_with_the_pressure() {
 
 /// Five elements of a thousand err: one mesh more where the pressure errs by three times its target of 0.7 %, none at 1.2 times.
 #[test]
-fn a_few_elements_are_refined_where_they_err_much() {
+fn a_few_elements_are_refined_where_errors_are_large() {
     let at = |pressure: f64| refinement_where(1e-5, (pressure, 500..505), 0.0);
     assert_eq!(at(0.021).unwrap().aim, RefinementTarget::Pressure);
     assert!(at(0.0084).is_none());
@@ -85,7 +85,7 @@ fn a_few_elements_are_refined_where_they_err_much() {
 
 /// Cells of a bar of 0.18 % are good enough for 0.2 %, but not with 0.05 % more for the edges.
 #[test]
-fn cells_make_room_for_what_edges_do() {
+fn cells_leave_room_for_edge_errors() {
     let at = |edges: f64| refinement_where(1.5e-4, (0.0, 900..1000), edges);
     assert!(at(0.0).is_none());
     assert_eq!(at(3e-4).unwrap().aim, RefinementTarget::Films);
@@ -117,7 +117,7 @@ fn estimate(films: f64) -> ErrorEstimate {
 }
 
 /// By hand, on a first mesh: 12 × 0.01 % and 1.5 × 0.2 % of the diffusion at ridges; with 0.36 % of pressures that are not resolved
-/// beside them.
+/// in addition.
 #[test]
 fn ridges_have_a_share_in_the_bars_of_films() {
     let [bar, _] = bars_of(&[(
@@ -202,7 +202,7 @@ fn line_with(unresolved: f64, pressure_target: Option<f64>) -> Result<Refinement
 }
 
 /// Bars of √(0.15² + 0.2²) = 0.25 %, where 0.2 % are asked for, are mended at the five elements of the ridge though the pressure has reached its own
-/// target; those of √(0.15² + 0.1²) = 0.18 % are not, and without a target of its own the pressure is refined for, too.
+/// target; those of √(0.15² + 0.1²) = 0.18 % are not, and without a separate target the pressure is refined for, too.
 #[test]
 fn pressures_that_widen_the_bars_of_films_are_refined_for() {
     assert_eq!(

@@ -125,7 +125,7 @@ impl Column {
         }
     }
 
-    /// Temperatures with which lubricant and bodies come.
+    /// Inflow temperatures of lubricant and bodies.
     pub fn unheated(&self, heat: &Heat) -> Vec<f64> {
         let mut temperatures = vec![heat.inlet_temperature; self.n()];
         for (body, law) in heat.bodies.iter().enumerate() {
@@ -180,7 +180,7 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// Elements fill the depth, the first no longer than asked for, each longer than the one before; one alone is as long as the depth.
+    /// Elements fill the depth, the first no longer than requested, each longer than the one before; one alone is as long as the depth.
     #[test]
     fn elements_fill_the_depth() {
         assert_eq!(graded(1, 3.15, 0.02), [0.0, 3.15]);

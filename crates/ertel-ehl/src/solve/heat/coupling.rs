@@ -1,13 +1,13 @@
 //! Film equations and energy equation in turn, until neither changes.
 //!
 //! Each round solves for the temperatures of the last pressures and films, and for pressures and films at those
-//! temperatures. The heat of shearing answers to the temperature inside the first, with its derivative; what is
-//! left between the rounds is that films and pressures answer to the heat, mostly of the inlet, and that is
-//! weak. How much the changes shrink from round to round is reported. Where the film equations do not converge at new
+//! temperatures. The dependence of the heat of shearing on temperature is inside the first, with its derivative; only the
+//! response of films and pressures to the heat, mostly in the inlet, remains between the rounds, and it is
+//! weak. The contraction from round to round is reported. Where the film equations do not converge at new
 //! temperatures, half of their change is tried first. Where the changes hardly shrink, as where film and heat overshoot each other
-//! in turn, only a share of each new temperature is taken; which, the changes of the last two rounds say (Aitken's relaxation:
-//! Irons and Tuck, Int. J. Numer. Methods Eng. 1 (1969) 275-277). What they shrink by tells the error that they leave, and with
-//! it which round is the last.
+//! in turn, only a share of each new temperature is taken, from the changes of the last two rounds (Aitken's relaxation:
+//! Irons and Tuck, Int. J. Numer. Methods Eng. 1 (1969) 275-277). Their contraction gives the remaining error, and with
+//! it the last round.
 
 use super::newton::{HeatNewton, HeatParams, HeatStats};
 use super::relaxation::Relaxation;
@@ -36,8 +36,8 @@ pub struct CouplingParams {
     pub max_rounds: usize,
     /// Share of new temperatures below which they are not halved further.
     pub smallest_share: f64,
-    /// Whether it is given up at once where temperatures for given films do not settle in a round, because a continuation is known: the
-    /// films at what they have come to are of no use.
+    /// Whether it is given up at once where temperatures for given films do not converge in a round, because a continuation is known:
+    /// these films are of no use.
     pub given_up_early: bool,
     /// Temperatures for given films.
     pub heat: HeatParams,
@@ -56,7 +56,7 @@ impl Default for CouplingParams {
     }
 }
 
-/// How the coupling went.
+/// Convergence of the coupling.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct CouplingStats {
     /// Rounds.

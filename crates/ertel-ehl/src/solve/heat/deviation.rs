@@ -24,7 +24,7 @@ const LOCAL: [(Figure, usize); 4] = [
 
 /// Deviation of the temperatures of a state; none where elements are not linear.
 ///
-/// `place` tells where figures are, in half-widths.
+/// `place` gives the places of figures, in half-widths.
 pub fn deviation(
     d: &Discretisation,
     heat: &HeatSpace,

@@ -1,4 +1,4 @@
-//! What an element of the contact area adds to the energy equation: film and bodies over it.
+//! Contribution of an element of the contact area to the energy equation: film and bodies over it.
 
 use ertel_fem::kernel;
 use ertel_fem::linear::dense::vectorised;
@@ -44,7 +44,7 @@ struct SurfaceBasis {
     laplacians: [f64; MOST_SURFACE],
 }
 
-/// What the elements are assembled from.
+/// Input of the assembly of elements.
 pub(super) struct Assembly<'a> {
     pub d: &'a Discretisation,
     pub space: &'a HeatSpace,
@@ -54,12 +54,12 @@ pub(super) struct Assembly<'a> {
     pub source: Source<'a>,
     /// ω at each height over each vertex, of the assembly before; empty: none.
     pub cross_flow: &'a [f64],
-    /// Ψ of the flow that is held, at each point of each element; empty: none is.
+    /// Ψ of the frozen flow, at each point of each element; empty: none is.
     pub conductances: &'a [f64],
     /// Oil behind the film.
     pub streams: Option<&'a Streams>,
     pub with_jacobian: bool,
-    /// Inverse 1/θ of a temperature, 1/K: the heat of shearing is taken to fall by 1/θ of itself per K beside what the fluid makes
+    /// Inverse 1/θ of a temperature, 1/K: the heat of shearing is taken to fall by 1/θ of itself per K in addition to what the fluid makes
     /// of it; in the Jacobian only.
     pub damping: f64,
 }

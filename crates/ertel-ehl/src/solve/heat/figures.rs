@@ -8,7 +8,7 @@ use crate::solve::system::State;
 /// A temperature in K with its place in half-widths.
 pub type Extreme = (f64, [f64; 2]);
 
-/// Heights at which the film's temperature is searched for its extremes, besides its nodes.
+/// Heights at which the film's temperature is searched for its extremes, in addition to its nodes.
 const N_HEIGHTS: usize = 64;
 
 /// Extreme temperatures over the nodes of the contact area.

@@ -5,8 +5,8 @@
 //!   film:    ∫∫ W max(−C v·n, 0)(T − T_e) ds dl over the edge is added               C = ρc h u_m/a,  T_e that of what enters at a height
 //! ```
 //! The film's condition is weak: heights that flow in bring their heat along, those that flow out (in the inlet the middle of the film flows
-//! back) take what they have, and where one passes into the other no temperature jumps. Nothing is held, so that all the heat that leaves
-//! through the edge leaves with lubricant.
+//! back) keep their temperature, so that none jumps where one passes into the other. Nothing is prescribed, so that all the heat that leaves
+//! through the edge leaves with the lubricant.
 
 use ertel_fem::linear::block_ilu::BlockMatrix;
 

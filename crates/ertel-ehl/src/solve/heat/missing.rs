@@ -12,7 +12,7 @@ pub struct MissingHeatData {
     pub missing: Vec<MissingDatum>,
 }
 
-/// A datum that is missing, of which material, and where it belongs.
+/// A missing datum, its material, and the table where it belongs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MissingDatum {
     /// Its key, `heat_capacity`.

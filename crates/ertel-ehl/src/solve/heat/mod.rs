@@ -1,7 +1,7 @@
 //! Temperature of the film and of both bodies, and its coupling with the film equations.
 //!
 //! - `column`: the layers over a point of the contact area, bottom to top;
-//! - `space`: temperatures over the contact area, and what the film equations see of them;
+//! - `space`: temperatures over the contact area, and their values in the film equations;
 //! - `inflow`: temperatures that are prescribed;
 //! - `cross_flow`: the mass flow across the film;
 //! - `sides`: sides of elements, and what flows through them;
@@ -10,7 +10,7 @@
 //! - `newton`: temperatures for given pressures and films;
 //! - `coupling`: both in turn, until neither changes;
 //! - `stopping`: when they may end;
-//! - `balance`: where heat comes from and goes to;
+//! - `balance`: sources and sinks of heat;
 //! - `figures`: temperatures in a few numbers;
 //! - `recovery`: smooth temperatures from linear elements;
 //! - `deviation`: how far the linear elements are from them.

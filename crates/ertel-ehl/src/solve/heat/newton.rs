@@ -1,11 +1,11 @@
 //! Temperatures for given pressures and films, by Newton's method.
 //!
 //! The derivative of the heat of shearing by the temperature is in the Jacobian: a film that heats up thins, and
-//! heats itself less. Without it, temperatures would swing to and fro where heating is strong.
+//! heats itself less. Without it, temperatures would oscillate where heating is strong.
 //!
 //! Far from the solution that is no help. At a given stress a warm layer shears faster and heats up further, and where that outweighs
 //! conduction, between films of very unequal temperature, the Jacobian is nearly singular: single nodes would go off by 1e5 K. A step
-//! cut down as a whole to what they bear would move nothing, so each temperature is cut down on its own; below the coldest of the start,
+//! cut down as a whole to their limit would move nothing, so each temperature is limited separately; below the coldest of the start,
 //! where viscosities grow without bound, to much less. Where that leads to heat that is not finite, half of the way is taken back.
 //!
 //! Where the linear equations cannot be solved, the steps are those of an implicit Euler method in time, with a time step at each
@@ -73,8 +73,8 @@ pub enum HeatError {
     Krylov(#[from] GmresError),
     /// The heat of shearing is beyond all bounds, as where a pressure gradient asks for more than the limiting stress.
     #[error(
-        "shearing heats the film beyond all bounds: at the pressures found so far its stress is far above what its law bears (a limiting \
-         stress, or Eyring's, that grows exponentially beyond)"
+        "shearing heats the film beyond all bounds: at the pressures found so far its stress is far above that of the shear law (limiting \
+         or Eyring stress, beyond which shear rates grow exponentially)"
     )]
     Overheated,
     /// A temperature or a source is not a number.
@@ -91,7 +91,7 @@ pub enum HeatError {
     },
 }
 
-/// Newton's method on one discretisation, with what it keeps.
+/// Newton's method on one discretisation, with its stored data.
 pub struct HeatNewton<'a> {
     d: &'a Discretisation,
     fluid: &'a FilmFluid,
@@ -100,7 +100,7 @@ pub struct HeatNewton<'a> {
     source: Source<'a>,
     /// ω, of the last assembly.
     cross_flow: Vec<f64>,
-    /// Ψ of the flow that is held; empty: none is.
+    /// Ψ of the frozen flow; empty: none is.
     conductances: Vec<f64>,
     /// Oil behind the film of that flow.
     streams: Option<Streams>,

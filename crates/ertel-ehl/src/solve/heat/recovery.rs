@@ -18,7 +18,7 @@ use crate::solve::tuning::heat::{RINGS, WELL_POSED};
 /// Order of the recovered polynomials.
 pub const ORDER: usize = 3;
 
-/// What the gradient at a node takes from the nodes around it: their numbers, and weights by x and y.
+/// Stencil of the gradient at a node: numbers of the nodes around it, and weights by x and y.
 type Stencil = Vec<(u32, [f64; 2])>;
 
 /// Recovery of gradients from the values at the nodes of a space of linear elements.

@@ -14,7 +14,7 @@
 
 use crate::solve::tuning::heat::{GROWTH, SILENT_ROUNDS, SLOW, SMALLEST};
 
-/// What is known from the rounds before.
+/// Record of the previous rounds.
 #[derive(Debug, Default)]
 pub struct Relaxation {
     rounds: usize,
@@ -33,7 +33,7 @@ impl Relaxation {
             .map(|(r, before)| r - before)
             .collect();
         let best = -self.share * dot(&self.defect, &change) / dot(&change, &change);
-        // A defect that grows the way it went says that the share was too small.
+        // A defect that grows in the same direction shows that the share was too small.
         let best = if best > 0.0 { best } else { f64::INFINITY };
         best.min(GROWTH * self.share).clamp(SMALLEST, 1.0)
     }
@@ -72,7 +72,7 @@ mod tests {
         200
     }
 
-    /// What converges fast is left alone: ln(1e-6)/ln(0.3) = 11.5 rounds.
+    /// Fast convergence is not relaxed: ln(1e-6)/ln(0.3) = 11.5 rounds.
     #[test]
     fn fast_rounds_take_all() {
         let n = rounds(|t| vec![1.0 - 0.3 * t[0], 0.2 * t[1]]);

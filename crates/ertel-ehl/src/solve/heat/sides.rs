@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use crate::contact::Symmetry;
 use crate::solve::discretisation::ContactSurface;
 
-/// A side of an element: of which element, and opposite to which of its corners.
+/// A side of an element: its element, and the opposite corner.
 pub(super) type Side = (usize, usize);
 
 /// Sides of the elements of a set that no other element of it shares; those on the symmetry plane left out.

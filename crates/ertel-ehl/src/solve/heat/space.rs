@@ -1,4 +1,4 @@
-//! Temperatures over the contact area, and what the film equations see of them.
+//! Temperatures over the contact area, and their values in the film equations.
 
 use ertel_fem::assembly::NodeGraph;
 use ertel_fem::element::{Lagrange, Tabulation};
@@ -66,7 +66,7 @@ impl HeatSpace {
         }
     }
 
-    /// Temperatures before anything is heated: those with which lubricant and bodies come.
+    /// Temperatures before heating: the inflow temperatures of lubricant and bodies.
     pub fn unheated(&self) -> Vec<f64> {
         self.unheated.repeat(self.surface.n_nodes())
     }
@@ -76,7 +76,7 @@ impl HeatSpace {
         self.surface.n_nodes() * self.column.n()
     }
 
-    /// What the energy equation sees of the film at a point of its own rule.
+    /// Film quantities of the energy equation at a point of its quadrature rule.
     pub fn film_at(
         &self,
         d: &Discretisation,

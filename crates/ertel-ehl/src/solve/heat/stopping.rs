@@ -42,7 +42,7 @@ mod tests {
     /// x_k = x_(k−1) + ω(J − 1)x_(k−1), x* = 0: x_k = qᵏ with q = 1 − ω(1 − J), whole changes (1 − J)x_(k−1), in closed form. A rule that
     /// looked at the change alone would stop at J = 0.95 with 19 times the error that is allowed.
     #[test]
-    fn slow_couplings_go_on_until_the_error_is_small() {
+    fn slow_couplings_continue_until_the_error_is_small() {
         for (slope, share) in [
             (0.05, 1.0),
             (0.3, 1.0),
@@ -66,7 +66,7 @@ mod tests {
         }
     }
 
-    /// One change alone tells nothing of the error, nor do changes that grow; those below what the halves are solved to are noise. Where the change alone
+    /// One change alone does not bound the error, nor do changes that grow; those below the tolerance of the halves are noise. Where the change alone
     /// counts, it is enough.
     #[test]
     fn changes_without_contraction() {

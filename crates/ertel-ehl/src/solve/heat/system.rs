@@ -30,7 +30,7 @@ pub struct HeatSystem {
     pub residual: Vec<f64>,
     /// Whether a temperature is prescribed.
     pub fixed: Vec<bool>,
-    /// What heats the film, and where the heat goes.
+    /// Heat balance: sources, and where the heat goes.
     pub account: Account,
     /// ω at each height over each vertex of the contact area, over ρ_R u_m a/R.
     pub cross_flow: Vec<f64>,
@@ -40,14 +40,14 @@ pub struct HeatSystem {
     pub conductances: Vec<f64>,
 }
 
-/// What an assembly keeps from the ones before.
+/// Data that an assembly keeps from previous ones.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Kept<'a> {
     /// ω at each height over each vertex; empty: none.
     pub cross_flow: &'a [f64],
-    /// Conductance Ψ of the flow that is held, at each point of each element; empty: the pressure gradient is as it stands.
+    /// Conductance Ψ of the frozen flow, at each point of each element; empty: the pressure gradient is used.
     pub conductances: &'a [f64],
-    /// Oil behind the film; none: gaps are full.
+    /// Oil behind the film; none: gaps are filled.
     pub streams: Option<&'a Streams>,
 }
 
@@ -128,7 +128,7 @@ pub fn assemble(
     divide_by_mass(d, space, &mut system.cross_flow);
     for (k, fixed) in system.fixed.iter().enumerate() {
         if *fixed {
-            // What the prescribed temperature takes up, is conducted out of the body.
+            // The reaction of a prescribed temperature is conducted out of the body.
             let unknown = k % n;
             let body = usize::from(unknown > space.column.first);
             system.account.conducted[body] -= system.residual[k];

@@ -44,7 +44,7 @@ pub(super) fn solve_from(
     driver.run_from(from, stage).and_then(with_film)
 }
 
-/// What was found, unless its film is negative: a root of the discrete equations, but no contact.
+/// The solution, unless its film is negative: a root of the discrete equations, but no contact.
 fn with_film(
     (solution, MeshSolver { stats, .. }): (StageSolution, MeshSolver),
 ) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
@@ -62,7 +62,7 @@ fn with_film(
     })
 }
 
-/// Where the pressure of a stage has a ridge, from what it starts from: from its pressure, or as there if that is known on this mesh.
+/// Where the pressure of a stage has a ridge, by the solution that it starts from: from its pressure, or its ridge if on the same mesh.
 fn shares_at_ridge(from: &StageSolution, d: &Discretisation) -> Vec<f64> {
     let there = &from.discretisation;
     if Arc::ptr_eq(&there.contact, &d.contact) && !there.at_ridge.is_empty() {
@@ -96,7 +96,7 @@ impl Outline {
             usual: problem.plan.stages.clone(),
             exponential: problem.fluid.is_exponential(),
             roller: problem.shape.zone.roller.is_some(),
-            // An exponential law has difficulties of its own.
+            // An exponential law has other difficulties.
             ridge_diffusion: match problem.fluid.is_exponential() {
                 true => 0.0,
                 false => problem.plan.ridge_diffusion,
@@ -183,7 +183,7 @@ impl<'a> MeshSolver<'a> {
         let mesh = Arc::new(match refined {
             Some(p) => {
                 let contact = &p.discretisation.contact;
-                // The state goes over without it; other solves that share the mesh may be at work with it.
+                // The state is moved without it; other solves that share the mesh may be using it.
                 if Arc::strong_count(contact) == 1 {
                     contact.response.release();
                 }
@@ -242,10 +242,10 @@ impl StageSolver for MeshSolver<'_> {
             d.at_ridge = shares_at_ridge(from, &d);
         }
         let run = StageRun::new(problem, stage, level, &d);
-        // What is measured only, or refined further, need not be exact.
+        // Solutions that are only measured, or refined further, need not be exact.
         let last = stage.role == Role::Final;
         let measured = matches!(stage.role, Role::Estimate | Role::Final);
-        // What the solution is compared with is not measured, and its own error would count as the effect.
+        // A comparison is not measured, and its error would count as the effect.
         let rough = stage.role == Role::Estimate || last && problem.plan.adapt.is_some();
         let finish = if rough { Finish::Rough } else { Finish::Exact };
         let mut outcome = run.solve(finish, &mut state, &mut effort, observer);
@@ -313,7 +313,7 @@ impl StageSolver for MeshSolver<'_> {
                 (solution.adjoints, solution.coupling) = (None, coupling);
             }
             Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
-            // What was measured stands.
+            // The measured figures remain.
             Err(_) => solution.rough = true,
         }
         Ok(())

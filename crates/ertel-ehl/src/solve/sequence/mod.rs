@@ -38,7 +38,7 @@ pub use warm::{Start, solve_on_mesh, solve_warm};
 /// A contact to be solved by finite elements.
 pub type Problem = engine::Problem<Plan>;
 
-/// How finite elements go about a problem.
+/// Method of finite elements for a problem.
 pub struct Plan {
     /// Stages, coarse to fine.
     pub stages: Vec<Stage>,
@@ -54,7 +54,7 @@ pub struct Plan {
     pub error_estimate: bool,
     /// ρ_r of the stages that need it; 0: none does.
     pub ridge_diffusion: f64,
-    /// Local refinement of the final stage, if an accuracy is asked for.
+    /// Local refinement of the final stage, if an accuracy is requested.
     pub adapt: Option<AdaptParams>,
     /// Temperatures, where heat counts.
     pub heat: Option<HeatPlan>,
@@ -71,7 +71,7 @@ pub struct HeatPlan {
     pub coupling: CouplingParams,
 }
 
-/// What a stage came to.
+/// Solution of a stage.
 #[derive(Clone)]
 pub struct StageSolution {
     /// The discretisation.
@@ -80,17 +80,17 @@ pub struct StageSolution {
     pub state: State,
     /// The stage it solves.
     pub stage: Stage,
-    /// How far Newton's method came.
+    /// State of Newton's method at its end.
     pub reached: NewtonStatus,
-    /// Whether it came to the tolerance of the stage.
+    /// Whether it reached the tolerance of the stage.
     pub converged: bool,
-    /// Whether it came only as far as measuring the errors needs, and not to the tolerance of the case.
+    /// Whether it converged only as far as error estimation needs, and not to the tolerance of the case.
     pub rough: bool,
     /// Why its mesh is not refined further; `None` where it was to be.
     pub refinement_end: Option<RefinementEnd>,
-    /// How its coupling with the heat went, if there is one.
+    /// Convergence of its coupling with the heat, if there is one.
     pub coupling: Option<CouplingStats>,
-    /// What adjoints can start from, until it is taken: it is large.
+    /// Start of the adjoints, taken out when used because it is large.
     pub adjoints: Option<Box<RoughAdjoints>>,
 }
 
@@ -99,7 +99,7 @@ pub struct StageSolution {
 const FAR_FROM_OILS: f64 = 0.5;
 
 impl Problem {
-    /// An error with what is known of its reason: stress that thins the fluid far more than it does oils.
+    /// An error with its likely reason: stress that thins the fluid far more than oils.
     fn explained(&self, error: SolveError) -> SolveError {
         let share = self.plan.thinned_share;
         match error {
@@ -113,7 +113,7 @@ impl Problem {
         }
     }
 
-    /// Refuses what no mesh that is allowed resolves, before any work.
+    /// Refuses films that no allowed mesh resolves, before any work.
     ///
     /// # Errors
     /// [`SolveError::TooThin`].

@@ -1,4 +1,4 @@
-//! The data of a stage: its mesh, its formulation, what it is for.
+//! The data of a stage: its mesh, formulation and purpose.
 
 use crate::solution::Role;
 use crate::solve::discretisation::LevelSizes;
@@ -32,12 +32,12 @@ pub struct Stage {
     pub undamped: bool,
     /// Whether it is given up early, because a continuation through easier contacts is known.
     pub given_up_early: bool,
-    /// What it is for.
+    /// Purpose.
     pub role: Role,
 }
 
 impl Stage {
-    /// Whether it stands on the mesh of another stage.
+    /// Whether it uses the mesh of another stage.
     pub(super) fn is_on_mesh_of(&self, other: &Stage) -> bool {
         self.sizes == other.sizes && self.refinements == other.refinements
     }
@@ -46,7 +46,7 @@ impl Stage {
     pub(super) fn with_quadratic_pressures(&self) -> Option<Stage> {
         (self.pressure_order > LOWER_ORDER).then_some(Stage {
             pressure_order: LOWER_ORDER,
-            // Refined meshes keep their patience.
+            // Refined meshes keep their full iteration budget.
             given_up_early: self.given_up_early && self.refinements > 0,
             ..*self
         })

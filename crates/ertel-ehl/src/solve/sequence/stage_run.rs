@@ -24,7 +24,7 @@ use crate::solve::tuning::stages::{
 };
 use crate::solve::{Observer, SolveError};
 
-/// To which end Newton's method is run.
+/// Accuracy to which Newton's method is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Finish {
     /// To the tolerance of the case.
@@ -60,7 +60,7 @@ impl<'a> StageRun<'a> {
         }
     }
 
-    /// Newton's method: through the penalty ramp if the stage is a start, and with a gentle penalty first where a solution goes round in circles.
+    /// Newton's method: through the penalty ramp if the stage is a start, and with a small penalty first where the updates cycle.
     pub fn solve(
         &self,
         finish: Finish,
@@ -77,7 +77,7 @@ impl<'a> StageRun<'a> {
         let mut outcome = Ok((NewtonStatus::default(), None));
         for share in ramp {
             outcome = self.run(*share, &params, state, effort, observer);
-            // What has stalled may go on with more of the penalty, but not from far out.
+            // A stalled run may continue with more of the penalty, unless it is far from the solution.
             let is_far = |residual: f64| residual > DIVERGENCE_LIMIT;
             match outcome {
                 Ok(_) => {}
@@ -86,14 +86,14 @@ impl<'a> StageRun<'a> {
             }
         }
         let circling = matches!(outcome, Err(SolveError::NotConverged { .. }));
-        // Where a ridge is diffused and it still circles, the penalty is not the cause.
+        // Where the updates cycle even with a diffused ridge, the penalty is not the cause.
         let diffused = stage.constants.ridge_diffusion > 0.0;
         let is_led_to = stage.role.leads() || stage.undamped || stage.given_up_early;
         if !circling || diffused || is_led_to {
             return outcome;
         }
         let mut trial = from;
-        // A film that a coarse mesh does not resolve goes on thinning.
+        // A film that a coarse mesh does not resolve keeps thinning.
         let led = NewtonParams {
             film_tolerance: f64::INFINITY,
             ..params
@@ -101,7 +101,7 @@ impl<'a> StageRun<'a> {
         for share in PENALTY_CONTINUATION {
             match self.run(share, &led, &mut trial, effort, observer) {
                 Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
-                // Not the penalty's doing.
+                // The penalty is not the cause.
                 Err(_) => return outcome,
                 Ok(_) => {}
             }
@@ -113,7 +113,7 @@ impl<'a> StageRun<'a> {
         gentle
     }
 
-    /// Tolerances and patience of Newton's method by the role of the stage.
+    /// Tolerances and iteration limits of Newton's method by the role of the stage.
     fn params(&self, finish: Finish) -> NewtonParams {
         let (stage, problem) = (&self.stage, self.problem);
         let mut params = problem.plan.newton;
@@ -244,7 +244,7 @@ impl<'a> StageRun<'a> {
         indicator
     }
 
-    /// What the last solve and the estimate of its errors leave for adjoints.
+    /// Approximate adjoints from the last solve and the estimate of its errors.
     pub fn rough_adjoints(&self, indicator: Option<Indicator>) -> RoughAdjoints {
         RoughAdjoints {
             preconditioner: self.newton.take_preconditioner(),
@@ -252,7 +252,7 @@ impl<'a> StageRun<'a> {
         }
     }
 
-    /// What goes into the report.
+    /// Statistics for the report.
     pub fn stats(
         &self,
         converged: bool,
@@ -263,7 +263,7 @@ impl<'a> StageRun<'a> {
     ) -> LevelStats {
         let (problem, d) = (self.problem, self.discretisation);
         let contact = &d.contact;
-        // What leads to other stages has no figures that are asked for, nor has what failed.
+        // Stages that lead to others, and failed ones, need no figures.
         let extent = match self.stage.role {
             Role::Estimate | Role::Final | Role::Isothermal if converged => Scope::All,
             _ => Scope::Films,

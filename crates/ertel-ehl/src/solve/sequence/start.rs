@@ -17,7 +17,7 @@ pub fn cold_start(problem: &Problem, d: &Discretisation) -> State {
         .map(|p| d.contact.shape.zone.pressure([p[0], p[1]]))
         .collect();
     if problem.shape.zone.roller.is_some() {
-        // Slices know the pressure at ends and kinks of the profile but roughly.
+        // Slices give only a rough pressure at ends and kinks of the profile.
         pressure = dry_pressure(d, &pressure, problem.load);
     }
     let deflection = d.deflect(&pressure, Accuracy::Full);
@@ -71,7 +71,7 @@ pub(super) fn interpolate(coarse: &StageSolution, d: &Discretisation) -> State {
     state
 }
 
-/// Temperatures of a coarser level, or those before heating where it has none; empty where heat is left out.
+/// Temperatures of a coarser level, or those before heating where it has none; empty where heat is neglected.
 fn temperatures(from: &Discretisation, old: &State, d: &Discretisation) -> Vec<f64> {
     let Some(fine) = &d.heat else {
         return Vec::new();
@@ -84,7 +84,7 @@ fn temperatures(from: &Discretisation, old: &State, d: &Discretisation) -> Vec<f
     if coarse.column.n() != n {
         return temperature;
     }
-    // A start from another contact may come with other temperatures: what is carried over is the rise above them.
+    // A start from another contact may have other inflow temperatures: the rise above them is carried over.
     let offsets: Vec<f64> = (fine.unheated().iter().zip(&coarse.unheated()))
         .take(n)
         .map(|(own, its)| own - its)

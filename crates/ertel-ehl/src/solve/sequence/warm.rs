@@ -15,7 +15,7 @@ use crate::solve::points::pressure_at;
 use crate::solve::system::{FilmConstants, State};
 use crate::solve::tuning::warm::{
     COARSEST, COARSEST_REFINED, FARTHEST_FILM, FINEST, LARGEST_MISS, LEAST_FILM, LONGEST_REACH,
-    MOST_REACH, MOST_ROOM, SHORTEST_REACH, WORSE,
+    MISS_GROWTH, MOST_REACH, MOST_ROOM, SHORTEST_REACH,
 };
 use crate::solve::{Observer, SolveError};
 
@@ -23,7 +23,7 @@ use crate::solve::{Observer, SolveError};
 pub struct Start {
     solution: StageSolution,
     elasticity: Elasticity,
-    /// Start film of its problem: the measure by which the film of the next one is foreseen.
+    /// Start film of its problem, from which the film of the next one is predicted.
     film: f64,
     /// Largest error bar over the target, of the last solution that did not start from another.
     miss: f64,
@@ -92,7 +92,7 @@ impl Start {
         let bodies = own.model == its.model
             && own.order == its.order
             && match own.model {
-                // Half-spaces answer alike whose compliance is.
+                // Half-spaces of equal compliance respond equally.
                 BodyModel::HalfSpace => close(compliance(&own.bodies), compliance(&its.bodies)),
                 BodyModel::FiniteElements => {
                     own.bodies.len() == its.bodies.len()
@@ -114,7 +114,7 @@ impl Start {
             has.outlet_rim / wants.outlet_rim,
             has.edge / wants.edge,
         ];
-        // A meniscus is where the contact area ends.
+        // The contact area ends at the meniscus.
         let ends_alike = problem.shape.inlet != Inlet::Meniscus || close(here[0], there[0]);
         contact.shape.is_like(&problem.shape)
             && ends_alike
@@ -126,7 +126,7 @@ impl Start {
             && has.depth_growth <= wants.depth_growth
     }
 
-    /// The last stage of a problem on its mesh, with the diffusion at a ridge that its solution came with.
+    /// The last stage of a problem on its mesh, with the diffusion at a ridge of its solution.
     fn stage(&self, problem: &Problem, undamped: bool) -> Option<Stage> {
         let (own, last) = (&self.solution.stage, problem.plan.stages.last()?);
         Some(Stage {
@@ -144,7 +144,7 @@ impl Start {
         })
     }
 
-    /// Its pressures and film as they are foreseen to be in the problem.
+    /// Its pressures and film as predicted for the problem.
     fn rescaled(&self, problem: &Problem) -> StageSolution {
         let mut start = self.solution.clone();
         let contact = &start.discretisation.contact;
@@ -163,7 +163,7 @@ impl Start {
             start.state.deflection = d.deflect(&start.state.pressure, Accuracy::Full);
         }
         start.state.rigid_separation += ratio * centre - central_film(d, &start.state);
-        // Pressures that are foreseen leave less film at the rim than those to come.
+        // Predicted pressures leave less film at the rim than the solution.
         let least = LEAST_FILM * ratio * thinnest - minimum_film(d, &start.state).0;
         start.state.rigid_separation += least.max(0.0);
         start
@@ -172,8 +172,8 @@ impl Start {
 
 /// Pressures of a film whose length along the rim of the Hertz zone has grown by a factor q.
 ///
-/// Near the rim pressures differ from the dry contact's over a length that goes with the power 2/3 of the film, by an
-/// amount that goes with the root of that length, P − P_H ~ √q f((r − 1)/q): the dry contact's pressure falls
+/// Near the rim pressures differ from the dry contact's over a length proportional to the power 2/3 of the film, by an
+/// amount proportional to the root of that length, P − P_H ~ √q f((r − 1)/q): the dry contact's pressure falls
 /// off, and its gap opens, like powers 1/2 and 3/2 of the distance.
 fn stretched(d: &Discretisation, state: &State, q: f64) -> Vec<f64> {
     let points = d.pressure.points.iter().zip(&d.pressure_dofs);
@@ -207,7 +207,7 @@ pub fn solve_warm(
     start: &Start,
     observer: &mut dyn Observer,
 ) -> Result<Option<(StageSolution, Vec<LevelStats>)>, SolveError> {
-    let allowed = LARGEST_MISS.max(WORSE * start.miss);
+    let allowed = LARGEST_MISS.max(MISS_GROWTH * start.miss);
     // Where whole steps fail, damped ones mostly lead there still, for less than a start from the dry contact.
     for undamped in [true, false] {
         let Some(stage) = start.stage(problem, undamped) else {
@@ -248,7 +248,7 @@ pub fn solve_on_mesh(
     Ok(unless_failed(end)?.map(|(solution, _)| solution))
 }
 
-/// What a solve found, if anything.
+/// The value of a solve, if any.
 fn unless_failed<T>(end: Result<T, SolveError>) -> Result<Option<T>, SolveError> {
     match end {
         Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
@@ -267,7 +267,7 @@ fn miss(problem: &Problem, solution: &StageSolution, stats: &[LevelStats]) -> f6
         &solution.stage.sizes,
     );
     error_bars(stats, grading).map_or(f64::INFINITY, |b| {
-        // What the edges do, another mesh with them would, too.
+        // Errors of the edges are the same on another mesh with these edges.
         b.cells
             .iter()
             .fold(0.0, |m: f64, bar| m.max(bar / adapt.target))

@@ -6,11 +6,11 @@ pub const MAX_HALVED_STEPS: usize = 6;
 /// The same for fluids whose shear rate grows exponentially with the stress, whose steps are small and cheap.
 pub const MAX_HALVED_EXPONENTIAL_STEPS: usize = 12;
 
-/// Error bar of a film up to which a refined mesh that fails with a diffused ridge is not tried once more.
+/// Error bar of a film up to which a refined mesh that fails with a diffused ridge is not tried again.
 pub const GOOD_ENOUGH: f64 = 0.04;
 
 /// Softnesses of an exponential: stress of an e-fold, over that of the law, or its root for Eyring's stress. From each to the next
-/// the shear rate of a stress beyond the limit gains as many e-folds as it had twice over.
+/// the e-folds of the shear rate of a stress beyond the limit triple.
 pub const SOFTNESS: [f64; 7] = [750.0, 250.0, 81.0, 27.0, 9.0, 3.0, 1.0];
 
 /// The one of them at which friction, and the heat of it, is already near that of the law.

@@ -13,21 +13,21 @@ pub const SAFETY: f64 = 4.0;
 /// Least and largest factor by which the step from mesh to mesh corrects the estimate.
 pub const CALIBRATION: (f64, f64) = (0.75, 4.0);
 
-/// The factor where there is no mesh to calibrate by: first meshes err by up to four times their estimate.
+/// The factor where there is no mesh to calibrate by: errors of first meshes are up to four times their estimate.
 pub const UNCALIBRATED: f64 = 3.0;
 
 /// Error bar over the estimate of a first mesh.
 pub const FIRST_BAR: f64 = SAFETY * UNCALIBRATED;
 
-/// Error bar over what the diffusion at ridges changes by the adjoints, which tell at least four fifths of it (ball on disc, M = 199: h_c 0.53 % told, 0.61 % found).
+/// Error bar over the change by the diffusion at ridges by adjoints, which find at least four fifths of it (ball on disc, M = 199: h_c 0.53 % by adjoints, 0.61 % found).
 pub const SAFETY_OF_RIDGE: f64 = 1.5;
 
-/// Error bar over the estimate e of what the edges of the contact area do, and how it grows with e: the estimate is linear in the
+/// Error bar over the estimated effect e of the edges of the contact area, and how it grows with e: the estimate is linear in the
 /// pressure at the edges. Measured: within a tenth where e is below 0.5 % (ball on disc, M = 200), a half of what it should be
 /// at 3 % (M = 5).
 pub const SAFETY_OF_EDGES: [f64; 2] = [1.5, 100.0];
 
-/// Largest relative bar for what the edges do: beyond it the estimate says no more than that they are far too near.
+/// Largest relative bar for the effect of the edges: beyond it the estimate only shows that they are far too near.
 pub const LARGEST_BAR_OF_EDGES: f64 = 10.0;
 
 /// Share of the difference from the mesh before that is the least bar.
@@ -51,7 +51,7 @@ pub const REYNOLDS: f64 = 2.0;
 /// of the sizes of the elements' changes that it counts as, though they may cancel.
 pub const BLURRING: [f64; 2] = [1.0, 0.5];
 
-/// The same of the diffusion at a ridge, which has a bar of its own ([`SAFETY_OF_RIDGE`]) and a share here so that refinement sees it.
+/// The same of the diffusion at a ridge, which has a separate bar ([`SAFETY_OF_RIDGE`]) and a share here so that refinement sees it.
 pub const RIDGE: [f64; 2] = [RIDGE_SHARE, 0.1];
 
 /// The first of the two.

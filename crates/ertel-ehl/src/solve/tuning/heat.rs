@@ -30,7 +30,7 @@ pub const MOST_STEPS: usize = 40;
 /// The same where a continuation is known that takes fewer.
 pub const FEW_STEPS: usize = 12;
 
-/// The best ratio of one step for the temperatures to the one before that is believed.
+/// Smallest ratio of one step for the temperatures to the one before that is trusted.
 pub const LEAST_SHRINKING: f64 = 0.2;
 
 /// Share of a round's change to which each of its halves is solved.
@@ -39,7 +39,7 @@ pub const INNER_SHARE: f64 = 0.1;
 /// Roughest tolerance of the film equations in a round of film and temperature.
 pub const ROUGHEST: f64 = 1e-3;
 
-/// The same where the solution is only led to.
+/// The same in a continuation.
 pub const ROUGHEST_ON_PATH: f64 = 2e-2;
 
 /// Ratio of defects beyond which only shares of new temperatures are taken.
@@ -48,10 +48,10 @@ pub const SLOW: f64 = 0.7;
 /// The smallest share of new temperatures that is taken.
 pub const SMALLEST: f64 = 0.25;
 
-/// Ratio by which shares grow from round to round at most: far from the solution the last two rounds may say little of the next.
+/// Ratio by which shares grow from round to round at most: far from the solution the last two rounds predict little of the next.
 pub const GROWTH: f64 = 2.0;
 
-/// Rounds whose defects say nothing: the first is that of a film without heat.
+/// Rounds whose defects are ignored: the first is that of a film without heat.
 pub const SILENT_ROUNDS: usize = 2;
 
 /// Relative residual of the mass matrix's solution for the flow across the film.

@@ -1,4 +1,4 @@
-//! First meshes, and where films are looked for on them.
+//! First meshes, and the search for extreme films on them.
 
 /// Where the crescent of finer cells at the outlet begins, X.
 pub const OUTLET_FROM: f64 = -0.3;

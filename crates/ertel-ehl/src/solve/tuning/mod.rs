@@ -1,4 +1,4 @@
-//! Constants of the finite elements that are tuned and not derived, each with what it decides and, where it was measured, on what.
+//! Tuned constants of the finite elements, each with its purpose and, where measured, the basis.
 //!
 //! Decisions behind them: 0007 (orders and refinement), 0010 (film and heat in turn), 0012 (films first), 0023 (ridge diffusion), 0024 (films
 //! and pressure at once), 0025 and 0027 (rollers).

@@ -3,12 +3,12 @@
 /// Displacement unknowns of a finite-element body per pressure unknown allowed.
 pub const BODY_SHARE: usize = 10;
 
-/// What a halving of the elements leaves of the estimate of a film, in line and in circular contacts: smooth errors fall to 1/32; at free
+/// Factor by which halving the elements reduces the estimate of a film, in line and in circular contacts: 1/32 for smooth errors; at free
 /// boundaries and spikes much less.
-pub const FILM_LEFT: [f64; 2] = [0.125, 0.06];
+pub const FILM_REDUCTION: [f64; 2] = [0.125, 0.06];
 
-/// What a halving leaves of the square of the pressure error: at a ridge with a sharp side, half.
-pub const PRESSURE_LEFT: f64 = 0.4;
+/// Factor by which halving reduces the square of the pressure error: at a ridge with a sharp side, 1/2.
+pub const PRESSURE_REDUCTION: f64 = 0.4;
 
 /// Growth of the body's unknowns over that of the elements on its contact area: cells away from it stay as
 /// they are. Measured on circular contacts: 0.38.
@@ -24,21 +24,21 @@ pub const LARGEST_GROWTH: [f64; 2] = [4.0, 2.5];
 /// Usual shares of a film's target for cells and for pressures that are not resolved: 0.8² + 0.6² = 1.
 pub const SHARES: [f64; 2] = [0.8, 0.6];
 
-/// Share of a film's target up to which the cells make room for pressures that nothing is done about.
-pub const MOST_BESIDE_CELLS: f64 = 0.9;
+/// Largest share of a film's target that is given to unresolved pressures which refinement does not address.
+pub const MAX_UNRESOLVED_SHARE: f64 = 0.9;
 
 /// Error bars of the films, over their target, from which on a mesh is refined for films and pressure at once.
-pub const NEARLY: f64 = 4.0;
+pub const NEAR_TARGET: f64 = 4.0;
 
-/// Share of the elements for which alone a mesh is not refined once more, where films are as accurate as asked for and the pressure's
-/// target is as good as reached.
-pub const FEW: f64 = 0.01;
+/// Share of the elements for which alone a mesh is not refined again, where films meet their target and the pressure
+/// nearly does.
+pub const FEW_ELEMENTS: f64 = 0.01;
 
-/// Multiple of the pressure's target that is as good as reached.
+/// Multiple of the pressure's target that counts as reached.
 pub const AS_GOOD_AS_REACHED: f64 = 1.5;
 
 /// Share of the target that the cells are allowed at least, whatever the edges do.
-pub const LEAST_LEFT_BY_EDGES: f64 = 0.5;
+pub const MIN_SHARE_OF_CELLS: f64 = 0.5;
 
 /// Share of the target that the estimate aims at: refinement may fall short.
 pub const GOAL: f64 = 0.6;
@@ -56,7 +56,7 @@ pub const SMALLEST_PRESSURE_GOAL: f64 = 0.2;
 /// The same at most: a ridge is not where a coarse mesh puts it.
 pub const LARGEST_PRESSURE_GOAL: f64 = 0.7;
 
-/// Share of a film's estimate that a refinement aims at, at least: what a coarse mesh tells about the next but two, no mesh should follow.
+/// Share of a film's estimate that a refinement aims at, at least: a coarse mesh does not predict the next but two.
 /// Measured on slender ellipses at M = 1,000: with 2 % the last mesh has two thirds of the elements that it has without.
 pub const SMALLEST_GOAL: f64 = 0.02;
 
@@ -70,7 +70,7 @@ pub const CONFIRMING_GOAL: f64 = 0.4;
 /// Halvings of one element in one refinement.
 pub const MOST_HALVINGS: u32 = 2;
 
-/// Elements that a refinement adds, over those asked for: conformity asks for more.
+/// Elements that a refinement adds, over those requested: conformity requires more.
 pub const CLOSURE: f64 = 1.5;
 
 /// Film at a minimum, over the lowest, up to which it may come to be the lowest on a finer mesh.

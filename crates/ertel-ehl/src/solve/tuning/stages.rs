@@ -1,10 +1,10 @@
-//! Stages: tolerances, penalty ramps and patience of Newton's method by the role of a stage.
+//! Stages: tolerances, penalty ramps and iteration limits of Newton's method by the role of a stage.
 
 /// Shares of the full cavitation penalty in a start, where the free boundary is still
 /// far from its place.
 pub const PENALTY_RAMP: [f64; 2] = [1e-3, 1.0];
 
-/// Shares of the penalty, by decades, for a stage in which Newton's method has gone round in circles: a penalty many times
+/// Shares of the penalty, by decades, for a stage in which the updates of Newton's method cycle: a penalty many times
 /// the usual one makes pressures below zero so small that points at the free boundary go over to the
 /// other side in each step.
 pub const PENALTY_CONTINUATION: [f64; 4] = [1e-4, 1e-3, 1e-2, 1e-1];
@@ -69,7 +69,7 @@ pub const STAGES_WITHOUT_END: usize = 2;
 /// A refined mesh has this many times the unknowns of the first at least, where films are thin.
 pub const ROOM_TO_REFINE: f64 = 3.0;
 
-/// Pressure unknowns beyond which a mesh that is not refined is not begun, by half-spaces and by finite-element bodies, whose
+/// Pressure unknowns beyond which a mesh that is not refined is not started, by half-spaces and by finite-element bodies, whose
 /// operator takes gigabytes.
 pub const MOST_UNKNOWNS: [f64; 2] = [1e6, 4e4];
 

@@ -183,7 +183,7 @@ fn given_approach(contact: Contact, viscosity: &ViscosityLaw, velocity: f64) -> 
 }
 
 /// Rigid paraboloids of R_x and R_y that approach each other at V have p = C/h² with C = 6ηV/(1/R_x + 1/R_y), and the force 2π√(R_x R_y) C/h_0 (6πηR²V/h_0 of a sphere): here
-/// without what lies beyond the domain, and of a sphere alone.
+/// without the part outside the domain, and of a sphere alone.
 #[test]
 fn a_given_approach_has_the_force_of_rigid_bodies() {
     let velocity = 1e-4;
@@ -215,7 +215,7 @@ fn a_given_approach_has_the_pressure_of_barus() {
     let barus = ViscosityLaw::barus(ETA, alpha).unwrap();
     let rows = given_approach(ball().contact, &barus, velocity);
     for row in &rows {
-        // With what the bodies yield, which is a four-hundredth of the film.
+        // With the deflection of the bodies, a four-hundredth of the film.
         let h = row.central;
         let pressure = -(-alpha * c / (h * h)).ln_1p() / alpha;
         assert_relative_eq!(row.pressure, pressure, max_relative = 1e-2);
@@ -260,7 +260,7 @@ fn a_mass_is_slowed_by_a_rigid_film() {
     let slowed = rate * ((ends[0] / ends[1]).ln() - (edges[0] / edges[1]).ln());
     assert!(slowed > 0.4 * velocity, "{slowed}");
     assert_relative_eq!(velocity - last.velocity, slowed, max_relative = 1e-2);
-    // In the bodies there is next to nothing of the energy: what is lost is what the film takes, ∫F dh.
+    // The elastic energy of the bodies is negligible: the lost energy is the work on the film, ∫F dh.
     let work: f64 = (rows.windows(2))
         .map(|pair| 0.5 * (pair[0].force + pair[1].force) * (pair[1].approach - pair[0].approach))
         .sum();
@@ -268,7 +268,7 @@ fn a_mass_is_slowed_by_a_rigid_film() {
     assert_relative_eq!(work, lost, max_relative = 2e-2);
 }
 
-/// A steel ball of 10 mm and 32.88 g falls at 0.1 m/s from 5 µm, without gravity, for some time; what is there at some instants, and all of it.
+/// A steel ball of 10 mm and 32.88 g falls at 0.1 m/s from 5 µm, without gravity, for some time; results at some instants, and the whole course.
 fn impact(
     fluid: (&DensityLaw, &ViscosityLaw),
     tolerance: f64,
@@ -386,8 +386,8 @@ fn a_mass_comes_to_the_steady_film() {
     assert_relative_eq!(last[2], constant.0[0][2], max_relative = 1e-2);
 }
 
-/// In place of the load, a spring bears what the film does not: with a load that rises by a tenth, a spring as stiff as the contact takes its share of it, and the film
-/// force tells how much.
+/// A spring shares the load with the film: when the load rises by a tenth, a spring as stiff as the contact takes its share, and the film force shows
+/// how much.
 #[test]
 fn a_spring_takes_its_share() {
     let conditions = |stiffness: f64| Conditions {
@@ -413,7 +413,7 @@ fn a_spring_takes_its_share() {
     };
     let [[bare, _], [shared, near]] = [0.0, 1.0].map(of);
     assert_relative_eq!(bare, 1.1, max_relative = 1e-3);
-    // What the film does not bear the spring does.
+    // The spring carries the rest of the load.
     assert!(shared < 1.09, "{shared}");
     assert_relative_eq!(shared + near, 1.1, max_relative = 1e-3);
 }
@@ -434,7 +434,7 @@ fn falling() -> Conditions {
     }
 }
 
-/// Where steps may not get as short as the film asks for, time ends there with how far it came; what was told until then stands.
+/// If steps would have to be shorter than allowed, the run stops and reports how far it came; instants reported until then remain valid.
 #[test]
 fn time_that_ends_early_says_how_far_it_came() {
     let conditions = falling();

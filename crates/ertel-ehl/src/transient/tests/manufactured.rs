@@ -1,4 +1,4 @@
-//! Fields that are given in advance: a source feeds the film so that they solve the equations on the grids, and what the steps make of them errs by the steps alone.
+//! Manufactured fields: with a source term they solve the equations on the grids, and the only error of the computed fields is that of the steps.
 //!
 //! ```text
 //!   P = P_0 + B [1 + A sin(2πT/T_w) + c sin(2πT/T_c) (x − x_0)/σ],  B = b exp(−|x − x_0|²/2σ²)        H_0 = a_0 + a_1 sin(2πT/T_h)
@@ -19,7 +19,7 @@ use crate::volumes::level::{Level, convolution, first_system, refined};
 use crate::volumes::patches::{first_cells, grid as patch};
 use crate::volumes::system::State;
 
-/// x_0, on a node of all grids, and σ; P_0 and b. The edge of the grid keeps its pressure: what the bump has left there must be less than what the steps err by, for the film
+/// x_0, on a node of all grids, and σ; P_0 and b. The pressure at the edge of the grid is fixed: the tail of the bump there must be less than the error of the steps, for the film
 /// is so thick at the outlet that a pressure of 3e-7 moves as much oil as an error of 5e-5 in the contact.
 const MIDDLE: f64 = -0.75;
 const WIDTH: f64 = 0.35;
@@ -82,7 +82,7 @@ impl<'a> Manufactured<'a> {
             moved: Pose::START,
             turn: Turn::NONE,
         }));
-        // Newton's method leaves nothing beside what the steps err by.
+        // The residual of Newton's method is negligible next to the error of the steps.
         problem.plan.newton.krylov_tolerance = 1e-4;
         problem.plan.newton.ends = Ends {
             film: 1e-9,
@@ -170,7 +170,7 @@ impl<'a> Manufactured<'a> {
         levels.iter().map(of_level).collect()
     }
 
-    /// What feeds the film on each grid; the contact is left as it is at the instant.
+    /// Source term of the film on each grid; the contact remains as it is at the instant.
     fn source(&mut self, time: f64) -> Vec<Vec<f64>> {
         let e = 1e-3;
         let around = [-2.0, -1.0, 1.0, 2.0].map(|k| self.masses(time + k * e));

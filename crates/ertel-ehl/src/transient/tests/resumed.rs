@@ -1,4 +1,4 @@
-//! Runs that stop and go on.
+//! Runs that stop and continue.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -19,7 +19,7 @@ struct Stopping {
     /// How often the solver may ask whether to stop.
     most_questions: usize,
     questions: AtomicUsize,
-    told: Vec<(f64, Measured, f64, f64)>,
+    instants: Vec<(f64, Measured, f64, f64)>,
     checkpoint: Option<Checkpoint>,
     quiet: NoObserver,
 }
@@ -30,7 +30,7 @@ impl Stopping {
             most,
             most_questions: usize::MAX,
             questions: AtomicUsize::new(0),
-            told: Vec::new(),
+            instants: Vec::new(),
             checkpoint: None,
             quiet: NoObserver,
         }
@@ -39,7 +39,7 @@ impl Stopping {
 
 impl TransientObserver for Stopping {
     fn instant(&mut self, instant: &Instant<'_>) {
-        self.told.push((
+        self.instants.push((
             instant.time,
             instant.measured,
             instant.approach,
@@ -53,7 +53,7 @@ impl TransientObserver for Stopping {
 
     fn cancelled(&self) -> bool {
         let questions = self.questions.fetch_add(1, Ordering::Relaxed);
-        self.told.len() >= self.most || questions >= self.most_questions
+        self.instants.len() >= self.most || questions >= self.most_questions
     }
 
     fn checkpoint(&mut self, checkpoint: Checkpoint) {
@@ -72,7 +72,7 @@ fn params() -> Params {
 fn assert_goes_on(problem: &dyn Fn() -> Problem<Plan>, conditions: &Conditions) {
     let mut whole = Stopping::after(usize::MAX);
     let all = march(problem(), conditions, &params(), &mut whole).unwrap();
-    let n = whole.told.len();
+    let n = whole.instants.len();
     let questions = whole.questions.load(Ordering::Relaxed);
     let after = [2, 3, n / 2, n - 1].map(Stopping::after);
     let within = [1, 3, 6].map(|i| Stopping {
@@ -85,8 +85,8 @@ fn assert_goes_on(problem: &dyn Fn() -> Problem<Plan>, conditions: &Conditions) 
         let checkpoint = first.checkpoint.unwrap();
         let mut rest = Stopping::after(usize::MAX);
         let info = resume(problem(), conditions, &params(), &checkpoint, &mut rest).unwrap();
-        first.told.extend(rest.told);
-        assert_eq!(first.told, whole.told);
+        first.instants.extend(rest.instants);
+        assert_eq!(first.instants, whole.instants);
         assert_eq!(info, all);
     }
 }
@@ -126,7 +126,7 @@ fn a_run_with_reliefs_goes_on_to_the_digit() {
     assert_goes_on(&|| with_relief(groove.clone(), -2.0), &passing);
 }
 
-/// Ramps with kinks, cavities that hold what has flown in, and a body that moves by its inertia.
+/// Ramps with kinks, cavities with conserved oil, and a body that moves by its inertia.
 #[test]
 fn a_run_that_stopped_goes_on_to_the_digit() {
     assert_goes_on(&|| line().problem(), &ramp(5.0));
@@ -147,7 +147,7 @@ fn a_run_that_stopped_goes_on_to_the_digit() {
     assert_goes_on(&|| line().problem(), &swings);
 }
 
-/// A checkpoint of a line is none of a circle.
+/// A checkpoint of a line is not valid for a circle.
 #[test]
 fn other_grids_are_refused() {
     let mut first = Stopping::after(2);
@@ -167,7 +167,7 @@ fn other_grids_are_refused() {
         &mut rest,
     );
     assert!(matches!(end, Err(TransientError::OtherGrids(OtherGrids))));
-    assert!(rest.told.is_empty());
+    assert!(rest.instants.is_empty());
     assert_eq!(
         checkpoint.info,
         Info {

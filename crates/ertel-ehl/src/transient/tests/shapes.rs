@@ -1,4 +1,4 @@
-//! Ellipses, rollers and oils that stress thins, in time: what a steady solve finds stays, or is come to.
+//! Ellipses, rollers and shear-thinning oils in time: a steady solution stays, or is reached.
 
 use approx::assert_relative_eq;
 use ertel_rheology::shear::{ReeEyring, ShearLaw, ShearThinning};

@@ -1,4 +1,4 @@
-//! Radii, temperatures and layers of oil that change, and cavities that hold what has flown in.
+//! Radii, temperatures and layers of oil that change, and cavities with conserved oil.
 
 use approx::assert_relative_eq;
 use ertel_rheology::density::DensityLaw;
@@ -43,7 +43,7 @@ fn with_layer(mut problem: Problem<Plan>, thickness: f64) -> Problem<Plan> {
     problem
 }
 
-/// Films long after a change are those of a steady solve of what has come.
+/// Films long after a change are those of a steady solve with the new conditions.
 fn assert_comes_to(films: &Films, steady: &Films, within: f64) {
     let (last, steady) = (films.0.last().unwrap(), steady.0[0]);
     for which in [1, 2] {
@@ -147,7 +147,7 @@ fn a_layer_on_a_ball_stays() {
     assert!(mass_error(&films) < 1e-2, "{}", mass_error(&films));
 }
 
-/// Where the motion turns, the cavity behind the contact comes in front of it. Filled up it makes a full film at once; with what has flown in alone the contact is starved until
+/// Where the motion turns, the cavity behind the contact comes in front of it. Filled up it makes a full film at once; with conserved oil the contact is starved until
 /// oil from the edge has come.
 #[test]
 fn a_cavity_that_comes_back_starves() {

@@ -1,4 +1,4 @@
-//! Waves on a body that slides: what is squeezed with them, and what the inlet sends after.
+//! Waves on a sliding body: their squeezing, and the complementary waves from the inlet.
 
 use std::f64::consts::TAU;
 
@@ -7,13 +7,13 @@ use crate::transient::Instant;
 use crate::volumes::fields::profile;
 use crate::volumes::film::PatchedFilm;
 
-/// Centrelines at the instants that were asked for: T, places, and film and pressure there.
+/// Centrelines at the requested instants: T, places, and film and pressure there.
 #[derive(Default)]
 struct Lines(Vec<(f64, Vec<[f64; 3]>)>, NoObserver);
 
 impl TransientObserver for Lines {
     fn instant(&mut self, instant: &Instant<'_>) {
-        // The start is told, too.
+        // The start is reported, too.
         if instant.is_asked && instant.time > 0.0 {
             let film = PatchedFilm::new(&instant.problem.shape, instant.levels);
             let found = profile(&film);
@@ -28,7 +28,7 @@ impl TransientObserver for Lines {
     }
 }
 
-/// Coefficients of functions by least squares, and what they leave, root mean square.
+/// Coefficients of functions by least squares, and the residual, root mean square.
 fn fitted(rows: &[(Vec<f64>, f64)]) -> (Vec<f64>, f64) {
     let n = rows[0].0.len();
     let mut normal = vec![vec![0.0; n + 1]; n];
@@ -51,16 +51,16 @@ fn fitted(rows: &[(Vec<f64>, f64)]) -> (Vec<f64>, f64) {
         }
     }
     let found: Vec<f64> = (0..n).map(|k| normal[k][n] / normal[k][k]).collect();
-    let left = rows.iter().map(|(own, value)| {
+    let residual = rows.iter().map(|(own, value)| {
         let sum: f64 = own.iter().zip(&found).map(|(a, c)| a * c).sum();
         (sum - value).powi(2)
     });
-    let left = (left.sum::<f64>() / rows.len() as f64).sqrt();
-    (found, left)
+    let residual = (residual.sum::<f64>() / rows.len() as f64).sqrt();
+    (found, residual)
 }
 
 /// Waves of length λ on a body at the speed v under the entrainment speed u = 2v: in the thick oil of the contact the film follows them, as far as it is not squeezed, a/A = C/(1 + C) and
-/// p/A = (E'w/4)/(1 + C), w = 2π/λ, C = h E'w/(4B), B = ρ dp/dρ; with them go the films that the waves make in the inlet, at the speed u and so of the length λu/v, and nothing else
+/// p/A = (E'w/4)/(1 + C), w = 2π/λ, C = h E'w/(4B), B = ρ dp/dρ; they are accompanied only by the films that the waves make in the inlet, at the speed u and so of the length λu/v
 /// (Hooke, Proc. IMechE J 220, 2006, 259, for Q → ∞, where these complementary waves do not decay). Both swing at each place with the frequency v/λ.
 /// To 6 %: h and B change over the three waves about the centre that are looked at.
 #[test]
@@ -113,7 +113,7 @@ fn waves_under_sliding_have_companions_at_the_speed_of_the_film() {
         c / (1.0 + c),
         0.25 * modulus * wave / scales.length / (1.0 + c) * scales.film / scales.pressure,
     ];
-    // Waves of both lengths over the flat part of the film, beside a parabola for what changes slowly.
+    // Waves of both lengths over the flat part of the film, with a parabola for the slow change.
     let parts = |instant: usize, which: usize, companion: f64| {
         let (_, rows) = &rough[instant];
         let inside = rows.iter().filter(|row| row[0].abs() < 0.375);
@@ -125,23 +125,23 @@ fn waves_under_sliding_have_companions_at_the_speed_of_the_film() {
                 (own, row[which] - at(&smooth[instant].1, x, which))
             })
             .collect();
-        let (found, left) = fitted(&rows);
+        let (found, residual) = fitted(&rows);
         let polar = |k: usize| [found[k].hypot(found[k + 1]), found[k + 1].atan2(found[k])];
-        ([polar(0), polar(2)], left)
+        ([polar(0), polar(2)], residual)
     };
     for (which, expected) in [1, 2].into_iter().zip(expected) {
-        let ([own, companion], left) = parts(0, which, wave * v);
+        let ([own, companion], residual) = parts(0, which, wave * v);
         assert_relative_eq!(own[0] / amplitude, expected, max_relative = 0.06);
-        // Pressures have next to none of the complementary waves.
+        // Pressures contain almost none of the complementary waves.
         if which == 2 {
             continue;
         }
         assert!(companion[0] > 0.1 * amplitude, "{companion:?} {own:?}");
         let all = own[0].hypot(companion[0]);
-        assert!(left < 0.05 * all, "{left:e} {companion:?} {own:?}");
+        assert!(residual < 0.05 * all, "{residual:e} {companion:?} {own:?}");
         // Another length does not fit.
         let (_, without) = parts(0, which, wave * v * 1.3);
-        assert!(without > 5.0 * left, "{without:e} {left:e}");
+        assert!(without > 5.0 * residual, "{without:e} {residual:e}");
         let ([own_later, later], _) = parts(1, which, wave * v);
         for [from, to] in [[own, own_later], [companion, later]] {
             let turned = (to[1] - from[1]).rem_euclid(TAU);

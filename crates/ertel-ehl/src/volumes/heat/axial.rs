@@ -25,7 +25,7 @@ pub struct AxialShapes {
     squares: Vec<f64>,
     /// v at the rows of the roller, shape by shape.
     shapes: Vec<f64>,
-    /// What each row of the roller stands for.
+    /// Length that each row of the roller represents.
     heights: Vec<f64>,
 }
 

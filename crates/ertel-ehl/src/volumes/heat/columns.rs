@@ -1,10 +1,10 @@
-//! The energy equation of the film over the nodes of a grid but for what flows from node to node.
+//! The energy equation of the film at the nodes of a grid, without the flow from node to node.
 //!
 //! ```text
 //!   R_a = ∫ φ_a (C − h(Q_shear + Q_comp)) + k/h T_s φ_a' ds = 0        W/m², φ_a the polynomials through the nodes of the film
 //!   R_0 = −q_1,  R_N = −q_2                                              heat that flows into the bodies
 //! ```
-//! with what flows and is stored, C, of [`super::transport`]; equations and laws are those of [`crate::forms::energy`].
+//! with convection and storage C from [`super::transport`]; equations and laws are those of [`crate::forms::energy`].
 
 use rayon::prelude::*;
 
@@ -17,7 +17,7 @@ use crate::volumes::grid::Grid;
 use crate::volumes::system::Storage;
 use crate::volumes::thinning::UNRESOLVED;
 
-/// What the equations of a film are made of.
+/// Coefficients of the heat equations of a film.
 pub struct FilmHeat<'a> {
     /// The grid.
     pub grid: &'a Grid,
@@ -44,11 +44,11 @@ pub struct Films<'a> {
     pub pressure: &'a [f64],
     /// H.
     pub film: &'a [f64],
-    /// F, what the gap lacks; none where all gaps are full.
+    /// F, the missing oil of the gap; none where all gaps are full.
     pub missing: &'a [f64],
     /// Temperatures at the nodes of the film, node by node.
     pub temperature: &'a [f64],
-    /// Conductances of the flow that is held; none where the gradient of the pressure is as it stands.
+    /// Conductances of the flow that is held fixed; none where the pressure gradient is used as it is.
     pub held: &'a [f64],
     /// ∂P/∂T; none of what is steady.
     pub pressure_rate: &'a [f64],
@@ -75,7 +75,7 @@ pub struct Columns {
     pub conductance: Vec<f64>,
 }
 
-/// What the film is at a node of a grid as heat sees it.
+/// The film at a node of a grid as the energy equation uses it.
 pub fn place(grid: &Grid, films: &Films, f: usize, k: usize) -> FilmPlace {
     let [i, j] = [k % grid.n[0], k / grid.n[0]];
     let film = films.film[k].max(UNRESOLVED * grid.spacing[0].powi(2));
@@ -140,7 +140,7 @@ impl Columns {
         all
     }
 
-    /// Those nodes of a grid that are asked for.
+    /// Selected nodes of a grid.
     fn at(
         of: &FilmHeat,
         films: &Films,
@@ -160,9 +160,9 @@ impl Columns {
             .collect()
     }
 
-    /// R, flow and capacity for films and temperatures that differ little from those of these columns, whose temperatures are `before`: anew at the nodes that are `near`, by the
-    /// temperatures alone elsewhere. Slopes and heat stay.
-    pub fn beside(&self, of: &FilmHeat, films: &Films, before: &[f64], near: &[bool]) -> Columns {
+    /// R, flow and capacity for films and temperatures that differ little from those of these columns, whose temperatures are `before`: evaluated at the nodes that are `near`,
+    /// updated by the temperatures alone elsewhere. Slopes and heat do not change.
+    pub fn nearby(&self, of: &FilmHeat, films: &Films, before: &[f64], near: &[bool]) -> Columns {
         let [f, h] = self.n;
         let mut moved = self.clone();
         for (k, column) in Columns::at(of, films, |k| near[k]).into_iter().enumerate() {

@@ -58,7 +58,7 @@ pub fn balance<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Balance {
     sum
 }
 
-/// Heights at which the film's temperature is searched for its extremes, besides its nodes.
+/// Heights between its nodes at which the film's temperature is searched for extremes.
 const N_HEIGHTS: usize = 64;
 
 /// Notes temperatures and heat.
@@ -114,7 +114,7 @@ pub fn note_heat<Plan>(
         };
         figures.note(figure, reading);
     }
-    // What cools behind the contact errs by what heats in it.
+    // The error of cooling behind the contact is that of heating in it.
     if let Some(lowest) = figures.get(Figure::FilmTemperatureLowest) {
         let size = lowest.size.max((hottest.0 - inlet).abs());
         figures.note(Figure::FilmTemperatureLowest, Reading { size, ..lowest });
@@ -132,7 +132,7 @@ pub fn note_heat<Plan>(
         figures.note(figure, reading);
     }
     let balance = balance(problem, levels);
-    // What the surfaces put in, becomes heat, in shear or as the lubricant is compressed.
+    // The work of the surfaces becomes heat by shear or by compression of the lubricant.
     if let Some(power) = figures.get(Figure::FrictionPower) {
         let heats = power.value - power.misfit;
         let misfit = (heats - balance.shear - balance.compression).abs();

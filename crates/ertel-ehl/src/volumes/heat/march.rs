@@ -4,7 +4,7 @@
 //!   T = T_r − M Σ_f m_f T_f − v_1 T_1 − v_2 T_2        of the nodes within the film, Σ_f of the temperatures around at each height
 //!   M = (∂R/∂T)⁻¹ ∫ φ c ds,    v_b = (∂R/∂T)⁻¹ ∂R/∂T_b,    T_r = (∂R/∂T)⁻¹ rows
 //! ```
-//! Nodes and heights are filled up to whole vectors: loops of a known length over them are what makes it fast.
+//! Nodes and heights are filled up to whole vectors: loops of fixed length over them are fast.
 
 use ertel_fem::kernel;
 use ertel_fem::linear::dense::vectorised;
@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use super::transport::{AtHeights, BATCH, Flow};
 
-/// What the nodes within the film make of what arrives and of the walls, over each node of a grid.
+/// Response of the nodes within the film to inflow and walls, at each node of a grid.
 pub struct March {
     /// Nodes within the film, and so many as they are filled up to.
     inner: usize,
@@ -93,7 +93,7 @@ impl March {
         march
     }
 
-    /// Before the first sweep: all is at rest.
+    /// Before the first sweep: all changes are zero.
     pub fn start(&self, flow: &Flow) -> Marching {
         let n = flow.grid.n_nodes();
         Marching {
@@ -243,7 +243,7 @@ kernel!(Sweep ['a, const W: usize] ['a, W] (
     [largest, changes].map(|of| of.into_iter().fold(0.0, f64::max))
 });
 
-/// The larger number, as an instruction of its own.
+/// The larger number, as a single instruction.
 #[inline(always)]
 fn larger(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }

@@ -1,4 +1,4 @@
-//! Heat that has flown into a moving body, and the temperature that its surface has by it later on.
+//! Heat that has flown into a moving body, and the later temperature of its surface.
 //!
 //! ```text
 //!   T = Σ_j w_j φ_j,   ∂φ_j/∂t + u·∇φ_j = χ(∇²φ_j − μ_j² φ_j) + q/ρc                along the surface
@@ -10,8 +10,8 @@
 //! ```text
 //!   φ̂_1 = e^{−zΔ} φ̂_0 + [(I_0 − I_1/Δ) q̂_1 + I_1/Δ q̂_0]/ρc,   z = χ(μ_j² + k²) + ik·u,   I_m = ∫_0^Δ t^m e^{−zt} dt
 //! ```
-//! without any error but that of q between both instants, for steps of any length. What has moved off the grid is gone. Layers so thin that they follow a cell
-//! which passes by at once have the steady response.
+//! without any error but that of q between both instants, for steps of any length. Heat that has moved off the grid is lost. Layers so thin that they follow a passing
+//! cell instantaneously have the steady response.
 //!
 //! Theory: Heat in time.
 
@@ -27,7 +27,7 @@ use super::source::MovingBody;
 use super::spreading::Spreading;
 use crate::volumes::grid::Grid;
 
-/// What the temperature below the surface is made of.
+/// Modes that represent the temperature below the surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Modes {
     /// χμ², 1/s, and w, 1/m.
@@ -36,14 +36,14 @@ pub struct Modes {
     at_once: f64,
 }
 
-/// Modes that stand for themselves, and how far the next ones reach that stand for many, in ratios of μ.
+/// Number of exact modes, and the range of μ, as a ratio, that each following mode represents.
 const EXACT: usize = 4;
 const RATIO: f64 = 4.0;
 
 /// Rate of the fastest mode over that at which a cell passes or heat spreads over it.
 const FASTEST: f64 = 10.0;
 
-/// e-folds by which the slowest mode has forgotten.
+/// e-folds after which the slowest mode counts as decayed.
 const FORGOTTEN: f64 = 30.0;
 
 impl Modes {
@@ -74,7 +74,7 @@ impl Modes {
     }
 }
 
-/// What a body remembers at the nodes of a grid.
+/// Stored heat of a body at the nodes of a grid.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Memory {
     /// φ of each mode, K·m.
@@ -98,11 +98,11 @@ impl Memory {
 /// A body below a grid.
 #[derive(Clone)]
 pub struct Below {
-    /// It.
+    /// Its motion and material.
     pub body: MovingBody,
-    /// What its temperature is made of.
+    /// Modes of its temperature.
     pub modes: Modes,
-    /// Size of a cell, m; without an end across where all is the same, and where shapes of a roller tell it.
+    /// Size of a cell, m; infinite across a line contact and where roller shapes define it.
     pub cell: [f64; 2],
     /// Transforms on the grid.
     pub transforms: Padded,
@@ -123,7 +123,7 @@ impl Below {
         }
     }
 
-    /// Of a body that has been like this for ever.
+    /// Of a body in steady state under this heat.
     pub fn settled(&self, flux: &[f64]) -> Memory {
         let over = Over::new(self, f64::INFINITY, self.body.velocity);
         let arriving = self.transforms.spectrum(flux, NO_FADING);
@@ -147,7 +147,7 @@ impl Below {
         }
     }
 
-    /// Rise of the surface by what it remembers, K.
+    /// Rise of the surface by its stored heat, K.
     pub fn rise(&self, memory: &Memory) -> Vec<f64> {
         let at_once = self.modes.at_once / self.body.capacity;
         let mut rise: Vec<f64> = memory.flux.iter().map(|q| at_once * q).collect();
@@ -198,7 +198,7 @@ struct Wave {
 /// Waves that a thread takes at a time.
 const LEAST: usize = 2048;
 
-/// Decay below which nothing is remembered.
+/// Decay below which stored heat counts as zero.
 const NEGLIGIBLE: f64 = 40.0;
 
 impl<'a> Over<'a> {
@@ -273,7 +273,7 @@ impl<'a> Over<'a> {
             .collect()
     }
 
-    /// By how many nodes what a body remembers goes on behind the grid, so that no step stands there; what comes in upstream has no heat, and nothing comes in again at the
+    /// Nodes over which stored heat fades out behind the grid, to avoid a step; inflow upstream carries no heat, and none re-enters at the
     /// other side.
     fn fading(&self) -> Fading {
         let Below {
@@ -294,7 +294,7 @@ impl<'a> Over<'a> {
         })
     }
 
-    /// How a surface heats by what flows in at the end of the time, if it grows from nothing to it.
+    /// Response of a surface to the heat at the end of the time, if that grows from zero.
     pub fn spreading(&self) -> Spreading {
         let Below {
             body,
@@ -316,7 +316,7 @@ impl<'a> Over<'a> {
         Spreading::Even(transforms.clone(), symbol)
     }
 
-    /// What is left of what a body remembered.
+    /// The part of a body's stored heat that remains.
     pub fn carried(&self, memory: &Memory) -> Carried {
         let Below {
             modes, transforms, ..
@@ -350,7 +350,7 @@ impl<'a> Over<'a> {
         transforms.values(sum)
     }
 
-    /// What the body remembers at the end, with the heat that flows in then.
+    /// Stored heat of the body at the end, with the heat that flows in then.
     pub fn remembered(&self, carried: Carried, flux: &[f64]) -> Memory {
         let Below {
             modes, transforms, ..
@@ -371,7 +371,7 @@ impl<'a> Over<'a> {
     }
 }
 
-/// What is left of a memory at the end of a time, wave by wave.
+/// The part of stored heat that remains at the end of a time, wave by wave.
 pub struct Carried {
     spectra: Vec<Vec<Complex64>>,
 }
@@ -448,7 +448,7 @@ mod tests {
         heat.collect()
     }
 
-    /// What is left after a time of the bell at x of a body that moves with u.
+    /// The remaining bell at x after a time, of a body that moves with u.
     fn bell_after(body: &MovingBody, [x, u]: [f64; 2], time: f64) -> f64 {
         let wide = WIDTH * WIDTH + 4.0 * body.diffusivity() * time;
         WIDTH * WIDTH / wide * (-(x - u * time).powi(2) / wide).exp()
@@ -458,8 +458,8 @@ mod tests {
         values.iter().fold(0.0, |m, v| m.max(v.abs()))
     }
 
-    /// A body that has been heated for ever has the steady rise, which is found as a sum over time; and so has one that is heated so for long. Bodies that
-    /// move along and across, fast and slowly, or not at all: what spreads far beyond this small grid comes in again at the other side, by 1 % at most.
+    /// A body in steady state has the steady rise, computed as a sum over time; so has one that is heated for a long time. Bodies that
+    /// move along and across, fast and slowly, or not at all: heat that spreads far beyond this small grid re-enters at the other side, by 1 % at most.
     #[test]
     fn for_ever_is_steady() {
         for (peclet, half, most) in [
@@ -487,7 +487,7 @@ mod tests {
         }
     }
 
-    /// In many short steps nothing changes of what is steady, even where heat comes in at the upstream edge.
+    /// Many short steps leave a steady state unchanged, even where heat comes in at the upstream edge.
     #[test]
     fn short_steps_keep_what_is_steady() {
         let grid = grid(true);
@@ -510,7 +510,7 @@ mod tests {
     }
 
     /// Heat from some time on, while the body moves: T = q/ρc ∫_0^t s²/(s² + 4χτ) e^{−(x − uτ)²/(s² + 4χτ)} dτ/√(πχτ), instantaneous sources that spread
-    /// (Carslaw and Jaeger 1959, section 10.2), summed here by itself. Steps of any lengths give it, and what a step finds for the response adds up to it.
+    /// (Carslaw and Jaeger 1959, section 10.2), summed here independently. Steps of any lengths give it, and the responses of the steps add up to it.
     #[test]
     fn heat_from_some_time_on() {
         let grid = grid(false);
@@ -555,7 +555,7 @@ mod tests {
         }
     }
 
-    /// Without heat what has been put in moves on with the body, and after the whole grid has passed nothing is left, nor does anything come in again at the other side.
+    /// Without further heating the stored heat moves with the body; after the whole grid has passed none remains, and none re-enters at the other side.
     #[test]
     fn heat_leaves_with_the_body() {
         let grid = grid(true);
@@ -564,7 +564,7 @@ mod tests {
         let none = vec![0.0; grid.n_nodes()];
         let (body, u) = (below.body, below.body.velocity[0]);
         let start = largest(&below.rise(&memory));
-        // What is left of heat that ended some time ago.
+        // The remaining temperature of heating that ended some time ago.
         let exact = |x: f64, ago: f64| {
             let [first, last] = [ago, 40.0 * A / u].map(f64::sqrt);
             let n = 20_000;
@@ -589,7 +589,7 @@ mod tests {
             let exact = exact(k as f64 * CELL * A, 0.505 * A / u);
             assert!((found - exact).abs() < 0.01 * start, "{k}: {found} {exact}");
         }
-        let left = largest(&step(3.4));
-        assert!(left < 0.01 * start, "{}", left / start);
+        let remaining = largest(&step(3.4));
+        assert!(remaining < 0.01 * start, "{}", remaining / start);
     }
 }

@@ -12,16 +12,16 @@
 //! | [`source`] | temperature of a moving body by the heat that flows into cells |
 //! | [`axial`] | shapes along the axis of a roller |
 //! | [`spreading`] | the same on a grid, by fast Fourier transforms |
-//! | [`turning`] | bodies that spin, drawn out |
+//! | [`turning`] | spinning bodies, mapped to a plane |
 //! | [`padded`] | the transforms themselves |
-//! | [`memory`] | what the bodies remember in time |
+//! | [`memory`] | stored heat of the bodies in time |
 //! | [`columns`] | the energy equation of the film over each node |
-//! | [`transport`] | what flows from node to node |
+//! | [`transport`] | heat flow from node to node |
 //! | [`march`] | temperatures of the film by those of the walls, along the flow |
 //! | [`temperatures`] | Newton's method for film and surfaces |
-//! | [`warmth`] | what temperatures make of the film equation |
+//! | [`warmth`] | temperature-dependent coefficients of the film equation |
 //! | [`rounds`] | film and heat in turn, from grid to grid |
-//! | [`tangents`] | how both move with an input |
+//! | [`tangents`] | derivatives of both by an input |
 //! | [`figures`], [`output`] | temperatures and heat in numbers; for results |
 //!
 //! Theory: Heat by finite volumes.

@@ -44,7 +44,7 @@ pub fn thermal(
             by_film: measured.estimate(Figure::HeatByFilm),
             error: balance(problem, &volumes.levels).error(),
         },
-        reduction: isothermal.and_then(|beside| reduction(problem, volumes, beside)),
+        reduction: isothermal.and_then(|cold| reduction(problem, volumes, cold)),
         coupling: Coupling {
             rounds: effort.rounds,
             contraction: effort.contraction,
@@ -94,19 +94,20 @@ pub fn isothermal(
     }
 }
 
-/// Grids that films are told apart on at least.
+/// Fewest grids on which films are compared.
 const LEAST: usize = 4;
 
-/// What heat does to films and traction, grid by grid.
+/// Effect of heat on films and traction, grid by grid.
 fn reduction(
     problem: &Problem<Plan>,
     volumes: &Volumes,
-    beside: &Volumes,
+    isothermal: &Volumes,
 ) -> Option<ThermalReduction> {
-    let last = (beside.stats.len().min(volumes.stats.len())).checked_sub(1)?;
+    let last = (isothermal.stats.len().min(volumes.stats.len())).checked_sub(1)?;
     let of = |figure| -> Option<Estimate> {
         let on_grid = |l: usize| {
-            let [warm, cold] = [volumes, beside].map(|of| of.stats.get(l)?.figures.value(figure));
+            let [warm, cold] =
+                [volumes, isothermal].map(|of| of.stats.get(l)?.figures.value(figure));
             Some(1.0 - warm? / cold?)
         };
         let values = [0, 1, 2].map(|back| on_grid(last.checked_sub(back)?));
@@ -116,7 +117,7 @@ fn reduction(
         })
     };
     let traction = |back: usize| {
-        let stats = beside.stats.get(last.checked_sub(back)?)?;
+        let stats = isothermal.stats.get(last.checked_sub(back)?)?;
         stats.figures.value(Figure::TractionCoefficient)
     };
     Some(ThermalReduction {

@@ -1,5 +1,5 @@
-//! Fourier transforms of what stands at the nodes of a grid, with room beside it: what goes round it ends there. Along the axis of a roller shapes of its rows stand
-//! in the place of waves.
+//! Zero-padded Fourier transforms of nodal values of a grid: the padding takes up the periodic images. Along the axis of a roller, shapes of its rows replace
+//! the waves.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -18,14 +18,14 @@ pub struct Padded {
     /// Nodes of the grid, and whether its last row is the centreline of a mirrored half.
     n: [usize; 2],
     half: bool,
-    /// Nodes with the room beside them; across a roller, its shapes.
+    /// Nodes with padding; across a roller, its shapes.
     padded: [usize; 2],
     forward: Arc<dyn RealToComplex<f64>>,
     backward: Arc<dyn ComplexToReal<f64>>,
     across: Across,
 }
 
-/// What stands for values along a column.
+/// Transform of the values along a column.
 #[derive(Clone)]
 enum Across {
     /// Waves, there and back.
@@ -51,7 +51,7 @@ fn smooth(least: usize) -> usize {
     2 * (least.div_ceil(2)..).find(is_smooth).unwrap_or(least)
 }
 
-/// By how many nodes values go on before the first and after the last node of the grid, falling to zero, along both directions; 0: they end there.
+/// Nodes over which values fade to zero before the first and after the last node of the grid, along both directions; 0: they end there.
 pub type Fading = [[usize; 2]; 2];
 
 /// Values end at the edges.
@@ -62,7 +62,7 @@ impl Padded {
     pub fn new(grid: &Grid) -> Padded {
         let n = grid.n;
         let rows = if grid.half { 2 * n[1] - 1 } else { n[1] };
-        // A line is the same in all rows: one stands for them.
+        // A line is the same in all rows: one represents them.
         let shapes = (grid.rows.as_ref()).map(|rows| Arc::new(AxialShapes::new(rows, grid.half)));
         let padded = match (grid.is_line(), &shapes) {
             (true, _) => [smooth(2 * n[0]), 1],
@@ -98,7 +98,7 @@ impl Padded {
         }
     }
 
-    /// By how much values have grown that have gone there and back.
+    /// Gain of a forward and backward transform.
     pub fn gain(&self) -> f64 {
         let [px, py] = self.padded;
         match &self.across {
@@ -113,7 +113,7 @@ impl Padded {
         [nx, if self.half { 2 * ny - 1 } else { ny }]
     }
 
-    /// Nodes along both directions with the room beside them; across a roller, its shapes.
+    /// Nodes along both directions with padding; across a roller, its shapes.
     pub fn padded(&self) -> [usize; 2] {
         self.padded
     }
@@ -241,7 +241,7 @@ impl Padded {
                     for (k, value) in spectrum.iter_mut().enumerate() {
                         *value = lines[k * py + j];
                     }
-                    // Of real numbers; all but rounding.
+                    // Imaginary parts are rounding only.
                     spectrum[0].im = 0.0;
                     spectrum[waves - 1].im = 0.0;
                     self.backward.process(spectrum, row).expect("lengths agree");

@@ -1,6 +1,6 @@
 //! Film and heat in turn on a grid, until neither changes.
 //!
-//! Temperatures are found for the films and pressures of the last round with the flow held ([`crate::forms::energy`]), then films and pressures at those
+//! Temperatures are computed for the films and pressures of the last round at fixed flow ([`crate::forms::energy`]), then films and pressures at those
 //! temperatures. Where changes hardly shrink, only a share of each is taken ([`crate::solve::heat::relaxation`]).
 
 use ertel_fem::platform::Instant;
@@ -19,14 +19,14 @@ use crate::volumes::level::{Level, Sampled, outside};
 use crate::volumes::newton::NewtonInfo;
 use crate::volumes::system::{Linearised, State, Storage, System};
 
-/// How heat is solved for.
+/// Parameters of the heat solver.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Params {
     /// Depth of the bodies, half-widths.
     pub depth: f64,
-    /// Relative change from round to round, and the error that it leaves, at which film and heat have converged.
+    /// Relative change per round, and remaining error, at which film and heat have converged.
     pub tolerance: f64,
-    /// The same as a share of the error that films are told with, where that is more.
+    /// The same as a share of the target error of the films, where that is more.
     pub share_of_target: f64,
     /// Rounds at most.
     pub max_rounds: usize,
@@ -44,7 +44,7 @@ impl Default for Params {
 }
 
 impl Params {
-    /// The tolerance of films that are told with some relative error.
+    /// The tolerance for a target error of the films.
     pub fn in_force(&self, target_error: f64) -> f64 {
         self.tolerance.max(self.share_of_target * target_error)
     }
@@ -79,22 +79,22 @@ pub struct Warm {
     pub effort: Effort,
 }
 
-/// Ratio of changes from round to round beyond which the flow is held from then on.
+/// Ratio of successive changes above which the flow is held fixed from then on.
 const SLOW: f64 = 0.3;
 
-/// Rounds at most on a grid that is a start alone: too coarse for the film, it has nodes that go on changing.
+/// Most rounds on a grid that serves only as a start: it is too coarse for the film, and some nodes keep changing.
 const ROUNDS_OF_STARTS: usize = 5;
 
-/// Change, in tolerances, beyond which ratios say nothing.
-const BELIEVED: f64 = 30.0;
+/// Change, in tolerances, above which contraction ratios are ignored.
+const MAX_RATIO_CHANGE: f64 = 30.0;
 
-/// Share of the heat into a body that may flow in where a surface that spins is not followed.
+/// Largest share of the heat into a body that may enter where the map of a spinning surface does not apply.
 const MOST_LOST: f64 = 0.02;
 
 /// Steps for the temperatures in a round at most.
 const MOST_STEPS: usize = 12;
 
-/// What a round needs besides films and temperatures.
+/// Inputs of a round other than films and temperatures.
 pub struct Rounds<'a> {
     /// Heat of the contact.
     pub heat: &'a Heat,
@@ -140,7 +140,7 @@ impl<'a> Rounds<'a> {
         })
     }
 
-    /// Heat to begin with on a grid, from that of the grid before. Spreading in bodies of `alike` that are the same serves again.
+    /// Initial heat on a grid, from that of the grid before. The kernels of equal bodies of `alike` are reused.
     pub fn start(
         &self,
         system: &System,
@@ -184,16 +184,16 @@ impl<'a> Rounds<'a> {
         (bodies, own)
     }
 
-    /// Makes the film equation one of the temperatures.
+    /// Sets the coefficients of the film equation by the temperatures.
     pub fn warm_up(&self, system: &mut System, state: &State, temperatures: &Temperatures) {
         let films = system.films(state);
         system.warmth = warmth(system, &state.pressure, &films, &temperatures.film);
     }
 
-    /// Rounds on a grid whose film has been solved at the temperatures that come; `solve` solves it again.
+    /// Rounds on a grid whose film has been solved at the given temperatures; `solve` solves it again.
     ///
     /// # Errors
-    /// When rounds run out, a film is not found, or the observer cancels.
+    /// When the rounds do not converge, a film is not found, or the observer cancels.
     pub fn run(
         &self,
         (level, target, is_start): (usize, f64, bool),
@@ -261,7 +261,7 @@ impl<'a> Rounds<'a> {
             } else {
                 effort.contraction = (change / first).powf(1.0 / (round - 1) as f64);
             }
-            // Of a first round in time by what was seen at instants before.
+            // In the first round of a time step, the ratio of earlier instants.
             let known = self.in_time.as_ref().map(|in_time| in_time.contraction);
             let ratio = match round {
                 1 => known.filter(|ratio| *ratio > 0.0),
@@ -269,7 +269,7 @@ impl<'a> Rounds<'a> {
             };
             hold |= ratio.is_some_and(|ratio| ratio > SLOW);
             let settled = ratio.is_some_and(|ratio| has_settled(change, share, ratio, tolerance));
-            // The grids before the first whose figures are told are a start alone.
+            // Grids before the first one whose figures are used serve only as a start.
             if settled || is_start && round == most {
                 let clock = Instant::now();
                 let account = self.account(system, state, &mut own);
@@ -301,7 +301,7 @@ impl<'a> Rounds<'a> {
         })
     }
 
-    /// Temperatures at the films as they stand.
+    /// Temperatures for the current films.
     fn temperatures(
         &self,
         system: &System,
@@ -352,7 +352,7 @@ impl<'a> Rounds<'a> {
         self.in_time.as_ref().map_or_else(Vec::new, rate)
     }
 
-    /// The film as heat sees it.
+    /// The film for the energy equation.
     pub fn film_heat<'b>(&'b self, system: &'b System) -> FilmHeat<'b> {
         FilmHeat {
             grid: &system.grid,
@@ -381,16 +381,16 @@ impl<'a> Rounds<'a> {
     }
 }
 
-/// Whether what is left after a change is below a tolerance: of changes that shrink by a ratio the geometric series of those that follow. A ratio is believed of changes that are small
-/// themselves.
+/// Whether the remaining error after a change is below a tolerance: the geometric series of the changes that follow. The ratio is used only if the change itself
+/// is small.
 fn has_settled(change: f64, share: f64, ratio: f64, tolerance: f64) -> bool {
-    // Of a share of the whole change the ratio is 1 − share at the least.
-    let left = share * change * ratio / (1.0 - ratio);
-    ratio < 1.0 && left < tolerance && change < BELIEVED * tolerance
+    // With relaxation the ratio is at least 1 − share.
+    let remaining = share * change * ratio / (1.0 - ratio);
+    ratio < 1.0 && remaining < tolerance && change < MAX_RATIO_CHANGE * tolerance
         || change < INNER_SHARE * tolerance
 }
 
-/// What the gaps lack at the nodes.
+/// Missing oil of the gaps at the nodes.
 pub(super) fn lacking(system: &System, state: &State, at: &Linearised) -> Vec<f64> {
     let density = system.fluid.at(0.0).density[0];
     let contents = system.held(state, &at.contents, || at.faces.clone());
@@ -438,9 +438,9 @@ pub(super) fn largest_rise(own: &Temperatures, heat: &Heat) -> f64 {
 mod tests {
     use super::*;
 
-    /// By hand: changes of 0.1 that shrink by a tenth leave 0.011; half of them taken, 0.0056; such that shrink by little leave more than they are, and ratios of large ones say nothing.
+    /// By hand: changes of 0.1 that shrink by a tenth leave 0.011; with half steps, 0.0056; slowly shrinking changes leave more than their own size, and ratios of large ones are ignored.
     #[test]
-    fn what_is_left_counts() {
+    fn remaining_errors_by_hand() {
         assert!(has_settled(0.1, 1.0, 0.1, 0.0112) && !has_settled(0.1, 1.0, 0.1, 0.011));
         assert!(has_settled(0.1, 0.5, 0.1, 0.0056));
         assert!(!has_settled(0.1, 1.0, 0.9, 0.5) && !has_settled(0.1, 1.0, 1.2, 0.5));

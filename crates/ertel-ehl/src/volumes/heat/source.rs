@@ -37,7 +37,7 @@ const POINTS: usize = 6;
 const GROWTH: f64 = 1.7;
 const FIRST: f64 = 1e-3;
 
-/// e-folds by which a body that ends at a depth has forgotten a source, and widths of the plume that are all of it.
+/// e-folds after which a source in a body of finite depth counts as decayed, and the half-extent of the plume in its widths.
 const FORGOTTEN: f64 = 30.0;
 const WIDTHS: f64 = 5.0;
 
@@ -250,7 +250,7 @@ mod tests {
             .collect()
     }
 
-    /// Jaeger's uniform band (J. Proc. R. Soc. N.S.W. 76, 1942, 203; Carslaw and Jaeger 1959, section 10.7), integrated here by itself: T = 2χq/πku ∫ e^ξ K₀|ξ| dξ from L(x/b − 1) to L(x/b + 1), L = ub/2χ.
+    /// Jaeger's uniform band (J. Proc. R. Soc. N.S.W. 76, 1942, 203; Carslaw and Jaeger 1959, section 10.7), integrated here independently: T = 2χq/πku ∫ e^ξ K₀|ξ| dξ from L(x/b − 1) to L(x/b + 1), L = ub/2χ.
     #[test]
     fn jaegers_band() {
         // K₀ by ∫ e^{−z cosh t} dt.

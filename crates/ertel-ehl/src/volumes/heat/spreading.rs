@@ -40,7 +40,7 @@ impl Spreading {
         Spreading::Even(transforms, symbol)
     }
 
-    /// Whether a place along the axes lies where a surface that spins is not followed.
+    /// Whether a place along the axes is outside the map of a spinning surface.
     pub fn has_lost(&self, place: [f64; 2]) -> bool {
         matches!(self, Spreading::Turning(turning) if turning.has_lost(place))
     }

@@ -1,15 +1,15 @@
-//! How film and heat of a grid move together with an input.
+//! Derivatives of film and heat of a grid by an input.
 //!
 //! ```text
 //!   ẋ = (Ẇ, Ṫ) of one input:     ẋ = g + G ẋ        one round of film and heat as in [`super::rounds`], by the input and by ẋ itself
 //!
-//!   ∂F/∂q q̇ = −(∂F/∂W Ẇ + ∂F/∂θ)                   film: pressures and separation at temperatures that are held (W of [`super::warmth`])
+//!   ∂F/∂q q̇ = −(∂F/∂W Ẇ + ∂F/∂θ)                   film: pressures and separation at fixed temperatures (W of [`super::warmth`])
 //!   Ṫ ← Ṫ − (∂R/∂T)⁻¹ (∂R/∂T Ṫ + ∂R/∂q q̇ + ∂R/∂θ)    heat of film and bodies
 //!   Ẇ ← ∂W/∂q q̇ + ∂W/∂T Ṫ + ∂W/∂θ
 //! ```
-//! Products with derivatives are differences from the solution, so that all that an input moves is in them. Krylov's method solves for ẋ in place of
-//! further rounds: what serves one input serves the others ([`Recycled`]). Farther from the contact than `NEAR` the film hardly heats up: of what stress and
-//! heat make of it there, only the temperatures move.
+//! Products with derivatives are differences from the solution, and include every effect of an input. Krylov's method solves for ẋ instead of
+//! further rounds, and its subspace is reused for other inputs ([`Recycled`]). Farther from the contact than `NEAR` the film hardly heats up: there only the temperatures
+//! change, not the effects of shear thinning and heating.
 
 use ertel_fem::linear::gmres::{GmresParams, dot};
 use ertel_fem::linear::recycled::Recycled;
@@ -27,23 +27,23 @@ use crate::volumes::level::Level;
 use crate::volumes::step::{Equation, Inverse};
 use crate::volumes::system::{Linearised, State, System};
 
-/// How exactly ẋ is solved for: figures of squalane on glass have derivatives within 4e-4 of the largest of each of what they are with a tenth of it and a hundredth of [`OF_WALLS`]. The first inputs on the coarsest grid of a roller take more than 40 iterations; what they have found serves the others.
+/// Tolerance of ẋ: for squalane on glass, derivatives differ from those with a tenth of it and a hundredth of [`OF_WALLS`] by less than 4e-4 of the largest. The first inputs on the coarsest grid of a roller take more than 40 iterations; later ones reuse their directions.
 const COUPLED: GmresParams = GmresParams {
     tolerance: 1e-4,
     max_iterations: 150,
     twice: false,
 };
 
-/// How exactly temperatures are solved for in a round: what an input and ẋ make of the residual is taken off by the same inverse, or the fixed point is another one. With 1e-2
-/// the derivatives of the central film were 2 % of the largest off those of whole solves.
+/// Tolerance of the temperatures in a round: the contributions of an input and of ẋ to the residual need the same inverse, or the fixed point changes. With 1e-2
+/// the derivatives of the central film differed from those of whole solves by 2 % of the largest.
 const OF_WALLS: GmresParams = GmresParams {
     tolerance: 1e-4,
     max_iterations: 80,
     twice: false,
 };
 
-/// Sweeps of the temperatures on patches and on lines: what they leave where the film flows in circles is left to Krylov's method. The inlets of lines, where it does, reach so far that two sweeps leave
-/// more than 150 directions of ẋ make up for; with sixteen, all inputs of a line together took 71 to 148 directions on a grid, with 60 sweeps 64 to 134.
+/// Sweeps of the temperatures on patches and on lines: Krylov's method resolves the rest where the film recirculates. The recirculating inlets of lines are so long that after two sweeps
+/// 150 directions of ẋ are not enough; with sixteen, all inputs of a line together took 71 to 148 directions on a grid, with 60 sweeps 64 to 134.
 const SWEEPS: [usize; 2] = [2, 16];
 
 /// Step of differences along ẋ, over its largest part, in shares of warmth and of the largest rise of the temperature.
@@ -52,7 +52,7 @@ const STEP: f64 = 1e-5;
 /// Parts of ẋ and q̇ that are rounding.
 const ROUNDING: f64 = 1e-11;
 
-/// Half-widths from the centre, in the plane in which the zone is the unit circle, within which stress and heat are asked anew. Without it the derivatives of the films of squalane on glass were
+/// Half-widths from the centre, in the plane in which the zone is the unit circle, within which stress and heat are evaluated again. Without it the derivatives of the films of squalane on glass were
 /// within 5 % of the largest of what they are with it, on one grid more.
 const NEAR: f64 = 2.0;
 
@@ -68,7 +68,7 @@ pub struct WarmSide<'a> {
     pub bodies: Bodies,
     /// Temperatures.
     pub temperatures: Temperatures,
-    /// By how much their means are above those of the solution, K: by what bodies and lubricant come with.
+    /// Rise of their means over those of the solution, K, by the inlet temperatures of bodies and lubricant.
     above: f64,
 }
 
@@ -86,7 +86,7 @@ impl<'a> WarmSide<'a> {
     }
 
     /// With the temperatures of the solution where they are unknown, and those of this side beyond; `before` is this side on the grid before. Where bodies and lubricant come warmer than those of the
-    /// solution with `heat`, all its temperatures are raised with them: what is left to solve for is small beside it.
+    /// solution with `heat`, all its temperatures are raised with them: the remaining change is small compared with it.
     pub fn new(
         rounds: Rounds<'a>,
         (mut system, state): (System, State),
@@ -127,7 +127,7 @@ impl<'a> WarmSide<'a> {
         }
     }
 
-    /// Goes on to its solution. Heat made and carried off stays that of the solution `warm` that it is beside.
+    /// Updates it to its solution. Heat made and carried off stays that of the neighbouring solution `warm`.
     fn into_level(mut self, by: &Moved, wetted: &[bool], rise: f64, warm: &Warm) -> Level {
         self.state.moved(&by.film, 1.0, wetted);
         let (of_warmth, of_temperatures) = by.parts(&self.system);
@@ -165,7 +165,7 @@ fn add(values: &mut [f64], by: &[f64], share: f64) {
     }
 }
 
-/// What moves in a round.
+/// Derivatives that a round updates.
 struct Moved {
     /// q̇: pressures and separation.
     film: Vec<f64>,
@@ -214,7 +214,7 @@ struct Coupled<'a, 'p> {
     heats: Recycled,
 }
 
-/// Solutions a little above each input on a grid, the first or a later one, whose solution is `own` with the heat `warm`; `None` where one moves nothing on the first.
+/// Solutions a little above each input on a grid, the first or a later one, whose solution is `own` with the heat `warm`; `None` for an input without effect on the first.
 ///
 /// # Errors
 /// Of each input: when its linear equations are not solved.
@@ -278,7 +278,7 @@ pub fn solve<'a>(
 }
 
 impl Coupled<'_, '_> {
-    /// The solution above an input; `None` where it moves nothing. Of all directions of ẋ there are so far, the rounds that they make are kept.
+    /// The solution above an input; `None` for an input without effect. The rounds of all directions of ẋ so far are kept.
     fn level(
         &mut self,
         (side, is_first): (WarmSide, bool),
@@ -288,7 +288,7 @@ impl Coupled<'_, '_> {
         let n = Warmth::PARTS * self.near.len() + self.own.temperatures.film.len();
         let mut moved = self.round(&side, &vec![0.0; n], 1.0)?;
         let size = dot(&moved.x, &moved.x).max(dot(&moved.film, &moved.film));
-        // What does not move the first grid moves none.
+        // An input without effect on the first grid has none on the others.
         if is_first && size < ROUNDING * ROUNDING {
             return Ok(None);
         }
@@ -307,7 +307,7 @@ impl Coupled<'_, '_> {
             }
         };
         let solved = directions.solve(apply, |_| (), &moved.x, &mut vec![0.0; n], COUPLED);
-        // A direction that was nothing but rounding is not kept.
+        // A direction that is only rounding is not kept.
         rounds.truncate(directions.shares().len());
         if let Some(error) = failed {
             return Err(error);
@@ -339,7 +339,7 @@ impl Coupled<'_, '_> {
         let mut system = side.system.clone();
         move_warmth(&mut system, of_warmth, step, self.rise);
         let mut state = side.state.clone();
-        let mut at = system.linearise_beside(&state, self.at, &self.near);
+        let mut at = system.linearise_nearby(&state, self.at, &self.near);
         let mut rows = slopes(&at.outflow, &self.at.outflow);
         for (row, wetted) in rows.iter_mut().zip(&self.at.wetted) {
             *row = if *wetted { *row } else { 0.0 };
@@ -357,7 +357,7 @@ impl Coupled<'_, '_> {
                 &mut film,
                 self.of_films,
             )
-            // Of a right side that is rounding nothing more is asked than that so much is left.
+            // The tolerance of a right side at rounding level is that level.
             .map_or_else(
                 |error| match error.residual * dot(&right, &right).sqrt() < ROUNDING {
                     true => Ok(()),
@@ -380,7 +380,7 @@ impl Coupled<'_, '_> {
             held: &[],
             pressure_rate: &[],
         };
-        let columns = (self.columns).beside(&of, &moved, &own.temperatures.film, &self.near);
+        let columns = (self.columns).nearby(&of, &moved, &own.temperatures.film, &self.near);
         let flow = Flow::new(&of, &columns, &at.faces);
         let residual = flow.residual(&temperatures.film);
         note_flux(
@@ -414,8 +414,8 @@ impl Coupled<'_, '_> {
         for (flux, by) in flux.iter_mut().zip(&change.flux) {
             add(flux, by, 1.0);
         }
-        // What that makes of the film.
-        let anew = warmth::at(
+        // Effect on the film.
+        let rebuilt = warmth::at(
             &system,
             (&state.pressure, &films),
             &temperatures.film,
@@ -428,11 +428,11 @@ impl Coupled<'_, '_> {
             })
         };
         let mut next = Vec::with_capacity(x.len());
-        for (k, anew) in anew.iter().enumerate() {
+        for (k, rebuilt) in rebuilt.iter().enumerate() {
             let before = &self.warmth[k];
             let by_heat = || before.warmer(mean(&temperatures, k) - mean(&own.temperatures, k));
-            let anew = anew.unwrap_or_else(by_heat);
-            next.extend(anew.minus(&before.warmer(side.above), step, self.rise));
+            let rebuilt = rebuilt.unwrap_or_else(by_heat);
+            next.extend(rebuilt.minus(&before.warmer(side.above), step, self.rise));
         }
         let further = of_temperatures.iter().zip(&change.temperature);
         next.extend(further.map(|(x, by)| x + by / self.rise));

@@ -71,7 +71,7 @@ pub fn moving_body(heat: &Heat, b: usize, grid: &Grid, depth: f64) -> MovingBody
 }
 
 impl Bodies {
-    /// Below a grid, with no heat beyond it, down to a depth in half-widths. Where a body of `others` below the same grid is the same, its spreading serves again.
+    /// Below a grid, with no heat beyond it, down to a depth in half-widths. The kernel of an equal body of `others` below the same grid is reused.
     pub fn new(grid: &Grid, heat: &Heat, depth: f64, others: Option<&Bodies>) -> Bodies {
         let own = [0, 1].map(|b: usize| moving_body(heat, b, grid, depth));
         let cell = grid.cell_size(heat.length);
@@ -113,7 +113,7 @@ impl Bodies {
         }
     }
 
-    /// Share of the heat that flows in, of the body with the larger one, where a surface that spins is not followed.
+    /// Share of the heat that flows in, of the body with the larger one, outside the map of a spinning surface.
     pub fn lost(&self, grid: &Grid, flux: &[Vec<f64>; 2]) -> f64 {
         let share = |b: usize| {
             let mut sums = [0.0; 2];
@@ -139,22 +139,22 @@ impl Bodies {
     }
 }
 
-/// Largest change of a temperature in a step, and how far one may fall below the coldest that comes in, K, as by the finite elements.
+/// Largest change of a temperature in a step, and the largest undershoot below the coldest inlet temperature, K, as in the finite elements.
 const LARGEST_CHANGE: f64 = 60.0;
 const BELOW: f64 = 2.0;
 
-/// How exactly the equations of the walls are solved.
+/// Tolerance of the wall equations.
 const OF_WALLS: GmresParams = GmresParams {
     tolerance: 1e-2,
     max_iterations: 80,
     twice: true,
 };
 
-/// Sweeps at most, and the change in one, beside the largest change, at which a step is as exact as the equations of the walls.
+/// Most sweeps, and the relative change in a sweep at which a step is as accurate as the wall equations.
 const MOST_SWEEPS: usize = 16;
-const SETTLED: f64 = 1e-2;
+const SWEEP_TOLERANCE: f64 = 1e-2;
 
-/// What a step came to.
+/// Result of a step.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct StepInfo {
     /// Largest change of a temperature, K.
@@ -167,7 +167,7 @@ pub struct StepInfo {
     pub is_finite: bool,
 }
 
-/// One of Newton's steps; also what the equations were before it.
+/// One Newton step; also returns the equations before it.
 pub fn step(
     of: &FilmHeat,
     bodies: &Bodies,
@@ -205,7 +205,7 @@ pub fn step(
         grid,
         bodies,
         (&rows, &missing),
-        Sweeps::UpTo(MOST_SWEEPS, SETTLED),
+        Sweeps::UpTo(MOST_SWEEPS, SWEEP_TOLERANCE),
         by_krylov,
     );
     (info.krylov_iterations, info.sweeps) = (found.krylov_iterations, found.sweeps);
@@ -246,7 +246,7 @@ pub fn change(
     let n = grid.n_nodes();
     let zeros = vec![0.0; n];
     let still = [zeros.as_slice(), zeros.as_slice()];
-    // Heat by the film's own residual spreads, too.
+    // Heat from the residual of the film spreads, too.
     let own = transport.moved(still, Some(rows), sweeps);
     let sweeps = match sweeps {
         Sweeps::UpTo(..) => Sweeps::Count(own.sweeps),
@@ -296,7 +296,7 @@ pub(super) fn note_flux(
     }
 }
 
-/// What the surfaces are colder than the heat into the bodies makes them, K.
+/// Wall residual: the temperature of the surfaces by the heat into the bodies, minus their own, K.
 pub(super) fn missing(
     grid: &Grid,
     bodies: &Bodies,
@@ -313,7 +313,7 @@ pub(super) fn missing(
     })
 }
 
-/// Temperatures with which lubricant and bodies come, across the film, K.
+/// Inlet temperatures of lubricant and bodies, across the film, K.
 pub fn column(heat: &Heat, f: usize) -> Nodal {
     let nodes = FilmNodes::new(f - 1);
     let mut column = [0.0; MOST_NODES];
@@ -340,7 +340,7 @@ pub struct Account {
     pub carried: Vec<f64>,
 }
 
-/// What the equations say at some temperatures, whose heat into the bodies is set by them.
+/// Heat balance at given temperatures, which set the heat into the bodies.
 pub fn account(
     of: &FilmHeat,
     films: &Films,
@@ -356,7 +356,7 @@ pub fn account(
         temperatures,
     );
     let mut carried = transport.carried().to_vec();
-    // Where temperatures are given, what is made goes on with the lubricant, but for what is known to go into the bodies.
+    // Where temperatures are given, the lubricant carries off the heat made, except the known part into the bodies.
     for (k, carried) in carried.iter_mut().enumerate() {
         if !of.grid.is_unknown(k % of.grid.n[0], k / of.grid.n[0]) {
             let [shear, compression, _] = columns.made[k];

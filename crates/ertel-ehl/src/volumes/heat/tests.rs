@@ -137,7 +137,7 @@ impl Channel {
         }
     }
 
-    /// Temperatures after some steps from the given ones, which stand along the edges.
+    /// Temperatures after some steps from the given ones, which are fixed along the edges.
     fn solve(&self, own: &mut Temperatures) -> Linearised {
         self.solve_at(None, own)
     }
@@ -237,7 +237,7 @@ fn cooling_in_time_error(steps: u32) -> f64 {
         column.collect::<Vec<f64>>().repeat(grid.n_nodes())
     };
     let step = 2.0 / f64::from(steps);
-    // What was before the start is known.
+    // The history before the start is known.
     let mut times: Vec<f64> = (0..3).map(|n| -step * f64::from(n)).collect();
     let mut films: Vec<Vec<f64>> = times.iter().map(|t| at(*t)).collect();
     for n in 1..=steps {
@@ -301,7 +301,7 @@ fn nahmes_film() {
     assert_relative_eq!(made, cold * thinned, max_relative = 1e-2);
 }
 
-/// What the film equation sees of a film of two layers' worth of temperatures, Newtonian: K = 12 ∫ (s − s̄)² φ ds, u_s = −∫ sφ ds/∫ φ ds of the sliding, φ = 1/μ(T(s)), by Simpson's rule.
+/// Coefficients of the film equation for a film with two layers of temperature, Newtonian: K = 12 ∫ (s − s̄)² φ ds, u_s = −∫ sφ ds/∫ φ ds of the sliding, φ = 1/μ(T(s)), by Simpson's rule.
 #[test]
 fn flow_of_a_film_warmer_on_one_side() {
     let motion = Motion::straight(1.0, 0.6);

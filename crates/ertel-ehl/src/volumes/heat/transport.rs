@@ -1,12 +1,12 @@
-//! What flows from node to node, and the temperatures that follow from those of the walls.
+//! Heat flow from node to node, and the temperatures that follow from those of the walls.
 //!
 //! ```text
 //!   C = c [H ρ̄ ∂T/∂t + Σ_f m_f (T_f − T_P) + ω ∂T/∂s],   T_f = T_u + a(T_u − T_uu)       second-order upwind at each height (Warming and Beam 1976)
 //!   a = ½ step to the next node/step from the one before: ½ but across a roller, whose rows are uneven
 //!   ω(s) = −Σ_f ∫_{−½}^s m_f ds' + (s + ½) Σ_f ∫ m_f ds                        mass flow across the film
 //! ```
-//! The first term of C is there in time alone. m_f is the mean of both nodes, scaled to the mass flow F that the film equation has for the face: what flows in at a height, flows out or to other heights, and
-//! heat is kept as mass is.
+//! The first term of C is there in time alone. m_f is the mean of both nodes, scaled to the mass flow F that the film equation has for the face: inflow at a height flows out or to other heights, and
+//! heat is conserved like mass.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -40,10 +40,10 @@ pub struct Flow<'a> {
 /// The equations of a grid at some temperatures.
 pub struct Transport<'a> {
     flow: Flow<'a>,
-    /// Nodes, each behind those upstream of it where the flow goes in no circles: what flows across to one side at some heights and to the other one at others is followed by
-    /// one order each.
+    /// Nodes, each behind those upstream of it where the flow does not recirculate: flow across that changes sides with height has
+    /// one order for each side.
     orders: [Vec<u32>; 2],
-    /// By which its temperatures are found.
+    /// The march that gives its temperatures.
     march: March,
     /// R.
     residual: Vec<f64>,
@@ -61,7 +61,7 @@ struct Side {
     /// The node beyond it, the next one, and the one behind the node itself.
     next: [u32; 2],
     behind: u32,
-    /// a of what flows in and of what flows out.
+    /// a of inflow and of outflow.
     ahead: [f64; 2],
 }
 
@@ -116,7 +116,7 @@ fn sides_of(grid: &Grid, k: usize) -> [Side; 4] {
 /// Ratios of a face's mass flow to the mean of its nodes within which the profile is scaled, and not shifted.
 const SCALED: [f64; 2] = [0.5, 2.0];
 
-/// What the inner temperatures of the film and the heat into both bodies come to.
+/// Inner temperatures of the film and heat into both bodies.
 pub struct Moved {
     /// Changes of temperatures, node by node.
     pub temperature: Vec<f64>,
@@ -126,10 +126,10 @@ pub struct Moved {
     pub sweeps: usize,
 }
 
-/// How often nodes are taken.
+/// Number of sweeps over the nodes.
 #[derive(Clone, Copy, Debug)]
 pub enum Sweeps {
-    /// So often: linear in what is asked for.
+    /// A fixed number: linear in the right side.
     Count(usize),
     /// Until a sweep changes no more than this share of the largest change, so often at most.
     UpTo(usize, f64),
@@ -137,7 +137,7 @@ pub enum Sweeps {
 
 /// Convection of a node at each height.
 struct Convection {
-    /// What it takes off by its own temperature.
+    /// Heat that it carries off per own temperature.
     diagonal: [f64; MOST_NODES],
     /// ω.
     up: [f64; MOST_NODES],
@@ -469,8 +469,8 @@ fn downstream(flow: &Flow, faces: &[Vec<Face>; 2], from_last_row: bool) -> Vec<u
             }
         }
     }
-    let mut left: Vec<usize> = (0..waiting.len()).filter(|k| waiting[*k] > 0).collect();
-    left.sort_by_key(|k| place(*k));
-    order.extend(left.into_iter().map(|k| k as u32));
+    let mut remaining: Vec<usize> = (0..waiting.len()).filter(|k| waiting[*k] > 0).collect();
+    remaining.sort_by_key(|k| place(*k));
+    order.extend(remaining.into_iter().map(|k| k as u32));
     order
 }

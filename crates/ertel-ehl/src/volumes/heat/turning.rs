@@ -1,4 +1,4 @@
-//! Bodies that spin: their surface drawn out into a plane that moves at the velocity of the centre.
+//! Spinning bodies: their surface is mapped to a plane that moves at the velocity of the centre.
 //!
 //! ```text
 //!   v = v_0 + ω e_z × r = ω e_z × (r − c),   c = ρ n̂,   ρ = |v_0|/ω,   n̂ = e_z × v_0/|v_0|        c: about which the body turns
@@ -19,16 +19,16 @@ use crate::volumes::grid::Grid;
 
 /// Spreading of heat in a body that spins under a grid.
 pub struct Turning {
-    surface: DrawnOut,
+    surface: SurfaceMap,
     transforms: Padded,
     /// Transforms of K_j, over the gain of the transforms.
     symbols: [Vec<Complex64>; 3],
 }
 
 /// τ.
-const BESIDE: f64 = 0.4;
+const PLANE_OFFSET: f64 = 0.4;
 
-/// Distance in τ from which on κ stays.
+/// Distance in τ beyond which κ is constant.
 const FURTHEST: f64 = 1.25;
 
 /// Numbers that a thread takes at a time.
@@ -37,7 +37,7 @@ const BATCH: usize = 4096;
 impl Turning {
     /// In a body below a grid whose half-width is `length`, m; it spins about the centre at a rate, m/s over a half-width. `None` where it does not, or turns about the centre itself.
     pub fn new(grid: &Grid, body: &MovingBody, length: f64, spin: f64) -> Option<Turning> {
-        let surface = DrawnOut::new(grid, body.velocity, spin)?;
+        let surface = SurfaceMap::new(grid, body.velocity, spin)?;
         let transforms = Padded::new(&surface.plane);
         let size = surface.plane.cell_size(length);
         let reach = transforms.covered().map(|n| n - 1);
@@ -52,13 +52,13 @@ impl Turning {
             transforms.of_response(&own.response(size, reach))
         };
         Some(Turning {
-            symbols: [-BESIDE, 0.0, BESIDE].map(symbol),
+            symbols: [-PLANE_OFFSET, 0.0, PLANE_OFFSET].map(symbol),
             transforms,
             surface,
         })
     }
 
-    /// Whether the surface is not followed at a place along the axes.
+    /// Whether a place along the axes is outside the map.
     pub fn has_lost(&self, place: [f64; 2]) -> bool {
         self.surface
             .image(place)
@@ -68,12 +68,12 @@ impl Turning {
     /// Rises at the nodes, K, by the heat that flows in there, W/m².
     pub fn apply(&self, heat: &[f64]) -> Vec<f64> {
         let plane = &self.surface.plane;
-        let heat = self.surface.draw_out(heat);
+        let heat = self.surface.to_plane(heat);
         let mut sum = vec![Complex64::default(); self.transforms.n_waves()];
         for (j, symbol) in self.symbols.iter().enumerate() {
             let share = |k: usize| {
                 let [_, n] = plane.on_axes(0, k / plane.n[0]);
-                let t = n / self.surface.radius / BESIDE;
+                let t = n / self.surface.radius / PLANE_OFFSET;
                 parabolas(t.clamp(-FURTHEST, FURTHEST))[j]
             };
             let own: Vec<f64> = (heat.iter().enumerate())
@@ -84,7 +84,7 @@ impl Turning {
                 .with_min_len(BATCH)
                 .for_each(|((sum, value), factor)| *sum += value * factor);
         }
-        self.surface.draw_back(&self.transforms.values(sum))
+        self.surface.from_plane(&self.transforms.values(sum))
     }
 }
 
@@ -93,8 +93,8 @@ fn parabolas(t: f64) -> [f64; 3] {
     [0.5 * t * (t - 1.0), 1.0 - t * t, 0.5 * t * (t + 1.0)]
 }
 
-/// A surface that spins, and the plane into which it is drawn out.
-struct DrawnOut {
+/// A spinning surface, and the plane to which it is mapped.
+struct SurfaceMap {
     /// Nodes of the surface.
     own: Grid,
     /// Nodes of the plane, at ξ and n.
@@ -104,21 +104,21 @@ struct DrawnOut {
     radius: f64,
 }
 
-/// Angle behind or before the centre, rad, beyond which a surface is not followed.
+/// Largest angle of the map behind or before the centre, rad.
 const FARTHEST: f64 = 1.5;
 
 /// Cells of room about the images of nodes, for what is between them.
 const ROOM: i64 = 3;
 
-impl DrawnOut {
+impl SurfaceMap {
     /// A surface that moves at a velocity at the centre and spins, the same over a half-width.
-    fn new(grid: &Grid, velocity: [f64; 2], spin: f64) -> Option<DrawnOut> {
+    fn new(grid: &Grid, velocity: [f64; 2], spin: f64) -> Option<SurfaceMap> {
         let speed = velocity[0].hypot(velocity[1]);
         if spin == 0.0 || speed == 0.0 {
             return None;
         }
         let [u, v] = velocity.map(|v| v / speed);
-        let mut drawn = DrawnOut {
+        let mut drawn = SurfaceMap {
             own: grid.clone(),
             plane: grid.clone(),
             along: [u, v],
@@ -146,7 +146,7 @@ impl DrawnOut {
         Some(drawn)
     }
 
-    /// ξ and n of a place along the axes; `None` beyond what is followed.
+    /// ξ and n of a place along the axes; `None` outside the map.
     fn image(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
         let [u, v] = self.along;
         let [along, across] = [u * x + v * y, u * y - v * x];
@@ -172,17 +172,17 @@ impl DrawnOut {
     }
 
     /// Values at the nodes of the plane of those at the nodes of the surface.
-    fn draw_out(&self, values: &[f64]) -> Vec<f64> {
+    fn to_plane(&self, values: &[f64]) -> Vec<f64> {
         sampled(&self.plane, |x| self.place(x), &self.own, values)
     }
 
     /// Values at the nodes of the surface of those at the nodes of the plane.
-    fn draw_back(&self, values: &[f64]) -> Vec<f64> {
+    fn from_plane(&self, values: &[f64]) -> Vec<f64> {
         sampled(&self.own, |x| self.image(x), &self.plane, values)
     }
 }
 
-/// Values of a grid at the images of the nodes of another, by cubics; nothing where there are none.
+/// Values of a grid at the images of the nodes of another, by cubics; zero where there are none.
 fn sampled(
     at: &Grid,
     image: impl Fn([f64; 2]) -> Option<[f64; 2]> + Sync,
@@ -248,11 +248,11 @@ mod tests {
         Grid::covering([[-2.0, 2.0], [-1.5, 1.5]], [h; 2], false, &zone)
     }
 
-    /// Images move along ξ at the speed of the centre where places move at their own velocity, whichever way the body spins; and there is a way back.
+    /// Images move along ξ at the speed of the centre where places move at their own velocity, for both senses of spin; and the inverse map returns.
     #[test]
     fn images_move_alike() {
         for (velocity, spin) in [([2.0, 0.0], 0.6), ([-1.0, 0.5], 0.4), ([0.3, 1.0], -0.3)] {
-            let turning = DrawnOut::new(&grid(0.25), velocity, spin).unwrap();
+            let turning = SurfaceMap::new(&grid(0.25), velocity, spin).unwrap();
             for place in [[0.0, 0.0], [0.7, -0.4], [-1.1, 0.9], [0.2, 1.3]] {
                 let image = turning.image(place).unwrap();
                 let back = turning.place(image).unwrap();
@@ -283,13 +283,13 @@ mod tests {
     fn there_and_back() {
         let errors = [0.125, 0.0625].map(|h| {
             let grid = grid(h);
-            let turning = DrawnOut::new(&grid, [1.0, 0.2], 0.4).unwrap();
+            let turning = SurfaceMap::new(&grid, [1.0, 0.2], 0.4).unwrap();
             let bell = |[x, y]: [f64; 2]| (-2.0 * (x * x + y * y)).exp();
             let values: Vec<f64> = grid
                 .nodes()
                 .map(|[i, j]| bell(grid.on_axes(i, j)))
                 .collect();
-            let back = turning.draw_back(&turning.draw_out(&values));
+            let back = turning.from_plane(&turning.to_plane(&values));
             (back.iter().zip(&values))
                 .map(|(a, b)| (a - b).abs())
                 .fold(0.0, f64::max)
@@ -333,7 +333,7 @@ mod tests {
                 .collect();
             let found = turning.apply(&heat);
             let exact = |[x, y]: [f64; 2]| {
-                // What has turned by half and comes back is left out.
+                // Heat that returns after half a turn is neglected.
                 let (n, last) = (4000, PI * a / spin);
                 let step = f64::sqrt(last) / f64::from(n);
                 let sum: f64 = (0..n)

@@ -1,9 +1,9 @@
-//! What temperatures make of the film equation, held while its pressures are computed.
+//! Coefficients of the film equation that depend on temperature, held fixed while its pressures are computed.
 //!
 //! ```text
 //!   q(G, Ω) = q(0, Ω) + K G/12                         flow through a film of varying temperature (see [`crate::film::thermal_closure`])
 //!   κ = 12 (q − q(0, Ω))_d/G_d · μ(T_m)/μ̄ = c κ(T_m)     along and across the sliding: c times that of a film of its mean temperature T_m
-//!   u_s = −12 H q(0, Ω)/(μ̄λ)                            what sliding carries along beside the mean of the surfaces where one side is warmer
+//!   u_s = −12 H q(0, Ω)/(μ̄λ)                            flow by sliding in addition to the mean of the surfaces where one side is warmer
 //! ```
 //! c, u_s and the ratio of mean densities change little with the pressure; once film and heat agree the flow is that of the whole profile.
 //!
@@ -19,7 +19,7 @@ use crate::volumes::film::slopes;
 use crate::volumes::system::System;
 use crate::volumes::thinning::Demand;
 
-/// A node whose film has been warmed.
+/// Temperature-dependent film coefficients of a node.
 #[derive(Clone, Copy, Debug)]
 pub struct Warmth {
     /// T_m, K.
@@ -33,7 +33,7 @@ pub struct Warmth {
 }
 
 impl Warmth {
-    /// Numbers that it consists of.
+    /// Number of its values.
     pub const PARTS: usize = 6;
 
     /// At another mean temperature, by its distance, K.
@@ -66,7 +66,7 @@ impl Warmth {
     }
 }
 
-/// Pressure stress, in the stress of sliding, at which flows are told apart from those without it.
+/// Pressure stress, in the stress of sliding, at which its effect on the flow is measured.
 const SMALL: f64 = 1e-2;
 
 /// The same in stresses of a film of one p_h over the half-width, where nothing slides.
@@ -86,7 +86,7 @@ pub fn warmth(
     all.into_iter().flatten().collect()
 }
 
-/// Of the nodes that are asked for.
+/// Of selected nodes.
 pub(super) fn at(
     system: &System,
     (pressure, films): (&[f64], &[f64]),
@@ -158,7 +158,7 @@ pub fn of_film(
     let stress = without.mid_stress[0].hypot(without.mid_stress[1]);
     let least = (SMALL * stress).max(NO_STRESS);
     let [_, largest] = fluid
-        .stresses_between(pressure, crate::volumes::thinning::FOLDS)
+        .stresses_between(pressure, crate::volumes::thinning::MAX_LN_FLUIDITY)
         .unwrap_or([0.0, f64::INFINITY]);
     let g = demand.gradient.map(|g| match g.abs() {
         size if size < least => least.copysign(g),

@@ -1,4 +1,4 @@
-//! Edges of the contact area: where they are, what is summed to them, and what they do to the films.
+//! Edges of the contact area: their place, sums up to them, and their effect on the films.
 
 use approx::assert_relative_eq;
 
@@ -53,7 +53,7 @@ fn edges_lie_where_they_are_given() {
     }
 }
 
-/// Areas of all nodes add up to the box, by which a sum of what is uniform is exact: a node on the edge of the area and of a patch counts neither twice nor not at all.
+/// Areas of all nodes add up to the box, so the sum of a uniform quantity is exact: a node on the edge of the area and of a patch counts neither twice nor not at all.
 #[test]
 fn areas_add_up_to_the_box() {
     for edges in BOXES {
@@ -69,7 +69,7 @@ fn areas_add_up_to_the_box() {
     }
 }
 
-/// What edges do to the films, by one step, against solves with edges further away: the bar of near edges covers the difference, and is not more than twice as wide.
+/// Effect of edges on the films, by one step, against solves with edges further away: the bar of near edges covers the difference, and is not more than twice as wide.
 #[test]
 fn bars_cover_near_edges() {
     let solve = |edges: [f64; 3]| {

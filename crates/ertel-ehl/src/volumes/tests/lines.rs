@@ -97,7 +97,7 @@ fn rigid_cylinder() {
         .map(|level| level.figures.value(Figure::FilmCentral).unwrap() / exact - 1.0)
         .collect();
     assert!(errors[7].abs() < 5e-4, "{errors:?}");
-    // What does not fall is what the load deforms.
+    // The part that does not fall is the elastic deformation.
     let orders = [1, 2].map(|l: usize| {
         let changes = [0, 1].map(|k: usize| errors[l + k] - errors[l + k - 1]);
         (changes[0] / changes[1]).abs().log2()
@@ -135,7 +135,7 @@ fn segments_cover_the_line() {
     assert_eq!([ends[0][0], ends[ends.len() - 1][1]], [low, high]);
 }
 
-/// A thin layer passes unchanged: behind the meniscus the film in the middle is the layer over the density there (constant), less what flows to the sides, nothing.
+/// A thin layer passes unchanged: behind the meniscus the film in the middle is the layer over the density there (constant), with no flow to the sides.
 #[test]
 fn a_thin_layer_is_the_film() {
     let mut problem = constant_fluid(7e4, 0.8);
@@ -151,7 +151,7 @@ fn a_thin_layer_is_the_film() {
     assert!(error < 0.01 * layer, "{film:?}");
 }
 
-/// Waves on a body at rest under a body that slides: what is entrained is the same at all places of the thick oil, so that the film follows what compressibility leaves, H/A = C/(1 + C), and pressures
+/// Waves on a body at rest under a body that slides: entrainment is uniform in the thick oil, so the film is compressed only elastically, H/A = C/(1 + C), and pressures
 /// are P/A = (E'w/4)/(1 + C), w = 2π/λ, C = h E'w/(4B), B = ρ dp/dρ (Hooke, Proc. IMechE J 220, 2006, 259, for Q → ∞). Films of 2 %, a half and a quarter of a half-width long, against the same
 /// without waves. First order in A, and B and h change over a wave.
 ///

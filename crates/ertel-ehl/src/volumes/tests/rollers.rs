@@ -64,7 +64,7 @@ fn rectangles_between_uneven_rows() {
         let x = [8, 19].map(|i| grid.on_axes(i, 0)[0]);
         let size = found.iter().fold(0.0_f64, |m, v| m.max(*v));
         for ([i, j], found) in grid.nodes().zip(found) {
-            // What stands beyond an end is not asked for.
+            // Values beyond an end are not used.
             if places.height(j) == 0.0 || i % 3 != 0 {
                 continue;
             }
@@ -212,9 +212,9 @@ fn balances_and_mirror_images() {
     assert!(value(&right, Figure::EdgePressureRight) > value(&right, Figure::EdgePressureLeft));
 }
 
-/// A roller with two thirds of the drop that makes the pressure uniform has no film at its ends: it is told, and not solved.
+/// A roller with two thirds of the drop that makes the pressure uniform has no film at its ends: the solve reports this as an error.
 #[test]
-fn ends_that_press_in_are_told() {
+fn ends_that_press_in_are_reported() {
     // 1 µm at the ends.
     let crown = Profile::Crown { crown_radius: 0.5 };
     let problem = roller(crown, 0.0, 0.002);
@@ -264,7 +264,7 @@ fn tangents_of_rollers_against_differences_of_solves() {
     }
 }
 
-/// Rows by the loads per length of the film in place of those of slices: the same films and their mean, and the loads of the zone as before.
+/// Rows by the loads per length of the film instead of those of slices: the same films and their mean, and the loads of the zone as before.
 #[test]
 fn rows_by_the_film_have_the_same_films() {
     let slices = roller(logarithmic(), 1e-4, 0.02);

@@ -1,4 +1,4 @@
-//! Starved inlets against what is known of them: mass that arrives, thin and thick layers, films by finite elements.
+//! Starved inlets against known results: mass balance, thin and thick layers, films by finite elements.
 
 use approx::assert_relative_eq;
 
@@ -91,7 +91,7 @@ fn a_layer_arrives_unchanged() {
             assert_relative_eq!(*content, 0.15, max_relative = 1e-9);
             assert!(at.outflow[k].abs() < 1e-9 && !at.wetted[k]);
         }
-        // Half of it along the edge: what was inside counts no longer, but for where the flow turns in circles.
+        // Half of it along the edge: the previous contents have no effect, except where the flow recirculates.
         let mut faces = at.faces.clone();
         for face in faces.iter_mut().flatten() {
             face.flux = face.entrainment * face.mass;
@@ -106,12 +106,12 @@ fn a_layer_arrives_unchanged() {
     }
 }
 
-/// Mass is kept node by node, and what arrives in front of the contact leaves it: contents are at most what the gap holds, and where there is pressure it
-/// is full. Of a layer of a tenth of the flooded film nearly all passes the centre: ρ̄H is its thickness, but for what is pushed to the sides.
+/// Mass is conserved node by node, and inflow equals outflow: contents are at most those of a filled gap, and where there is pressure it
+/// is filled. Of a layer of a tenth of the flooded film nearly all passes the centre: ρ̄H is its thickness, except for the side flow.
 ///
 /// Theory: Starved inlets.
 #[test]
-fn what_arrives_leaves() {
+fn mass_is_conserved() {
     let thickness = 25e-9;
     let problem = starved(thickness, 0.01);
     let found = solved(&problem);

@@ -2,9 +2,9 @@
 //!
 //! ```text
 //!   K = | K_ii K_ic |    order: interior by nested dissection, then the chosen unknowns c;
-//!       | K_ci K_cc |    what the interior leaves is K_cc − K_ci K_ii⁻¹ K_ic = S
+//!       | K_ci K_cc |    the Schur complement is K_cc − K_ci K_ii⁻¹ K_ic = S
 //! ```
-//! S is the exact discrete stiffness that a load on c feels. The factorisation is multifrontal and
+//! S is the exact discrete stiffness under a load on c. The factorisation is multifrontal and
 //! assembles the elements where they are first needed: the factor itself need not be kept, and the
 //! matrix is never formed.
 
@@ -41,15 +41,15 @@ pub enum CholeskyError {
     /// The ordering failed.
     #[error(transparent)]
     Ordering(#[from] OrderingError),
-    /// A pivot was not positive: the body is not held, or an element is inverted.
+    /// A pivot was not positive: the body is not fixed, or an element is inverted.
     #[error("stiffness of {n} unknowns is not positive definite: {reason}")]
     NotPositiveDefinite {
         /// Unknowns.
         n: usize,
-        /// What the library said.
+        /// Message of the library.
         reason: String,
     },
-    /// Told to stop.
+    /// Stopped on request.
     #[error("interrupted")]
     Interrupted,
 }
@@ -70,7 +70,7 @@ pub struct CondensedStiffness {
 /// Operations in one front above which all cores work on it together.
 const LARGE: f64 = 5e7;
 
-/// What a factorisation keeps.
+/// Parts of a factorisation that are kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keep {
     /// Only the condensed stiffness.
@@ -117,7 +117,7 @@ impl CondensedStiffness {
             let front = &fronts.fronts[k];
             let order = front.size();
             let last = is_last(&fronts, condensed, k);
-            // What stays with the caller has memory of its own.
+            // The last front is returned to the caller, in separate memory.
             let mut room = match last {
                 true => vec![0.0; order * order],
                 false => work.take(),

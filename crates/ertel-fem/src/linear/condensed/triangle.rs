@@ -1,12 +1,12 @@
-//! Lower triangles of fronts: what goes from a front to its parent.
+//! Lower triangles of fronts: the updates from a front to its parent.
 
 use rayon::prelude::*;
 
 use super::plan::NOWHERE;
 use crate::linear::fronts::{Front, Fronts};
 
-/// What a front leaves to its parent: the lower triangle over its boundary, column by column. The last front
-/// leaves its whole square.
+/// Update that a front passes to its parent: the lower triangle over its boundary, column by column. The last front
+/// passes its whole square.
 pub(super) type Left = Vec<f64>;
 
 /// Order of a front from which its columns are dealt to the cores.

@@ -38,7 +38,7 @@ impl FrontalPattern {
     }
 }
 
-/// Matrix of a front after its elimination: what goes to the parent begins at (n_own, n_own).
+/// Matrix of a front after its elimination: the update of the parent begins at (n_own, n_own).
 pub(super) struct Left {
     matrix: Mat<f32>,
     n_own: usize,

@@ -1,4 +1,4 @@
-//! What all matrices of one pattern share: the fronts, the place of each entry in them, the parts of a solve.
+//! Data shared by all matrices of one pattern: the fronts, the place of each entry in them, the parts of a solve.
 
 use std::ops::RangeInclusive;
 

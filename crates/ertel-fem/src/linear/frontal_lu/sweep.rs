@@ -10,7 +10,7 @@ use crate::kernel;
 use crate::linear::dense::vectorised;
 use crate::linear::fronts::Front;
 
-/// What a pass over a run of fronts needs.
+/// Work space of a pass over a run of fronts.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scratch {
     pub(super) outer: Vec<f32>,

@@ -15,7 +15,7 @@ pub enum ClearanceClass {
 }
 
 impl ClearanceClass {
-    /// The class that a suffix names, and what stands before and after it: `C3` of `2RSC3`, `C3P6QE6`, `C3WT`, and `P63` for the class P6 with C3.
+    /// The class that a suffix names, and the text before and after it: `C3` of `2RSC3`, `C3P6QE6`, `C3WT`, and `P63` for the class P6 with C3.
     pub(super) fn within(suffix: &str) -> (Option<ClearanceClass>, Vec<&str>) {
         let classes = [
             ("C2", ClearanceClass::C2),

@@ -1,4 +1,4 @@
-//! What a designation says.
+//! Bearing designations.
 
 use super::clearance::ClearanceClass;
 use super::series::Series;
@@ -14,7 +14,7 @@ pub struct Designation {
     pub clearance: ClearanceClass,
     /// Suffixes that change nothing of what is calculated, such as those of seals, cages and tolerances.
     pub ignored: Vec<String>,
-    /// Suffixes that would change what is calculated, which is done without them: what they stand for.
+    /// Meaning of the suffixes that would change the result and are neglected.
     pub left_out: Vec<&'static str>,
 }
 
@@ -41,9 +41,9 @@ impl Designation {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("no bearing `{given}` in the catalogue{}", .kind.map_or(String::new(), |kind| format!(": {kind} are not covered")))]
 pub struct DesignationError {
-    /// What was given.
+    /// The text given.
     pub given: String,
-    /// What kind of bearing the designation stands for, of kinds that are not covered.
+    /// Kind of bearing of the designation, where it is not covered.
     pub kind: Option<&'static str>,
     /// The nearest designations; none of kinds that are not covered.
     pub nearest: Vec<String>,
@@ -153,7 +153,7 @@ fn without_maker(upper: &str) -> &str {
     rests.next().map_or(upper, str::trim_start)
 }
 
-/// Takes a designation apart: series, bore code, suffixes.
+/// Parses a designation: series, bore code, suffixes.
 pub(super) fn parse(given: &str) -> Result<Designation, DesignationError> {
     let upper = given.trim().to_ascii_uppercase();
     let upper = without_maker(&upper);
@@ -218,7 +218,7 @@ pub(super) fn parse(given: &str) -> Result<Designation, DesignationError> {
                 true => part.strip_prefix(affix).unwrap_or(part),
                 false => part,
             };
-            match left_out_of(part) {
+            match neglected_by(part) {
                 Some(what) => left_out.push(what),
                 None if part.is_empty() => {}
                 None => ignored.push(part.to_string()),
@@ -245,8 +245,8 @@ fn as_nu(upper: &str) -> (String, Option<&'static str>) {
     (upper.to_owned(), None)
 }
 
-/// What a suffix stands for that would change what is calculated.
-fn left_out_of(suffix: &str) -> Option<&'static str> {
+/// Meaning of a suffix whose effect is neglected although it would change the result.
+fn neglected_by(suffix: &str) -> Option<&'static str> {
     let is_of = |names: &[&str]| names.contains(&suffix);
     let is_hybrid = suffix.starts_with("HC") && suffix[2..].chars().all(|c| c.is_ascii_digit());
     match suffix {

@@ -53,7 +53,7 @@ impl<T> Sourced<T> {
     }
 }
 
-/// What lies inside a bearing; each value can be replaced by [`Sourced::given`].
+/// Internal dimensions of a bearing; each value can be replaced by [`Sourced::given`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Internal {
     /// Of ball bearings.
@@ -173,8 +173,8 @@ const PUBLISHED: [(Series, u8, f64, f64, usize, &str); 4] = [
 const BALL_RULE: &str = "D_w = 0.3 (D − d)";
 const PITCH_RULE: &str = "d_m = (d + D)/2";
 const NUMBER_RULE: &str =
-    "Z = 0.6 π d_m/D_w, rounded: what goes in between rings that are moved aside";
-const FULL_NUMBER_RULE: &str = "Z = 0.8 π d_m/D_w, rounded: elements and bars of a cage";
+    "Z = 0.6 π d_m/D_w, rounded: balls that fit between eccentric rings (Conrad assembly)";
+const FULL_NUMBER_RULE: &str = "Z = 0.8 π d_m/D_w, rounded: leaves room for the bars of a cage";
 const GROOVE_RULE: &str = "f_i = 0.52, f_o = 0.53: largest value allowed by ISO 281";
 const CLEARANCE_RULE: &str = "middle of the class of ISO 5753-1 before mounting";
 const NO_CLASS_RULE: &str = "no clearance: the class has no values for this bearing";
@@ -185,7 +185,7 @@ const ANGLE_SOURCE: &str = "suffix B: 40 degrees";
 const TAPER_ANGLE: &str = "ISO 355";
 const TAPER_DIAMETER_RULE: &str = "D_w = (D − d)/4";
 const TAPER_LENGTH_RULE: &str = "L = 0.8 C";
-const TAPER_NUMBER_RULE: &str = "Z = 0.9 π d_m/D_w, rounded: elements and bars of a cage";
+const TAPER_NUMBER_RULE: &str = "Z = 0.9 π d_m/D_w, rounded: leaves room for the bars of a cage";
 const NSK: &str = "NSK, Rolling Bearings, catalogue E1102e";
 
 /// Ratings that a maker publishes, kN, in N.

@@ -1,6 +1,6 @@
 //! Common bearings by their designation: boundary dimensions, and an internal geometry to calculate with.
 //!
-//! Makers publish little of what lies inside. Where a public source gives it, it is [`Origin::Published`]; all else follows a stated rule,
+//! Makers publish few internal dimensions. Where a public source gives one, it is [`Origin::Published`]; all else follows a stated rule,
 //! [`Origin::Estimated`], and every value can be replaced before the geometry is made.
 
 mod clearance;
@@ -24,7 +24,7 @@ pub struct Boundary {
     pub outside: f64,
     /// Width B; of tapered roller bearings that of the cone.
     pub width: f64,
-    /// What only some kinds have.
+    /// Dimensions that only some kinds have.
     pub special: Special,
 }
 
@@ -61,7 +61,7 @@ impl Boundary {
 /// A bearing of the catalogue.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
-    /// What was asked for.
+    /// The designation requested.
     pub designation: Designation,
     /// Its boundary dimensions.
     pub boundary: Boundary,

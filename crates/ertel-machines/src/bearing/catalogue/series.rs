@@ -64,7 +64,7 @@ impl Series {
         )
     }
 
-    /// What stands before and after the bore code.
+    /// Letters before and after the bore code.
     pub(super) fn affixes(self) -> [&'static str; 2] {
         match self {
             Series::DeepGroove60 => ["60", ""],

@@ -253,9 +253,9 @@ fn designations() {
     }
 }
 
-/// What would change the figures is said, not ignored; seals and cages are not.
+/// Suffixes that would change the figures are reported; those of seals and cages are ignored.
 #[test]
-fn suffixes_that_are_left_out() {
+fn neglected_suffixes_are_reported() {
     let of = |text: &str| find(text).unwrap().designation.left_out;
     assert!(of("6206-2RS/C3").is_empty());
     for (text, what) in [
@@ -448,7 +448,7 @@ fn the_catalogue_is_solved() {
 
 /// Rings that turn against each other: the balls turn fast on a slow orbit, and light ones find no balance with their gyroscopic moment.
 #[test]
-fn gyroscopic_slip_is_told() {
+fn gyroscopic_slip_is_reported() {
     use crate::bearing::load::Given;
     let geometry = find("7224B").unwrap().geometry();
     let loads = Loads {

@@ -1,6 +1,6 @@
 //! Frictional moments of whole bearings by two models that are fitted to measurements.
 //!
-//! They stand beside what a solver finds in the single contacts: 10 to 30 % between them is good agreement. Differential slip and spin of
+//! They are compared with the solved friction of the single contacts: 10 to 30 % between them is good agreement. Differential slip and spin of
 //! the contacts are in [`kinematics`](super::kinematics).
 
 mod palmgren;

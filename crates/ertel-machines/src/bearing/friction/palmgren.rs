@@ -2,7 +2,7 @@
 
 use super::{Error, not_negative, positive};
 
-/// How the oil comes to the bearing.
+/// Oil supply of the bearing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PalmgrenOil {
     /// Grease that is run in, or oil mist.

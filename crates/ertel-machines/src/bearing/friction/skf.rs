@@ -55,7 +55,7 @@ pub struct SkfMoment {
     pub sliding_variable: f64,
     /// φ_ish: reduction by the heat of shear in the inlet.
     pub inlet_heating: f64,
-    /// φ_rs: reduction by oil that does not come back.
+    /// φ_rs: reduction by starvation (oil that does not replenish the tracks).
     pub starvation: f64,
     /// M_rr, N·m.
     pub rolling: f64,

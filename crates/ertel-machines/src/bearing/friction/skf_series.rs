@@ -88,7 +88,7 @@ impl SkfSeries {
         }
     }
 
-    /// K_z of the reduction by oil that does not come back (table 5).
+    /// K_z of the reduction by starvation (table 5).
     pub fn geometry_constant(self) -> f64 {
         match self.constants() {
             Constants::DeepGroove(_) => 3.1,

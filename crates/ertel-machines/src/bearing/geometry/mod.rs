@@ -99,9 +99,9 @@ pub enum GeometryError {
         /// The angle, degrees.
         degrees: f64,
     },
-    /// A clearance that no free contact angle up to 85 degrees goes with.
+    /// A clearance beyond that of a free contact angle of 85 degrees.
     #[error(
-        "radial clearance {} µm; the largest of these balls and grooves is {} µm, with a free contact angle of 85 degrees",
+        "radial clearance {} µm; the largest for these balls and grooves is {} µm, with a free contact angle of 85 degrees",
         digits(1e6 * .value, 4),
         digits(1e6 * .largest, 4)
     )]
@@ -112,7 +112,7 @@ pub enum GeometryError {
         largest: f64,
     },
     /// A profile that is not one.
-    #[error("crown radius {0} m; it must be longer than half of the roller")]
+    #[error("crown radius {0} m; it must exceed half of the roller length")]
     Crown(f64),
 }
 

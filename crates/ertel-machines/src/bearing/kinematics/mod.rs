@@ -1,7 +1,7 @@
 //! Speeds in rolling bearings: cage, elements, entrainment, spin and differential slip.
 //!
 //! Axes: z along the bearing, r outwards. Positive contact angles tilt the force on the inner ring's groove towards +z. The elements roll on
-//! both rings; skidding is left out.
+//! both rings; skidding is neglected.
 
 mod ball;
 mod heathcote;

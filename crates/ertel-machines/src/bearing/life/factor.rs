@@ -11,7 +11,7 @@ pub enum Kind {
     Roller,
 }
 
-/// What the oil and its cleanliness are worth.
+/// Lubrication and cleanliness for the life modification factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lubrication {
     /// κ = ν/ν_1.

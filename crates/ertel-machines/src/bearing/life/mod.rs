@@ -1,7 +1,7 @@
 //! Load ratings and rating lives after ISO 281, ISO 76 and ISO/TS 16281.
 //!
-//! Lengths in m and forces in N go in and come out; the standards' formulas stand in mm and N, and numbers are turned over inside.
-//! Constants and tables are those of the standards as public implementations quote them; the standards themselves were not at hand. Ratings
+//! Input and output are in m and N; the standards' formulas use mm and N, and values are converted inside.
+//! Constants and tables are those of the standards as public implementations quote them; the standards themselves were not available. Ratings
 //! of a real bearing are its maker's: those computed from a geometry suit comparisons.
 
 mod contamination;
@@ -116,12 +116,12 @@ mod tests {
             }
             .to_string()
         };
-        let told = said(0.069_608_395_489_7, 0.1, f64::INFINITY);
-        assert_eq!(told, "κ is 0.06961; the standard covers 0.1 and more");
-        let told = said(3.0, f64::NEG_INFINITY, 1.0);
-        assert_eq!(told, "κ is 3; the standard covers 1 and less");
-        let told = said(12.0, 1.0, 10.0);
-        assert_eq!(told, "κ is 12; the standard covers 1 to 10");
+        let text = said(0.069_608_395_489_7, 0.1, f64::INFINITY);
+        assert_eq!(text, "κ is 0.06961; the standard covers 0.1 and more");
+        let text = said(3.0, f64::NEG_INFINITY, 1.0);
+        assert_eq!(text, "κ is 3; the standard covers 1 and less");
+        let text = said(12.0, 1.0, 10.0);
+        assert_eq!(text, "κ is 12; the standard covers 1 to 10");
     }
 
     /// By hand: (20/2)³ = 1000 million; rollers 10^(10/3) = 2154.43 million; 0.64 · 2 of it.

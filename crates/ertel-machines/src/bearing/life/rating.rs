@@ -153,7 +153,7 @@ mod tests {
     /// Grooves of 0.56 at γ = 0.207 by hand: (1.12/0.12)^0.41 = 2.4987 against (1.04/0.04)^0.41 = 3.8031; rings 1.04 · 0.48541 = 0.50483, and 1.17167 times that at 0.52
     /// and 0.53, 0.59150; (1 + 0.50483^(10/3))^(−0.3) = 0.97116 against (1 + 0.59150^(10/3))^(−0.3) = 0.95309: 0.6695, C = 13.02 kN. Tighter grooves change nothing.
     #[test]
-    fn wide_grooves_bear_less() {
+    fn wide_grooves_carry_less() {
         let of = |groove| BallGeometry {
             groove,
             ..of(9.525e-3, 46e-3, 9)

@@ -10,7 +10,7 @@ const RESTING: f64 = 10.0 / 3.0;
 /// Reference life and what it is made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReferenceLife {
-    /// Q_ci and Q_ce: loads of an element that each ring bears for a million revolutions, N.
+    /// Q_ci and Q_ce: loads of an element for a life of each ring of a million revolutions, N.
     pub rating: [f64; 2],
     /// Q_ei and Q_ee: equivalent loads of an element on each ring, N.
     pub equivalent: [f64; 2],
@@ -143,7 +143,7 @@ mod tests {
                 fatigue_limit(&geometry, Material::STEEL, nominal),
             ];
             for (k, number) in found.iter().enumerate() {
-                // Loads there are in balance to 1e-6 of the radial load, and lives go with their cube.
+                // Loads there are in balance to 1e-6 of the radial load, and lives are proportional to their inverse cube.
                 let accuracy = if k == 7 { 3e-5 } else { 1e-5 };
                 assert_relative_eq!(*number, v(4 + k), max_relative = accuracy);
             }

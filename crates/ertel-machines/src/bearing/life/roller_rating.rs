@@ -11,7 +11,7 @@ pub(super) const UNEVEN: f64 = 0.83;
 /// Largest γ of the standard's table.
 const LARGEST_GAMMA: f64 = 0.30;
 
-/// What ratings take of a single row of rollers.
+/// Data of a single row of rollers for ratings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RollerRow {
     /// Diameter of the rollers in the middle D, m.
@@ -57,7 +57,7 @@ impl RollerRow {
     }
 }
 
-/// Ratio of what both rings bear, without its constant: ((1 − γ)/(1 + γ))^(143/108).
+/// Ratio of the capacities of both rings, without its constant: ((1 − γ)/(1 + γ))^(143/108).
 pub(super) fn rings(gamma: f64) -> f64 {
     ((1.0 - gamma) / (1.0 + gamma)).powf(143.0 / 108.0)
 }

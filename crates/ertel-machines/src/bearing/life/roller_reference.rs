@@ -13,7 +13,7 @@ const RESTING: f64 = 4.5;
 ///
 /// f = 1 − 0.01/ln(1.985 |2k + 1 − n|/(2n − 2));  1 in the middle
 ///
-/// It stands for rollers with the reference profile under medium loads whose rings tilt by less than 4 minutes of arc. Source: ISO/TS 16281:2008,
+/// It applies to rollers with the reference profile under medium loads whose rings tilt by less than 4 minutes of arc. Source: ISO/TS 16281:2008,
 /// eq. 60.
 pub fn stress_riser(k: usize, n: usize) -> f64 {
     let place = (2.0 * k as f64 + 1.0 - n as f64).abs() / (2.0 * n as f64 - 2.0);
@@ -73,7 +73,7 @@ pub fn roller_reference_life(
     })
 }
 
-/// The load of a roller that stands for all slices of all rollers, N: q_c,k = Q_c n^(−7/9) turns Σ_k (q_c/q_e,k)^(−9/2) into (Q_c/Q_e)^(−9/2).
+/// The equivalent load of all slices of all rollers, N: q_c,k = Q_c n^(−7/9) turns Σ_k (q_c/q_e,k)^(−9/2) into (Q_c/Q_e)^(−9/2).
 fn of_slices(rollers: &[Vec<f64>], p: f64) -> f64 {
     let n = rollers.first().map_or(0, Vec::len);
     let sum: f64 = (0..n)
@@ -139,7 +139,7 @@ mod tests {
     /// for: 10⁶ (C_r/F_r)⁴ with the exponent 4 of line contacts, which the slices have, while ISO 281 takes 10/3. Tilted ones, and ones that bear on one
     /// end, live shorter.
     #[test]
-    fn beside_the_basic_life() {
+    fn reference_life_against_the_basic_life() {
         let geometry = RollerGeometry {
             roller_diameter: 9e-3,
             length: 10e-3,

@@ -31,7 +31,7 @@ pub(super) fn interpolate(
     })
 }
 
-/// The same with x held within the table.
+/// The same with x clamped to the table.
 pub(super) fn clamped(grid: &[f64], values: &[f64], x: f64) -> f64 {
     let last = grid.len().min(values.len()) - 1;
     let after = grid.partition_point(|g| *g < x).clamp(1, last);

@@ -7,7 +7,7 @@ use super::CurvatureAngle;
 use crate::bearing::geometry::{BallGeometry, Ring};
 use crate::bearing::kinematics::{BallMotion, RacewayControl, Speeds};
 
-/// What the equilibrium of a ball depends on.
+/// Data of the equilibrium of a ball.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ball<'a> {
     pub geometry: &'a BallGeometry,
@@ -78,14 +78,14 @@ impl Side {
     }
 }
 
-/// Steps of the equilibrium of a ball at the most, and what may be left over the largest force.
+/// Most steps of the equilibrium of a ball, and the residual allowed over the largest force.
 const STEPS: usize = 100;
-const REST: f64 = 1e-12;
+const RESIDUAL: f64 = 1e-12;
 /// Rounds for the place of a loose ball.
 const ROUNDS: usize = 20;
-/// Steepest angle towards the inner ring that counts for the speed of cage and ball, rad: balls that touch nothing may lie anywhere to it.
-const STEEP: f64 = 1.4;
-/// What is accepted where round-off allows no less.
+/// Largest angle towards the inner ring that counts for the speed of cage and ball, rad: balls that touch nothing may lie anywhere to it.
+const MAX_INNER_ANGLE: f64 = 1.4;
+/// Residual that is accepted where round-off prevents a lower one.
 const ACCEPTED: f64 = 1e-9;
 /// Approach whose force does not count, in ball diameters: round-off of the ball's place is not far below.
 const NEGLIGIBLE: f64 = 1e-6;
@@ -158,7 +158,10 @@ impl Ball<'_> {
     /// F_c = m d_m ω_m²/2,  M_g = J ω_m ω_R sin β,  J = m D²/10
     fn inertia(&self, angles: [f64; 2]) -> (BallMotion, f64, f64) {
         let g = self.geometry;
-        let angles = [angles[0].clamp(-STEEP, STEEP), angles[1]];
+        let angles = [
+            angles[0].clamp(-MAX_INNER_ANGLE, MAX_INNER_ANGLE),
+            angles[1],
+        ];
         let ratio = g.ball_diameter / g.pitch_diameter;
         let motion = BallMotion::new(ratio, angles, self.speeds, RacewayControl::Outer);
         (
@@ -174,7 +177,7 @@ impl Ball<'_> {
         let ratio = g.ball_diameter / g.pitch_diameter;
         let mut slopes = motion.slopes_under_outer_control(ratio, angles, self.speeds);
         let (s, c) = motion.attitude.sin_cos();
-        if angles[0].abs() > STEEP {
+        if angles[0].abs() > MAX_INNER_ANGLE {
             slopes[0] = BallMotion {
                 cage: 0.0,
                 element: 0.0,
@@ -248,7 +251,7 @@ impl Ball<'_> {
         }
         let mut here = self.out_of_balance(centre, place);
         for _ in 0..STEPS {
-            if here.size() <= REST {
+            if here.size() <= RESIDUAL {
                 break;
             }
             let step = here.by_place.lu().solve(&-here.rest)?;

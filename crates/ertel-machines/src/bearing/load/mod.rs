@@ -35,9 +35,9 @@ pub enum Given {
     Shift(f64),
 }
 
-/// What acts on the inner ring, or how it is held.
+/// Loads on the inner ring, or its prescribed displacements.
 ///
-/// Axial shifts are counted from where the balls touch at the free contact angle, so that a preload is an axial shift.
+/// Axial shifts are counted from the position where the balls touch at the free contact angle, so that a preload is an axial shift.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Loads {
     /// Along x and y.
@@ -94,9 +94,9 @@ pub struct Params {
     pub slices: usize,
     /// Angle of the first element, rad.
     pub first_element: f64,
-    /// Largest force out of balance over the largest force in the bearing.
+    /// Largest unbalanced force over the largest force in the bearing.
     pub tolerance: f64,
-    /// Newton's steps at the most.
+    /// Most Newton steps.
     pub iterations: usize,
 }
 
@@ -154,14 +154,14 @@ pub enum Error {
         "a tapered roller bearing needs an axial load that presses its rings together, or a given axial shift: its axial load is {0} N"
     )]
     Separation(f64),
-    /// Newton's method came to no end.
+    /// Newton's method did not converge.
     #[error(
-        "no equilibrium of the rings within {iterations} steps: force out of balance {residual:.1e} of the largest force"
+        "no equilibrium of the rings within {iterations} steps: unbalanced force {residual:.1e} of the largest force"
     )]
     NoConvergence {
         /// Steps done.
         iterations: usize,
-        /// What was left.
+        /// The remaining residual.
         residual: f64,
     },
     /// No equilibrium of a single element at speed.

@@ -16,7 +16,7 @@ pub(crate) struct Reaction {
     pub largest: f64,
 }
 
-/// What the rings' equilibrium is sought for.
+/// A row of rolling elements whose ring equilibrium is sought.
 pub(crate) trait Row {
     /// Forces at given shifts.
     fn reaction(&self, shift: &Vector) -> Result<Reaction, Error>;
@@ -30,17 +30,17 @@ pub(crate) trait Row {
     fn typical_stiffness(&self) -> f64;
 }
 
-/// Trials along a step at the most.
+/// Most trials along a step.
 const TRIALS: usize = 50;
-/// What the force out of balance along a step may be where it ends, in that where it begins.
+/// Largest unbalanced force along a step at its end, over that at its start.
 const SLACK: f64 = 0.5;
-/// Stiffness added to all directions, in the typical one and times the force out of balance: directions without any are none where nothing
+/// Stiffness added to all directions, in the typical one and times the unbalanced force: directions without any are none where nothing
 /// touches.
 const SOFT: f64 = 1e-6;
 
 /// Shifts in balance with the given loads.
 ///
-/// The elastic energy of the elements is convex in the shifts, and the force out of balance its slope, which only grows along a step. Where a
+/// The elastic energy of the elements is convex in the shifts, and the unbalanced force its slope, which only grows along a step. Where a
 /// step ends beyond the balance by more than [`SLACK`], the place of balance along it is enclosed by halves until it is not: the energy
 /// falls with each step, also where elements come into touch. Steps are no longer than [`Row::longest_step`].
 pub(crate) fn balance(

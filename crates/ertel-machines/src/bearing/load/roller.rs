@@ -11,7 +11,7 @@ const EXPONENT: f64 = 10.0 / 9.0;
 ///
 /// q = c_L δ^(10/9),  c_L = 35948 L^(8/9) with L and δ in mm
 ///
-/// Source: ISO/TS 16281, as MESYS's manual and public implementations quote it; it stands for E' = 226 GPa, and other materials are taken
+/// Source: ISO/TS 16281, as MESYS's manual and public implementations quote it; it applies to E' = 226 GPa, and other materials are taken
 /// to be stiffer or softer in proportion to E'.
 fn stiffness(length: f64, material: Material) -> f64 {
     // mm^(−8/9) mm^(−10/9) = mm^(−2)
@@ -54,7 +54,7 @@ struct Contact {
 
 const STEPS: usize = 100;
 const TRIALS: usize = 40;
-const REST: f64 = 1e-12;
+const RESIDUAL: f64 = 1e-12;
 const ACCEPTED: f64 = 1e-9;
 /// Approach whose force does not count, in lengths of the roller.
 const NEGLIGIBLE: f64 = 1e-6;
@@ -149,7 +149,7 @@ impl Roller {
         let (mut inner, mut outer, mut rest) = at(place);
         for _ in 0..STEPS {
             let now = size(&rest, &inner);
-            if now <= REST {
+            if now <= RESIDUAL {
                 break;
             }
             let slope = inner.slope + outer.slope + soft;

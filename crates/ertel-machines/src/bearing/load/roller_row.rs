@@ -126,7 +126,7 @@ impl Rollers {
         ])
     }
 
-    /// What the inner ring bears through its rib besides Q_i along the normal of the cup: Q_o − Q_i along that normal, less F_c. Nothing of
+    /// Load on the rib of the inner ring, in addition to Q_i along the normal of the cup: Q_o − Q_i along that normal, less F_c. Zero for
     /// cylindrical rollers.
     fn thrust(&self, angle: f64) -> Vector {
         let (s, c) = angle.sin_cos();

@@ -387,7 +387,7 @@ fn axial_loads_mirror() {
     }
 }
 
-/// At speed the outer ring carries the centrifugal force besides: Σ over balls of (Q_o cos α_o − Q_i cos α_i) = F_c each under outer
+/// At speed the outer ring also carries the centrifugal force: Σ over balls of (Q_o cos α_o − Q_i cos α_i) = F_c each under outer
 /// control but for the part of the gyroscopic moment.
 #[test]
 fn balls_at_speed() {
@@ -503,7 +503,7 @@ fn tapered_rollers() {
 }
 
 #[test]
-fn what_cannot_be_solved() {
+fn unsolvable_loads_are_refused() {
     let ball = Bearing::steel(Geometry::Ball(typical(15e-6)));
     let roller = Bearing::steel(Geometry::CylindricalRoller(cylindrical(5e-6)));
     let solve = |bearing: &Bearing, loads: Loads, params: &Params| {

@@ -16,7 +16,7 @@ use super::error::in_range;
 /// Lift s of the follower over the angle θ of the cam; lengths in m, angles in rad.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LiftLaw {
-    /// s = e cos θ: a disc on an axis beside its centre, under a flat face.
+    /// s = e cos θ: a disc on an axis off its centre, under a flat face.
     Eccentric {
         /// Eccentricity e, m.
         eccentricity: f64,
@@ -57,7 +57,7 @@ impl LiftLaw {
     /// A law of a table whose lifts are rounded to a multiple of `digit` (m), the unit of their last digit, or have errors of the root mean square
     /// `tolerance` (m), which is that of rounding if absent: `digit`/√12.
     ///
-    /// Errors of a table grow by about 4/Δθ² in s'': lifts that are rounded to 1 µm at each degree make s'' uncertain by several mm if the law goes through all of
+    /// Errors of a table grow by about 4/Δθ² in s'': lifts that are rounded to 1 µm at each degree make s'' uncertain by several mm if the law interpolates all of
     /// them. Where that counts the law is the smoothest one with these errors; a tolerance of 0 leads through all lifts in any case.
     ///
     /// # Errors

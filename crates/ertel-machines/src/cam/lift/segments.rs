@@ -83,21 +83,21 @@ impl Segment {
 
 /// Refuses segments that do not make up a turn, or do not end where they start.
 pub(super) fn check(segments: &[Segment]) -> Result<(), CamError> {
-    let (mut sum, mut left, mut size) = (0.0, 0.0, 0.0);
+    let (mut sum, mut rise, mut size) = (0.0, 0.0, 0.0);
     for segment in segments {
         let (angle, lift) = (segment.angle(), segment.lift());
         in_range("angle of a segment", angle, angle > 0.0, "positive")?;
         in_range("lift of a segment", lift, true, "a finite number")?;
         sum += angle;
-        left += lift;
+        rise += lift;
         size += lift.abs();
     }
     // Angles in degrees and lifts in mm are sums of rounded numbers.
     if (sum - TAU).abs() > 1e-9 * TAU {
         return Err(CamError::Turn { sum });
     }
-    if left.abs() > 1e-9 * size {
-        return Err(CamError::NotClosed { left });
+    if rise.abs() > 1e-9 * size {
+        return Err(CamError::NotClosed { rise });
     }
     Ok(())
 }

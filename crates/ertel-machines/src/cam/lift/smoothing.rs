@@ -22,7 +22,7 @@ pub struct TableLift {
 
 impl TableLift {
     /// The spline near a table whose lifts have errors of the root mean square `error` (m): with the smallest ∫ s'''² of those that differ from the
-    /// table by as much, or through all of it where s'' is then as sure as [`SURE`]. An error that `is_given` is smoothed by in any case, unless it is 0.
+    /// table by as much, or interpolating all of it where s'' is then accurate to [`EXACT_TABLE`]. An error that `is_given` is smoothed by in any case, unless it is 0.
     pub(super) fn new(
         places: &[f64],
         values: &[f64],
@@ -44,7 +44,7 @@ impl TableLift {
             let bars = fit.bars(&none.spline, 0.0, error)?;
             let seconds = places.iter().map(|t| none.spline.at(*t)[2].abs());
             let largest = seconds.fold(0.0, f64::max);
-            if bars.iter().all(|bar| *bar <= SURE * largest) {
+            if bars.iter().all(|bar| *bar <= EXACT_TABLE * largest) {
                 return Ok(TableLift { bars, ..none });
             }
         }
@@ -67,8 +67,8 @@ impl TableLift {
     }
 }
 
-/// Bar of s'' over the largest |s''| of a turn below which a spline goes through all of the table: the digits limit nothing then.
-const SURE: f64 = 1e-3;
+/// Bar of s'' over the largest |s''| of a turn below which a spline interpolates all of the table: the digits do not limit accuracy then.
+const EXACT_TABLE: f64 = 1e-3;
 /// Standard deviations of rounding that a bar of s'' has.
 const DEVIATIONS: f64 = 3.0;
 /// How often a bar has the smoothing's own error as estimated: at a corner of s'', as of cycloidal moves, smoothing that is repeated sees an eighth of it or more.
@@ -164,8 +164,8 @@ impl<'a> Fit<'a> {
 
     /// Bars of s'' behind each row, of errors of the root mean square `error` (m) that do not depend on one another.
     ///
-    /// s''(t_i) = Σ_j w_ij y_j varies by `error` √(Σ_j w_ij²), w_i = B M⁻¹ b''(t_i), M = Bᵀ B + λ P. The smoothing's own error is by how much s'' changes where
-    /// what was smoothed is smoothed once more.
+    /// s''(t_i) = Σ_j w_ij y_j varies by `error` √(Σ_j w_ij²), w_i = B M⁻¹ b''(t_i), M = Bᵀ B + λ P. The error of the smoothing is the change of s'' when
+    /// the smoothed lifts are smoothed again.
     fn bars(&self, spline: &PeriodicSpline, weight: f64, error: f64) -> Result<Vec<f64>, CamError> {
         let n = self.values.len();
         let matrix = self.factor(weight)?;

@@ -7,7 +7,7 @@ pub(super) fn tips(pair: &GearPair) -> Result<(), GearError> {
     for member in Member::BOTH {
         let i = member.index();
         let (tip, base) = (pair.tip_radii[i], pair.base_radii[i]);
-        // The wheel's tips may have crossed its axis: the sign tells.
+        // The wheel's tips may have crossed its axis: the sign shows it.
         if tip * base <= 0.0 || tip.abs() <= base.abs() {
             return Err(GearError::TipInsideBase {
                 member,
@@ -23,7 +23,7 @@ pub(super) fn tips(pair: &GearPair) -> Result<(), GearError> {
     Ok(())
 }
 
-/// Refuses internal pairs whose tips collide beside the path of contact.
+/// Refuses internal pairs whose tips collide outside the path of contact.
 ///
 /// Where both tip circles cross, seen at δ_1 from the pinion's axis and at δ_2 from the wheel's, the corner of the wheel's tooth must be ahead of that of
 /// the pinion's tooth that drives it. Both flanks touch at the pitch point at the angle 0, the corner of the pinion is inv α_a1 − inv α_wt behind and
@@ -65,7 +65,7 @@ pub(super) fn internal_tip_margin(pair: &GearPair) -> Option<f64> {
     )
 }
 
-/// Adds what is worth knowing of roots.
+/// Adds warnings about roots.
 ///
 /// A rack cutter whose straight flank reaches h_Ff = m_n (h_fP* − x − ρ_fP* (1 − sin α_n)) below the reference circle leaves an involute from
 ///

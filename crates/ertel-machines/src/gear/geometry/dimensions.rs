@@ -1,4 +1,4 @@
-//! What a user says about a pair of gears.
+//! Input dimensions of a pair of gears.
 
 use super::GearError;
 

@@ -1,4 +1,4 @@
-//! What is wrong with a pair of gears, or worth knowing.
+//! Errors and warnings about a pair of gears.
 
 use std::fmt;
 
@@ -50,7 +50,7 @@ pub enum GearError {
     /// A number is outside the range in which it makes sense.
     #[error("{name} = {value} must be {requirement}")]
     Value {
-        /// What the number is.
+        /// Name of the number.
         name: &'static str,
         /// The number, in SI.
         value: f64,
@@ -129,7 +129,7 @@ pub enum GearError {
         /// Teeth of the wheel.
         wheel: u32,
     },
-    /// A law of load sharing is asked for outside its range.
+    /// A law of load sharing is requested outside its range.
     #[error("load sharing {law} is for {requirement}")]
     Sharing {
         /// Which law.
@@ -139,7 +139,7 @@ pub enum GearError {
     },
 }
 
-/// What is worth knowing about a pair of gears that can be computed.
+/// Warnings about a pair of gears that can be computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum GearWarning {
     /// The tip of the other gear reaches inside the base circle of this one, where there is no involute; the path of contact is cut there.
@@ -187,7 +187,7 @@ impl fmt::Display for GearWarning {
                 contact_diameter,
             } => write!(
                 f,
-                "the {member} is touched down to a diameter of {contact_diameter:.6} m, but its involute ends at {form_diameter:.6} m"
+                "contact on the {member} extends down to a diameter of {contact_diameter:.6} m, but its involute ends at {form_diameter:.6} m"
             ),
             GearWarning::NoClearance { member, clearance } => write!(
                 f,

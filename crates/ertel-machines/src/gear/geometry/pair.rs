@@ -70,7 +70,7 @@ pub struct GearPair {
     pub contact_ratio: f64,
     /// Overlap ratio ε_β.
     pub overlap_ratio: f64,
-    /// What is worth knowing.
+    /// Warnings.
     pub warnings: Vec<GearWarning>,
 }
 

@@ -2,7 +2,7 @@
 
 use crate::gear::geometry::GearPair;
 
-/// Places (m) of all pairs of teeth that touch beside the one at the place s (m) in the same transverse section: s + k p_bt, strictly inside the path.
+/// Places (m) of all pairs of teeth that touch in addition to the one at the place s (m) in the same transverse section: s + k p_bt, strictly inside the path.
 ///
 /// Where one pair leaves as another enters, both ends are outside: B and D belong to the contact of fewer pairs.
 pub(super) fn others(pair: &GearPair, s: f64) -> impl Iterator<Item = f64> {

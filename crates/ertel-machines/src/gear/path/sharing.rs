@@ -5,7 +5,7 @@ use super::stiffness::StiffnessCurve;
 use super::{Operation, ToothStiffness};
 use crate::gear::geometry::{GearError, GearPair, in_range};
 
-/// Extra load near the ends of the contact lines of helical teeth, which material beside them supports: a factor that falls linearly from the ends of the
+/// Extra load near the ends of the contact lines of helical teeth, which adjacent material supports: a factor that falls linearly from the ends of the
 /// path to 1 over a length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Buttressing {

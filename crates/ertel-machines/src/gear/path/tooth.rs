@@ -25,7 +25,7 @@ pub(super) struct Tooth {
 impl Tooth {
     /// The tooth of an external spur gear of a pair, as its basic rack cuts it.
     ///
-    /// The centre of the rack's tip circle ρ is H = m (h_fP* − x) − ρ below the pitch line and E = m (π/4 − h_fP* tan α) − ρ (1 − sin α)/cos α beside the middle
+    /// The centre of the rack's tip circle ρ is H = m (h_fP* − x) − ρ below the pitch line and E = m (π/4 − h_fP* tan α) − ρ (1 − sin α)/cos α from the middle
     /// of its tooth. The normal of the contact passes through the pitch point; where it is inclined at ψ, from π/2 at the root to α at the end of the flank,
     /// the fillet is at H/sin ψ + ρ from the pitch point, and the gear has turned by the arc (πm/2 − E + H/tan ψ)/r from the middle of its tooth.
     /// Source: ISO 6336-3 (E); the rest follows from the words above.
@@ -48,9 +48,9 @@ impl Tooth {
         let (r, base) = (pair.reference_radii[i], pair.base_radii[i]);
         let rho = m * rack.root_radius;
         let depth = m * (rack.dedendum - pair.shifts[i]) - rho;
-        let beside =
+        let offset =
             m * (0.25 * PI - rack.dedendum * alpha.tan()) - rho * (1.0 - alpha.sin()) / alpha.cos();
-        if beside < 0.0 {
+        if offset < 0.0 {
             return refuse("racks whose root radius fits between their flanks");
         }
         // Distance of the end of the flank from the point where the line of action touches the base circle.
@@ -58,7 +58,7 @@ impl Tooth {
         if from_tangent < 0.0 {
             return refuse("teeth that are not undercut");
         }
-        let across = FRAC_PI_2 * m - beside;
+        let across = FRAC_PI_2 * m - offset;
         let point = |step: usize| {
             let psi = FRAC_PI_2 + (alpha - FRAC_PI_2) * step as f64 / POINTS as f64;
             let distance = depth / psi.sin() + rho;

@@ -29,7 +29,7 @@ const WITHOUT_CORRELATION: [&str; 21] = [
     "rapeseedoil",
 ];
 
-/// What to give in place of a kind.
+/// Advice: data to give instead of a kind.
 const INSTEAD: &str = "leave `base_oil` out and give what it would estimate: `pressure_viscosity_coefficient`, two viscosities or \
                        one with `viscosity_index`, and a law of the density, such as density = { law = \"dowson-higginson\", rho_0 = \
                        \"870 kg/m^3\" }";

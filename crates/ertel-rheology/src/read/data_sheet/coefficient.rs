@@ -53,7 +53,7 @@ pub(super) fn read(
         && table.contains(KEY)
     {
         return Err(twice(table, first, KEY).with_help(format!(
-            "`{KEY}` is the one at `reference_temperature`; a name that ends with _40 tells its own temperature, 40 degC"
+            "`{KEY}` holds at `reference_temperature`; a key that ends with _40 holds at 40 degC"
         )));
     }
     match keys[..] {
@@ -76,12 +76,12 @@ pub(super) fn read(
                     third,
                     "a data sheet takes pressure-viscosity coefficients at two temperatures",
                 )
-                .with_help("keep the two that lie around the temperature of the contact"))
+                .with_help("keep the two that bracket the temperature of the contact"))
         }
     }
 }
 
-/// A coefficient that tells its temperature.
+/// A coefficient whose key names its temperature.
 fn measured(
     table: &mut Table<'_>,
     key: &'static str,

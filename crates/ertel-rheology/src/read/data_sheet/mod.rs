@@ -134,7 +134,7 @@ fn check_group(
     match (base_oil, viscosity_index(nu_40, nu_100)) {
         (Some(BaseOil::GroupIII), Some(index)) if index < LOWEST_INDEX_OF_GROUP_III => {
             let problem = format!(
-                "an oil of Group III has a viscosity index of 120 and above (API 1509), the viscosities make {index:.0}"
+                "an oil of Group III has a viscosity index of 120 and above (API 1509), the viscosities give {index:.0}"
             );
             Err(table.error("base_oil", problem).with_help(
                 "a mineral oil with a lower index is of Group I or II, `base_oil = \"mineral\"`",

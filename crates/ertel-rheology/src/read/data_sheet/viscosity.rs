@@ -157,7 +157,7 @@ pub(super) fn points(
             Err(table
                 .error(third, "a data sheet takes viscosities at two temperatures")
                 .with_help(
-                    "keep the two that lie around the temperature of the contact; `ertel fit viscosity TABLE.csv` fits a law to more",
+                    "keep the two that bracket the temperature of the contact; `ertel fit viscosity TABLE.csv` fits a law to more",
                 ))
         }
     }
@@ -376,7 +376,7 @@ fn check_index(
     {
         return Err(table.error(
             "viscosity_index",
-            format!("the two viscosities make an index of {found:.0}, not {index}"),
+            format!("the two viscosities give an index of {found:.0}, not {index}"),
         ));
     }
     if let Some(found) = found {
@@ -502,7 +502,7 @@ fn viscosity_100(
                 .error(
                     key,
                     format!(
-                        "with {} mm^2/s at 40 degC this is a viscosity index of {found:.0}, which no oil has",
+                        "with {} mm^2/s at 40 degC the viscosity index is {found:.0}, which no oil has",
                         figures(1e6 * nu_40)
                     ),
                 )
@@ -515,7 +515,7 @@ fn viscosity_100(
                 .error(
                     "viscosity_index",
                     format!(
-                        "the viscosities at 40 and 100 degC make an index of {found:.0}, not {index}"
+                        "the viscosities at 40 and 100 degC give an index of {found:.0}, not {index}"
                     ),
                 )
                 .with_help("give two of `kinematic_viscosity_40`, `kinematic_viscosity_100` and `viscosity_index`"));

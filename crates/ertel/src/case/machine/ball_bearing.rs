@@ -74,7 +74,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     rows.text(
         "Heathcote slip b²/(2 R_d R_x)",
         format!(
-            "{} % at the ends of the ellipse, left out: the surfaces are taken to roll all over it",
+            "{} % at the ends of the ellipse, neglected: pure rolling is assumed over the ellipse",
             digits(100.0 * heathcote, 2)
         ),
     );
@@ -91,7 +91,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     })
 }
 
-/// The curvature f of the groove in question; that of the other ring may be given, too, so that `ring` alone need change.
+/// The curvature f of the groove of `ring`; that of the other ring may also be given, which allows changing `ring` alone.
 fn read_curvature(table: &mut Table<'_>, ring: Ring) -> Result<f64, InputError> {
     let inner = table.optional_number("inner_groove_curvature", CURVATURE)?;
     let outer = table.optional_number("outer_groove_curvature", CURVATURE)?;

@@ -15,7 +15,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
         true if table.contains("ball_diameter") => {
             return Err(table.error(
                 "ball_radius",
-                "`ball_diameter` and `ball_radius` say the same thing twice; keep one of them",
+                "`ball_diameter` and `ball_radius` give the same quantity; keep one of them",
             ));
         }
         true => required_length(table, "ball_radius")?,

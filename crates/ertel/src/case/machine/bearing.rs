@@ -1,4 +1,4 @@
-//! What ball and roller bearings share: rings, and kinematics without sliding.
+//! Functions for both ball and roller bearings: rings, and kinematics without sliding.
 //!
 //! Source: Harris and Kotzalas, Essential Concepts of Bearing Technology, 5th ed., 2007, chapters 2 (geometry) and 10
 //! (speeds), where γ is defined and the cage speed derived.
@@ -41,8 +41,8 @@ pub(super) fn gamma(
     Ok(diameter * angle.cos() / pitch_diameter)
 }
 
-/// Reads the speeds of both rings, and finds the motion of a contact in which the element rolls ([`RollerMotion`]). Its direction does not count,
-/// because x goes along with it. Skidding is left out. Comes with the speeds of the rings.
+/// Reads the speeds of both rings, and finds the motion of a contact in which the element rolls ([`RollerMotion`]). Its direction is irrelevant,
+/// because x points along it. Skidding is neglected. Also returns the speeds of the rings.
 pub(super) fn rolling(
     table: &mut Table<'_>,
     pitch_diameter: f64,

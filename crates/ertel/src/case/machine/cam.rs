@@ -41,7 +41,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
                     1e3 * radius
                 ),
             )
-            .with_help("a flat tappet touches a cam where it is convex"));
+            .with_help("a flat tappet touches only convex parts of a cam"));
     }
     let mut contact = Contact::line(radius, 0.0).between([[0.0; 2], [radius.recip(), 0.0]]);
     super::check_radii(table, &contact)?;

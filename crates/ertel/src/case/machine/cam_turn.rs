@@ -32,8 +32,8 @@ const MASS: Bounds = Bounds::closed(0.0, 1e6);
 /// Points of a turn.
 const POINTS: std::ops::RangeInclusive<i64> = 3..=3600;
 const USUAL_POINTS: i64 = 90;
-/// Entrainment speed over the largest of the turn below which no film is solved: near its reversal the film is what squeeze leaves of the film
-/// before, which a steady solution does not know.
+/// Entrainment speed over the largest of the turn below which no film is solved: near its reversal squeeze sustains the film,
+/// which a steady solution does not include.
 const SLOWEST: f64 = 0.02;
 
 /// A cam, how it runs, and its contacts.
@@ -101,7 +101,7 @@ pub(super) fn read(
     };
     let is_straight = !matches!(follower, Follower::Finger { .. });
     let cam = Cam::new(law, follower, base_radius).map_err(|error| refused(table, &error))?;
-    let told = Told {
+    let text = CamText {
         base_radius,
         law: &law_words,
         follower: &follower_words,
@@ -115,7 +115,7 @@ pub(super) fn read(
         check_undercut(table, &[point])?;
         let bars = cam.bars(&operation, angle);
         let warnings = doubts::warnings(&cam, &operation, &[point], is_straight);
-        let machine = single(table, &told, (&point, &bars), load_key, None, Vec::new())?;
+        let machine = single(table, &text, (&point, &bars), load_key, None, Vec::new())?;
         return Ok(Machine {
             warnings,
             ..machine
@@ -135,8 +135,8 @@ pub(super) fn read(
             "no contact of the turn can be solved: the follower leaves the cam everywhere, or pressures are out of range",
         ));
     };
-    let reversals_told = doubts::reversals(&cam, &operation, &reversals);
-    let (mut of_turn, mut warnings) = unsolved(&turn, &contacts, reversals_told);
+    let reversal_rows = doubts::reversals(&cam, &operation, &reversals);
+    let (mut of_turn, mut warnings) = unsolved(&turn, &contacts, reversal_rows);
     of_turn.push(doubts::steepest(&turn));
     warnings.extend(doubts::warnings(&cam, &operation, &turn, is_straight));
     let title = format!(
@@ -161,7 +161,7 @@ pub(super) fn read(
     };
     let machine = single(
         table,
-        &told,
+        &text,
         (&point, &bars),
         load_key,
         Some(whole),
@@ -174,7 +174,7 @@ pub(super) fn read(
     })
 }
 
-/// The follower, and what it is in words.
+/// The follower, and its description.
 fn follower(table: &mut Table<'_>) -> Result<(Follower, String), InputError> {
     let kind = table.required_choice("follower", &KINDS)?;
     let radius = table.optional_quantity("follower_radius", Dimension::LENGTH, RADIUS)?;
@@ -301,8 +301,8 @@ fn check_undercut(table: &Table<'_>, points: &[CamPoint]) -> Result<(), InputErr
         .with_help("give a larger base radius, a smaller follower or a smoother lift"))
 }
 
-/// What the report tells of a cam.
-struct Told<'a> {
+/// Description of a cam in the report.
+struct CamText<'a> {
     base_radius: f64,
     law: &'a str,
     follower: &'a str,
@@ -310,10 +310,10 @@ struct Told<'a> {
     width: f64,
 }
 
-/// The machine of one contact, which may stand for `whole`.
+/// The machine of one contact, which may represent `whole`.
 fn single(
     table: &Table<'_>,
-    told: &Told<'_>,
+    text: &CamText<'_>,
     (point, bars): (&CamPoint, &CamBars),
     load_key: &'static str,
     whole: Option<WholeMachine>,
@@ -337,11 +337,11 @@ fn single(
     let mut rows = Rows::default();
     rows.text(
         "machine",
-        format!("cam (body 2) on {} (body 1)", told.follower),
+        format!("cam (body 2) on {} (body 1)", text.follower),
     );
-    rows.length("base radius r_b", told.base_radius);
-    rows.text("lift s(θ)", told.law);
-    rows.number("cam speed ω", told.speed, "rad/s");
+    rows.length("base radius r_b", text.base_radius);
+    rows.text("lift s(θ)", text.law);
+    rows.number("cam speed ω", text.speed, "rad/s");
     if let Some(whole) = &whole {
         let name = whole.contacts[whole.governing].name.clone();
         rows.text("most loaded contact", name);
@@ -362,7 +362,7 @@ fn single(
     );
     rows.number("force along the follower's motion", point.force, "N");
     rows.number("pressure angle", point.pressure_angle.to_degrees(), "deg");
-    rows.length("width b", told.width);
+    rows.length("width b", text.width);
     rows.text("load per length w", force(contact.load, true, 6));
     let with_bar = [point.hertz_pressure, bars.hertz_pressure];
     let highest = pressure(point.hertz_pressure);
@@ -455,7 +455,7 @@ fn unsolved(
     rows.extend(reversals.map(|at| ("entrainment reverses", at)));
     let slow = ranges(turn, |point| is_unsolved(point) && is_contact(point));
     if !slow.is_empty() {
-        let text = format!("{slow}: there the film is what squeeze leaves of it");
+        let text = format!("{slow}: only squeeze sustains the film there");
         rows.push(("too slow for a steady film, not solved", text));
     }
     let mut warnings = Vec::new();

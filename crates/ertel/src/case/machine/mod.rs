@@ -1,6 +1,6 @@
 //! `[machine]`: contact and motion from the dimensions and speeds of a machine element.
 //!
-//! In a case file it stands in place of `[contact]` and `[motion]`. In `[bodies]`, `body_2` is the ball, the roller, the
+//! In a case file it replaces `[contact]` and `[motion]`. In `[bodies]`, `body_2` is the ball, the roller, the
 //! pinion or the cam, and `body_1` the disc, the ring, the wheel or the tappet.
 
 mod ball_bearing;
@@ -51,7 +51,7 @@ enum MachineKind {
     Cam,
 }
 
-/// Their names; underscores may stand in place of hyphens.
+/// Their names; underscores may replace hyphens.
 const KINDS: [(&str, MachineKind); 7] = [
     ("ball-on-disc", MachineKind::BallOnDisc),
     ("ball-bearing", MachineKind::BallBearing),
@@ -71,7 +71,7 @@ fn kind(table: &mut Table<'_>) -> Result<MachineKind, InputError> {
         && let Some(designation) = table.optional_str("designation")?
     {
         return Ok(match Elements::of_designation(designation) {
-            // Which bearings there are is told where it is looked up.
+            // The lookup reports which bearings are available.
             Some(Elements::Balls) | None => MachineKind::BallBearing,
             Some(Elements::Rollers | Elements::TaperedRollers) => MachineKind::RollerBearing,
         });
@@ -82,7 +82,7 @@ fn kind(table: &mut Table<'_>) -> Result<MachineKind, InputError> {
     }
 }
 
-/// What a machine makes of its contact.
+/// The contact that a machine has.
 pub(super) struct Machine {
     pub contact: Contact,
     pub motion: Motion,
@@ -91,16 +91,16 @@ pub(super) struct Machine {
     /// Smallest radius of curvature of either body along x and y, m, where one fits into the other; infinite where the reduced radius is
     /// the smallest.
     pub body_radii: [f64; 2],
-    /// What to know.
+    /// Warnings.
     pub warnings: Vec<Warning>,
     pub echo: MachineEcho,
-    /// All contacts, where the file asks for no single one.
+    /// All contacts, where the file selects no single one.
     pub whole: Option<WholeMachine>,
-    /// Temperature of the bodies, K, where the machine says it.
+    /// Temperature of the bodies, K, where the machine gives it.
     pub bulk_temperature: Option<f64>,
 }
 
-/// What the mechanics of a machine say of it.
+/// The mechanics of a machine.
 #[derive(Clone, Debug)]
 pub enum Mechanics {
     /// A rolling bearing.
@@ -111,7 +111,7 @@ pub enum Mechanics {
     Cam(Box<CamMechanics>),
 }
 
-/// What the bodies of a machine are made of.
+/// Materials of the bodies of a machine.
 pub(super) struct Steel {
     /// Reduced modulus of both, Pa.
     pub reduced_modulus: f64,

@@ -1,4 +1,4 @@
-//! What a contact of a machine meets over time: a pair of teeth along its path of contact, a cam over a turn.
+//! Load, radius and speeds of a machine's contact over time: a pair of teeth along its path of contact, a cam over a turn.
 //!
 //! ```text
 //!   teeth: t = (s − s_A)/(ω_1 r_b1)        cam: t = (θ − θ_0)/ω
@@ -29,21 +29,21 @@ pub struct Passage {
     pub speeds: [Course; 2],
 }
 
-/// Share of the largest load with which teeth begin to count, and with which they end.
+/// Share of the largest load of teeth at which a passage begins and ends.
 const LEAST_LOAD: f64 = 0.01;
 
 /// A point: s, N/m, m, m/s, m/s.
 type Row = [f64; 5];
 
 impl WholeMachine {
-    /// What its contact meets over time.
+    /// Load, radius and speeds of its contact over time.
     ///
     /// # Errors
     /// Why there is none.
     pub fn passage(&self) -> Result<Passage, String> {
         match &self.mechanics {
             Mechanics::Bearing(_) => Err(
-                "the elements of a bearing roll under loads that change slowly against the time oil takes through a contact: choose one of its contacts in [machine]".to_owned(),
+                "the loads of a bearing change slowly compared with the transit time of the oil: choose one of its contacts in [machine]".to_owned(),
             ),
             Mechanics::Gears(gears) => of_teeth(gears),
             Mechanics::Cam(cam) => of_cam(cam),
@@ -79,7 +79,7 @@ fn of_teeth(gears: &GearMechanics) -> Result<Passage, String> {
             digits(1e3 * row[0] * speed, 4)
         ));
     }
-    // What lies beyond the ends: slopes go on there.
+    // Beyond the ends slopes continue.
     let beyond = |at: &Row, next: &Row| {
         let time = 2.0 * at[0] - next[0];
         let radius = gears.pair.reduced_radius(time * speed);
@@ -109,7 +109,7 @@ fn of_cam(mechanics: &CamMechanics) -> Result<Passage, String> {
         let angle = digits(point.angle.to_degrees(), 4);
         return Err(match point.contact_lost {
             true => format!(
-                "the follower leaves the cam at {angle} deg: its flight and impact are not followed"
+                "the follower leaves the cam at {angle} deg: its flight and impact are not computed"
             ),
             false => format!("radius or pressure at {angle} deg are outside those of Hertz theory"),
         });

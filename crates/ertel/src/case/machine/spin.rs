@@ -18,7 +18,7 @@ pub(super) struct BallInGrooves {
 }
 
 /// Reads `raceway_control`, and finds how ring and ball spin about the normal of their contact, rad/s, from x towards y, the normal pointing from the ring to
-/// the ball: a ball cannot roll on both raceways without spin on one of them ([`BallMotion`]). Gyroscopic slip is left out.
+/// the ball: a ball cannot roll on both raceways without spin on one of them ([`BallMotion`]). Gyroscopic slip is neglected.
 pub(super) fn read(
     table: &mut Table<'_>,
     ring: Ring,

@@ -32,7 +32,7 @@ ball_speed = "1.1 m/s"
 disc_speed = "0.9 m/s"
 "#;
 
-/// The dimensions of a deep-groove bearing 6206, about.
+/// Approximate dimensions of a deep-groove bearing 6206.
 const BALL: &str = r#"
 kind = "ball-bearing"
 ring = "inner"
@@ -88,7 +88,7 @@ fn with(machine: &str, old: &str, new: &str) -> Result<Case, InputError> {
     read(&machine.replacen(old, new, 1))
 }
 
-/// What a machine gives, varied: each point is the machine with this value.
+/// Curves over inputs of a machine: each point is the machine with this value.
 #[test]
 fn machines_have_curves() {
     let values = |case: &Case, of: fn(&Case) -> f64| -> Vec<f64> {
@@ -237,7 +237,7 @@ fn ball_bearing() {
     let outer = with(BALL, "\"inner\"", "\"outer\"").unwrap();
     check(&outer, 5.748_648, 500.0, 3.457_928, 0.0);
     assert_relative_eq!(outer.contact.radius_y, 0.084_137_5, max_relative = 1e-6);
-    // The direction does not count, only how fast the rings turn against each other.
+    // Only the relative speed of the rings matters, not its direction.
     let reverse = with(
         BALL,
         "\"3000 rpm\"",
@@ -276,7 +276,7 @@ fn ball_bearing_with_spin() {
             assert_relative_eq!(*found, expected, max_relative = 1e-6);
         }
     }
-    // Without the key spin is left out, and at 0 degrees there is none.
+    // Without the key spin is neglected, and at 0 degrees there is none.
     assert_eq!(with(BALL, "0 deg", "40 deg").unwrap().motion.spin, [0.0; 2]);
     let radial = with(BALL, "\"0 deg\"", "\"0 deg\"\nraceway_control = \"outer\"").unwrap();
     assert_eq!(radial.motion.spin, [0.0; 2]);

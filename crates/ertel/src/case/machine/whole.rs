@@ -1,4 +1,4 @@
-//! All contacts of a machine: its case file with the keys of one contact after the other put in.
+//! All contacts of a machine: its case file with the keys of each contact added in turn.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -16,23 +16,23 @@ use crate::case::{Case, Study};
 /// A whole machine.
 #[derive(Clone, Debug)]
 pub struct WholeMachine {
-    /// What it is: `ball bearing 6206`.
+    /// Description: `ball bearing 6206`.
     pub title: String,
-    /// What its mechanics say.
+    /// Its mechanics.
     pub mechanics: Mechanics,
     /// Its contacts in their order, unloaded ones among them.
     pub contacts: Vec<MachineContact>,
-    /// What tells the places of its contacts apart.
+    /// The coordinate of its contacts.
     pub axis: Axis,
     /// Which of them the case itself is: the one under the largest pressure.
     pub governing: usize,
     /// Whether its contacts are lines, whose loads are per length.
     pub is_line: bool,
-    /// Whether each contact's results are written into a folder of its own, too.
+    /// Whether each contact's results are also written to a separate folder.
     pub folders: bool,
 }
 
-/// What tells the places of contacts apart, and how they are drawn.
+/// The coordinate of contacts, which also sets how they are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
     /// Angles of rolling elements from the load, round the bearing.
@@ -83,7 +83,7 @@ impl WholeMachine {
 pub struct MachineContact {
     /// Which it is, in words: `ball 3, inner ring`.
     pub name: String,
-    /// The keys of `[machine]` that ask for it alone.
+    /// The keys of `[machine]` that select it alone.
     pub keys: Vec<(&'static str, Choice)>,
     /// Where it is, SI, by [`Axis`].
     pub place: f64,
@@ -97,7 +97,7 @@ pub struct MachineContact {
     pub like: Option<usize>,
 }
 
-/// Value of a key that asks for a contact.
+/// Value of a key that selects a contact.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Choice {
     /// A name.
@@ -127,7 +127,7 @@ impl Choice {
     }
 }
 
-/// Marks which contacts are the same by what tells them apart, and returns for each the first like it.
+/// Finds equal contacts by their distinguishing values, and returns for each the first like it.
 pub(super) fn like<const N: usize>(of: &[Option<[f64; N]>]) -> Vec<Option<usize>> {
     let same = |a: &[f64; N], b: &[f64; N]| {
         let close = |(a, b): (&f64, &f64)| (a - b).abs() <= SAME * a.abs().max(b.abs());
@@ -143,7 +143,7 @@ pub(super) fn like<const N: usize>(of: &[Option<[f64; N]>]) -> Vec<Option<usize>
     of.iter().enumerate().map(first).collect()
 }
 
-/// Relative difference of what tells contacts apart, below which they are the same: rounding of the mechanics.
+/// Relative difference of distinguishing values below which contacts are the same: rounding of the mechanics.
 const SAME: f64 = 1e-9;
 
 /// The contacts of a machine that are to be solved.

@@ -48,7 +48,7 @@ impl Axis {
     }
 }
 
-/// Axes that go side by side.
+/// Axes that vary together.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Group {
     /// Its name, if it has one.
@@ -111,7 +111,7 @@ pub(super) fn read(
                 return Err(table.error(
                     "zip",
                     format!(
-                        "`{}` has {} values, but `{}` beside it has {}",
+                        "`{}` has {} values, but `{}` next to it has {}",
                         axis.key,
                         axis.values.len(),
                         group.axes[0].key,
@@ -128,7 +128,7 @@ pub(super) fn read(
     Ok(groups)
 }
 
-/// No point of axes side by side stands there twice.
+/// Refuses points that occur twice in axes that vary together.
 fn check_points(group: &Group, study: &Document, offset: usize) -> Result<(), InputError> {
     let mut seen = HashMap::new();
     for i in 0..group.len() {

@@ -17,7 +17,7 @@ const REPLACED: [(&str, &str); 9] = [
     ("lubricant.temperature", "temperature"),
 ];
 
-/// Refuses a value that all points would leave unused.
+/// Refuses a value that no point would use.
 pub(super) fn check_effect(document: &Document, setting: &Setting) -> Result<(), InputError> {
     let replaced = REPLACED.iter().filter(|(key, _)| *key == setting.key);
     for (key, course) in replaced {

@@ -2,7 +2,7 @@
 //!
 //! ```toml
 //! title = "Ball on disc, speed and load"
-//! case = "ball-on-disc.toml"        # beside the study
+//! case = "ball-on-disc.toml"        # next to the study
 //!
 //! [[axis]]
 //! key = "motion.entrainment_speed"
@@ -16,12 +16,12 @@
 //! values = ["10 N", "50 N"]
 //! ```
 //!
-//! Axes are crossed, the last one varying fastest; those with the same `zip` go side by side. `points = "points.csv"`
+//! Axes are crossed, the last one varying fastest; those with the same `zip` vary together. `points = "points.csv"`
 //! reads a table whose headers are input keys with units, and counts as the first axis. Each point is the
-//! base case read once more with its values put in, so that every check of a case applies; errors point to the study.
+//! base case read again with its values: every check of a case applies, and errors point to the study.
 
 mod axis;
-mod beside;
+mod columns;
 mod in_time;
 mod points;
 mod text;
@@ -41,7 +41,7 @@ use super::Case;
 use super::set::with_settings;
 use crate::contact::ContactKind;
 use axis::Group;
-pub use beside::PointColumn;
+pub use columns::PointColumn;
 pub(crate) use points::split_title;
 pub(super) use text::{inline, quoted, to_toml};
 pub use values::AxisValue;
@@ -57,7 +57,7 @@ pub struct Study {
     pub title: String,
     /// The base case.
     pub base: PathBuf,
-    /// What varies, in the order of the table's columns.
+    /// The varied keys, in the order of the table's columns.
     pub columns: Vec<StudyColumn>,
     /// The points, the last axis varying fastest.
     pub points: Vec<StudyPoint>,
@@ -67,28 +67,33 @@ pub struct Study {
     pub source: String,
     /// Line or circular, the same in all points.
     pub kind: ContactKind,
-    /// What the points are read from; `None` for those made in code.
+    /// Source of the points; `None` for those made in code.
     reader: Option<Arc<Reader>>,
     /// Place of each point among all that the file has.
     places: Vec<usize>,
 }
 
-/// What the points of a study are read from.
+/// Source of the points of a study.
 #[derive(Debug)]
 struct Reader {
     case: Document,
     folder: PathBuf,
     groups: Vec<Group>,
-    /// The file that says which points there are, as errors name it.
+    /// The file that defines the points, as errors name it.
     name: String,
 }
 
 impl Reader {
     fn read(&self, index: usize) -> Result<StudyPoint, InputError> {
         let settings = settings_of(&self.groups, index);
-        let told = |label: &str| format!("point {} of {}: {label}", index + 1, self.name);
-        let (mut point, varied) =
-            StudyPoint::read(&self.case, &self.folder, &settings, &BTreeMap::new(), told)?;
+        let naming = |label: &str| format!("point {}  of {}: {label}", index + 1, self.name);
+        let (mut point, varied) = StudyPoint::read(
+            &self.case,
+            &self.folder,
+            &settings,
+            &BTreeMap::new(),
+            naming,
+        )?;
         point.case.source = format!(
             "# Point {} of {}: {}\n{}",
             index + 1,
@@ -136,13 +141,13 @@ pub struct StudyPoint {
 
 impl StudyPoint {
     /// Reads the case of a document with settings in place and other values, SI, at the key paths `replaced`, of a whole machine with its
-    /// contacts, and returns the document with the settings; `told` says in an error which point it is, of its label.
+    /// contacts, and returns the document with the settings; `naming` names the point in an error, from its label.
     pub(super) fn read(
         document: &Document,
         folder: &Path,
         settings: &[Setting],
         replaced: &BTreeMap<String, f64>,
-        told: impl Fn(&str) -> String,
+        naming: impl Fn(&str) -> String,
     ) -> Result<(Self, Document), InputError> {
         let label = settings
             .iter()
@@ -165,7 +170,7 @@ impl StudyPoint {
             Ok(case)
         };
         let mut case = read().map_err(|error| {
-            keys::unknown_first(&varied, keys::CASE, error).with_help(told(&label))
+            keys::unknown_first(&varied, keys::CASE, error).with_help(naming(&label))
         })?;
         let keys = settings.iter().map(|s| s.key.as_str());
         let ignored = case.lubricant.temperature_ignored(keys, "varies");
@@ -215,7 +220,7 @@ impl Study {
         }
     }
 
-    /// A point whose case has its text, the contacts of a machine and where its quantities come from, read once more; `None` where that fails now, or the points
+    /// A point whose case has its text, the contacts of a machine and where its quantities come from, read again; `None` where that fails now, or the points
     /// were made in code and have all of it.
     pub fn whole_point(&self, index: usize) -> Option<StudyPoint> {
         self.reader.as_ref()?.read(self.places[index]).ok()
@@ -231,7 +236,7 @@ impl Study {
         Self::read_some(path, None)
     }
 
-    /// Reads a study with values in place of those of its base case, each written `key=value` as in
+    /// Reads a study with values that replace those of its base case, each written `key=value` as in
     /// [`Case::from_text_with`].
     ///
     /// # Errors
@@ -275,11 +280,11 @@ impl Study {
         let case = read_named(&root, "case", &base)?;
         if case.tree().entry("curve").is_some() {
             return Err(root
-                .error("case", "the base case of a study has a [curve] of its own")
+                .error("case", "the base case of a study has a [curve]")
                 .with_help("make an [[axis]] of it"));
         }
         let case = with_settings(case, settings)?;
-        let (case, offset) = case.beside(study.file(), study.text());
+        let (case, offset) = case.with_file(study.file(), study.text());
         let mut files = vec![path.to_owned(), base.clone()];
         let (case, mut groups) = match root.optional_str("points")? {
             None => (case, Vec::new()),
@@ -298,7 +303,7 @@ impl Study {
             ));
         }
         check_settings(&case, settings, &groups)?;
-        // Kept with the results: the file alone would not say what was solved.
+        // Stored with the results: the file alone does not define what was solved.
         let heads: String = (settings.iter())
             .map(|setting| format!("# --set {}\n", setting.replace(char::is_control, " ")))
             .collect();
@@ -312,7 +317,7 @@ impl Study {
     }
 }
 
-/// The file that says which points a study has.
+/// The file that defines the points of a study.
 struct Source<'a> {
     /// As errors name it.
     name: &'a str,
@@ -350,7 +355,7 @@ fn build(
             "there are {n_points} points, and not all of those asked for"
         )));
     }
-    // What is wrong in all points is said before there are a million of them.
+    // An error common to all points is reported before there are a million of them.
     reader.read(places[0])?;
     let read: Vec<Result<(StudyPoint, Vec<PathBuf>), InputError>> = (places.par_iter())
         .map(|index| {
@@ -410,7 +415,7 @@ pub fn read_named(table: &Table<'_>, key: &str, path: &Path) -> Result<Document,
     })
 }
 
-/// A value that every point replaces would be without effect.
+/// Refuses a value that every point replaces: it would have no effect.
 fn check_settings(
     case: &Document,
     settings: &[String],
@@ -427,7 +432,7 @@ fn check_settings(
     Ok(())
 }
 
-/// The same key twice would leave one of its values without effect.
+/// Refuses a key that is set twice: one of its values would have no effect.
 fn check_keys(case: &Document, groups: &[Group]) -> Result<(), InputError> {
     let axes: Vec<&axis::Axis> = groups.iter().flat_map(|group| &group.axes).collect();
     for (i, axis) in axes.iter().enumerate() {
@@ -446,9 +451,9 @@ fn check_keys(case: &Document, groups: &[Group]) -> Result<(), InputError> {
     }
     for group in groups {
         let is_contact = |axis: &axis::Axis| axis.key != "title" && axis.values.len() > 1;
-        let is_beside_contact = group.axes.iter().any(is_contact);
+        let has_contact_axis = group.axes.iter().any(is_contact);
         for axis in &group.axes {
-            if let Some((reason, help)) = without_effect(axis, is_beside_contact) {
+            if let Some((reason, help)) = without_effect(axis, has_contact_axis) {
                 let error = case.error_at(axis.key_span.clone(), &axis.key, reason);
                 return Err(error.with_help(help));
             }
@@ -457,8 +462,8 @@ fn check_keys(case: &Document, groups: &[Group]) -> Result<(), InputError> {
     Ok(())
 }
 
-/// Why an axis does not change what is solved, and what to do; `is_beside_contact` if another one of its group does.
-fn without_effect(axis: &axis::Axis, is_beside_contact: bool) -> Option<(String, &'static str)> {
+/// Why an axis does not change what is solved, and what to do; `has_contact_axis` if another one of its group does.
+fn without_effect(axis: &axis::Axis, has_contact_axis: bool) -> Option<(String, &'static str)> {
     let key = &axis.key;
     match key.split('.').next().unwrap_or_default() {
         "curve" => Some((
@@ -467,11 +472,11 @@ fn without_effect(axis: &axis::Axis, is_beside_contact: bool) -> Option<(String,
         )),
         "output" => Some((
             format!("`{key}` cannot be an axis: what is written does not change what is solved"),
-            "set it in the base case; `ertel sweep --folders` writes each point into a folder of its own",
+            "set it in the base case; `ertel sweep --folders` writes each point to a separate folder",
         )),
-        "title" if axis.values.len() > 1 && !is_beside_contact => Some((
-            "`title` cannot be an axis of its own: its points would be the same contact".to_owned(),
-            "give it the same `zip` as an axis of a contact's input, or a column beside such inputs in the table of points",
+        "title" if axis.values.len() > 1 && !has_contact_axis => Some((
+            "`title` alone cannot be an axis: its points would be the same contact".to_owned(),
+            "give it the same `zip` as an axis of a contact's input, or a column next to such inputs in the table of points",
         )),
         _ => None,
     }

@@ -11,7 +11,7 @@ use ertel_input::{Document, InputError};
 use super::axis::{Axis, Group};
 use super::values::{AxisValue, is_text_key};
 
-/// A column: its place, its key, where it stands, and the unit of its cells.
+/// A column: its index, its key, the position of its header, and the unit of its cells.
 struct Header {
     index: usize,
     key: String,
@@ -19,7 +19,7 @@ struct Header {
     unit: String,
 }
 
-/// Reads the table as a group of axes side by side; returns the case with the table beside it.
+/// Reads the table as a group of axes that vary together; returns the case with the table added.
 pub(super) fn read(
     case: Document,
     path: &Path,
@@ -28,7 +28,7 @@ pub(super) fn read(
     let file = path.display().to_string();
     let text = read_table(path)
         .map_err(|error| study.root().error("points", format!("{file} {error}")))?;
-    let (case, offset) = case.beside(&file, &text);
+    let (case, offset) = case.with_file(&file, &text);
     let moved = |span: Range<usize>| span.start + offset..span.end + offset;
     let vocabulary = Vocabulary {
         names: &[],
@@ -80,7 +80,7 @@ pub(super) fn read(
                 false => table.with_point(row.cell(index)),
             };
             if cell.is_empty() {
-                let message = format!("column {}: `{}` is left out", index + 1, header.key);
+                let message = format!("column {}: `{}` is missing", index + 1, header.key);
                 return Err(case.error_at(moved(row.span.clone()), &header.key, message));
             }
             let node = Node {
@@ -141,7 +141,7 @@ pub(crate) fn split_title(case: &Document, title: &str) -> Option<(String, Strin
     if is_key(title) && (is_text_key(title) || case.tree().entry(title).is_some()) {
         return Some((title.to_owned(), String::new()));
     }
-    // A unit in words stands behind the last point: `motion.slide_to_roll_ratio` has none.
+    // A unit in words follows the last point: `motion.slide_to_roll_ratio` has none.
     let points = |text: &str| text.matches('.').count();
     let fits = |(key, _): &(String, String)| {
         is_key(key) && (key == title || !is_key(title) || points(key) == points(title))

@@ -265,7 +265,7 @@ fn errors_point_to_the_study() {
         (
             "[[axis]]\nkey = \"contact.load\"\nvalues = [\"20 kN/m\"]\nzip = \"a\"\n[[axis]]\nkey = \"motion.entrainment_speed\"\nvalues = [\"1 m/s\", \"2 m/s\"]\nzip = \"a\"\n",
             9,
-            "has 2 values, but `contact.load` beside it has 1",
+            "has 2 values, but `contact.load` next to it has 1",
         ),
         (
             "[[axis]]\nkey = \"contact.load\"\nvalue = [\"20 kN/m\"]\n",
@@ -303,7 +303,7 @@ fn errors_point_to_the_study() {
         (
             "contact.load_N_per_m, lubricant.temperature_K\n20000,\n",
             2,
-            "left out",
+            "is missing",
         ),
         (
             "contact.load_N_per_m\n20000\nmuch\n",
@@ -317,7 +317,7 @@ fn errors_point_to_the_study() {
         assert_eq!(error.line(), Some(line), "{points}\n{text}");
         assert!(text.contains(words), "{points}\n{text}");
     }
-    // The values of the point stand beside.
+    // The help gives the values of the point.
     let study = "[[axis]]\nkey = \"contact.load\"\nvalues = [\"20 kN/m\", \"-1 kN/m\"]\n";
     let text = read(study, "").unwrap_err().to_string();
     assert!(text.contains("point 2 of"), "{text}");

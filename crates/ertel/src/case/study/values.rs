@@ -22,7 +22,7 @@ pub enum AxisValue {
 }
 
 impl AxisValue {
-    /// What a value of a key in a file stands for: titles, names and files are text, whatever they look like.
+    /// Value of a key in a file: titles, names and files are text, whatever they look like.
     pub(super) fn of(key: &str, node: &Node) -> Self {
         match &node.value {
             Value::Str(text) if is_text_key(key) => Self::Text(text.clone()),
@@ -53,7 +53,7 @@ impl AxisValue {
         }
     }
 
-    /// Whether both can stand in one column.
+    /// Whether both fit in one column.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Number(_, a), Self::Number(_, b)) => a.same_exponents(*b),
@@ -142,7 +142,7 @@ pub(in crate::case) fn is_range(
     }
 }
 
-/// No value of a list stands there twice.
+/// Refuses values that occur twice in a list.
 pub(in crate::case) fn check_distinct(
     table: &Table<'_>,
     name: &str,

@@ -1,4 +1,4 @@
-//! Dents, bumps, grooves and ridges again and again.
+//! Arrays of dents, bumps, grooves and ridges.
 
 use ertel_input::{InputError, Table};
 use ertel_quantity::Dimension;
@@ -10,7 +10,7 @@ use crate::words::length;
 /// How many at most.
 const MOST: i64 = 1_000_000;
 
-/// The form as often as `pitch`, `count` and those across say.
+/// The form repeated by `pitch`, `count` and those across.
 pub(super) fn read(table: &mut Table<'_>, form: Form) -> Result<Form, InputError> {
     let along = repeat(table, &form, ["pitch", "count"])?;
     let across = match form {

@@ -7,7 +7,7 @@ use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::{Dimension, Unit};
 use serde::Serialize;
 
-use super::reader::{MOST_POINTS, MapError, Told, read};
+use super::reader::{Layout, MOST_POINTS, MapError, read};
 use super::{HEIGHT, SIZE, direction};
 use crate::contact::gap::{Form, HeightMap};
 use crate::contact::topography::{
@@ -16,13 +16,13 @@ use crate::contact::topography::{
 };
 use crate::words::length;
 
-/// Where heights come from, what was done to them, and what they are.
+/// Source, treatment and description of heights.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SurfaceEcho {
     /// The file as the case names it; `None` where they are made.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
-    /// What kind of file it is, or "generated".
+    /// Format of the file, or "generated".
     pub format: &'static str,
     /// xxh3 of its bytes, 16 hexadecimal digits.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -75,7 +75,7 @@ pub(super) fn measured(
 ) -> Result<(Form, SurfaceEcho), InputError> {
     let file = table.required_str("file")?;
     let layouts = [("rows", false), ("points", true)];
-    let told = Told {
+    let layout = Layout {
         spacing: table.optional_quantity("spacing", Dimension::LENGTH, SIZE)?,
         row_spacing: table.optional_quantity("row_spacing", Dimension::LENGTH, SIZE)?,
         height_unit: unit(table, "height_unit")?,
@@ -97,9 +97,9 @@ pub(super) fn measured(
     let taper = table.optional_quantity("taper", Dimension::LENGTH, SIZE)?;
     let direction = direction(table, is_line, 1.0)?;
     let path = folder.join(file);
-    let heights = read(&path, &told).map_err(|error| {
+    let heights = read(&path, &layout).map_err(|error| {
         let key = match error {
-            MapError::ToldTwice { key, .. } => key,
+            MapError::Redundant { key, .. } => key,
             _ => "file",
         };
         let text = match error {
@@ -130,9 +130,7 @@ pub(super) fn measured(
                     crate::words::digits(100.0 * most, 3)
                 ),
             )
-            .with_help(
-                "fill them where the surface was measured, cut them off, or raise `missing_share`",
-            ));
+            .with_help("fill them in the instrument, crop them, or raise `missing_share`"));
     }
     if level.is_some_and(|level| !map.level(level)) || !map.fill() {
         return Err(table.error("file", "too few points have a height to level the surface"));
@@ -225,11 +223,11 @@ pub(super) fn generated(
     finished(table, map, own, taper, (law.shortest, direction))
 }
 
-/// What is known of heights before they are filtered.
+/// Heights before they are filtered.
 struct Own {
     file: Option<String>,
     format: &'static str,
-    /// What says how large heights are.
+    /// The input that scales the heights.
     heights_by: &'static str,
     hash: Option<String>,
     missing: usize,
@@ -266,7 +264,7 @@ fn finished(
             return Err(table.error(
                 key,
                 format!(
-                    "a cutoff of {} is no wavelength of the surface: from {}, twice the distance of its points, to {}, its shorter side",
+                    "a cutoff of {} is not a wavelength of the surface; the range is {}, twice the distance of its points, to {}, its shorter side",
                     length(cutoff),
                     length(SHORTEST * spacing),
                     length(side)

@@ -1,4 +1,4 @@
-//! `[[surface]]`: what stands on a surface, what is missing from it, and what was measured of it.
+//! `[[surface]]`: reliefs and measured heights of surfaces.
 
 mod array;
 mod coverage;
@@ -22,13 +22,13 @@ pub use reader::{LEAST_POINTS, MOST_POINTS};
 /// A relief of a surface, m.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceRelief {
-    /// What it looks like.
+    /// Its shape.
     pub form: Form,
-    /// Whose surface.
+    /// The body that has it.
     pub body: Body,
     /// Where its middle, or first crest, lies at t = 0.
     pub place: [f64; 2],
-    /// Where heights come from and what they are, of a map.
+    /// Source and description of the heights of a map.
     pub echo: Option<SurfaceEcho>,
 }
 
@@ -179,7 +179,7 @@ pub(super) fn check(case: &Case, root: &mut Table<'_>) -> Result<Vec<Warning>, I
         return Ok(warnings);
     };
     if let Some((_, reason)) = refusals(case).iter().find(|(is_refused, _)| *is_refused) {
-        return Err(first.error_here(format!("[[surface]] does not go together with {reason}")));
+        return Err(first.error_here(format!("[[surface]] cannot be combined with {reason}")));
     }
     for (table, relief) in tables.iter().zip(&case.reliefs) {
         let motion = &case.motion;
@@ -198,7 +198,7 @@ pub(super) fn check(case: &Case, root: &mut Table<'_>) -> Result<Vec<Warning>, I
                     ),
                 )
                 .with_help(
-                    "follow it with [transient], such as duration = \"5 ms\"; without it, reliefs stand on a body at rest or are the same along \
+                    "follow it with [transient], such as duration = \"5 ms\"; without it, reliefs are on a body at rest or do not vary along \
                      the motion (ridges, grooves, waves or profiles with direction = \"90 deg\")",
                 ));
         }
@@ -212,12 +212,12 @@ pub(super) fn check(case: &Case, root: &mut Table<'_>) -> Result<Vec<Warning>, I
     Ok(warnings)
 }
 
-/// What is not solved with reliefs that stand still.
+/// Cases that are not solved with reliefs at rest.
 fn refusals(case: &Case) -> Vec<(bool, &'static str)> {
     vec![
         (
             case.thermal().is_some(),
-            "[thermal]: heat is not solved with reliefs; leave it out, or set isothermal = true in [solver]",
+            "[thermal]: heat is not solved with reliefs; remove it, or set isothermal = true in [solver]",
         ),
         (
             case.supply != Supply::Flooded,
@@ -237,11 +237,11 @@ fn refusals(case: &Case) -> Vec<(bool, &'static str)> {
         ),
         (
             case.solver.method == Some(Method::FiniteElements),
-            "finite elements: reliefs are solved by finite volumes; leave [solver] method out",
+            "finite elements: reliefs are solved by finite volumes; remove method from [solver]",
         ),
         (
             case.has_key_of_elements() || finite_volumes_refuse(case).is_some(),
-            "keys of [mesh] or [solver] that finite elements alone have",
+            "keys of [mesh] or [solver] that only finite elements have",
         ),
         (
             case.output.sensitivities == SensitivityDemand::All,

@@ -39,7 +39,7 @@ fn rows(holes: usize) -> String {
         .collect()
 }
 
-/// What was done to a map is told: points, holes, a hash of the file that changes with it, parameters before and after the filter.
+/// The echo reports the treatment of a map: points, holes, a hash of the file that changes with it, parameters before and after the filter.
 #[test]
 fn a_map_is_echoed() {
     let folder = tempfile::tempdir().unwrap();
@@ -103,7 +103,7 @@ fn maps_smaller_than_the_contact_are_warned_about() {
     assert_relative_eq!(share(&case).unwrap(), 100.0 * expected, max_relative = 0.05);
 }
 
-/// What makes no map is reported with its key.
+/// Invalid maps are reported with their key.
 #[test]
 fn maps_that_are_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -124,14 +124,14 @@ fn maps_that_are_refused() {
             &full,
             "low_pass = \"3 um\"",
             "low_pass",
-            "no wavelength of the surface",
+            "not a wavelength of the surface",
         ),
         (
             BALL,
             &full,
             "high_pass = \"1 mm\"",
             "high_pass",
-            "no wavelength of the surface",
+            "not a wavelength of the surface",
         ),
         (
             BALL,
@@ -146,7 +146,7 @@ fn maps_that_are_refused() {
             &full,
             "length_unit = \"um\"",
             "length_unit",
-            "leave `length_unit` out",
+            "remove `length_unit`",
         ),
         (
             BALL,
@@ -191,9 +191,9 @@ fn surfaces_are_made_by_their_number() {
         [1, 1, 2].map(|seed| of(BALL, &format!("width = \"150 um\"\nseed = {seed}\n")));
     assert_eq!(one, same);
     assert_ne!(one.form, other.form);
-    let told = one.echo.unwrap();
-    assert_eq!(told.points, [61, 46]);
-    assert_relative_eq!(told.levelled.sq, 30e-9, max_relative = 1e-9);
+    let echo = one.echo.unwrap();
+    assert_eq!(echo.points, [61, 46]);
+    assert_relative_eq!(echo.levelled.sq, 30e-9, max_relative = 1e-9);
     let at = one.form.at([10e-6, 5e-6]).value;
     // As made on another machine: wyrand of fastrand.
     assert_relative_eq!(at, HEIGHT_OF_ONE, max_relative = 1e-9);
@@ -210,7 +210,7 @@ fn surfaces_are_made_by_their_number() {
 /// Height of surface 1 at (10, 5) µm.
 const HEIGHT_OF_ONE: f64 = 3.153_442_907_478e-8;
 
-/// Repeated reliefs, and where they may stand without [transient].
+/// Repeated reliefs, and those allowed without [transient].
 #[test]
 fn repeated_and_standing_reliefs() {
     let groove = "kind = \"groove\"\nhalf_width = \"5 um\"\ndepth = \"10 nm\"\n";

@@ -1,4 +1,4 @@
-//! What differs between the films of a table beside the variables of a form.
+//! Conditions that differ between the films of a table, other than the variables of a form.
 
 use ertel_input::csv::{Column, CsvTable, Row};
 use ertel_input::excerpt;
@@ -16,11 +16,11 @@ const CONDITIONS: [(&str, &str, Dimension); 4] = [
     ("temperature", "the temperature", Dimension::TEMPERATURE),
     ("radius", "the radius", Dimension::LENGTH),
 ];
-/// Ratio of largest to smallest value from which a condition varies. It stands in the table as it is; converting its unit
+/// Ratio of largest to smallest value from which a condition varies. It is the rounding of the table; converting its unit
 /// rounds it.
 const LEAST_VARIATION: f64 = 1.0 + 1e-6;
 
-/// Where a table tells films with heat from those without.
+/// Column that distinguishes thermal films from isothermal ones.
 enum Heat {
     /// A temperature of the film: only films with heat have one.
     Temperature(usize),
@@ -38,7 +38,7 @@ pub(super) struct Conditions {
 }
 
 impl Conditions {
-    /// Those that a form leaves out, of a table with this header.
+    /// Conditions that a form neglects, of a table with this header.
     ///
     /// # Errors
     ///
@@ -71,7 +71,7 @@ impl Conditions {
         })
     }
 
-    /// Takes the conditions of a film in.
+    /// Adds the conditions of a film.
     pub(super) fn add(&mut self, table: &CsvTable, row: &Row) {
         for (_, column, [low, high]) in &mut self.columns {
             if let Ok(Some(value)) = table.number(row, column) {
@@ -88,13 +88,13 @@ impl Conditions {
         }
     }
 
-    /// What varies.
+    /// Warnings on conditions that vary.
     pub(super) fn warnings(&self, table: &CsvTable) -> Vec<String> {
         let mut warnings = Vec::new();
         for (word, column, [low, high]) in &self.columns {
             if *high > LEAST_VARIATION * low {
                 warnings.push(format!(
-                    "{word} varies from {} to {} ({}): the form leaves it out",
+                    "{word} varies from {} to {} ({}): the form neglects it",
                     digits(column.unit.from_si(*low), 4),
                     digits(column.unit.from_si(*high), 4),
                     excerpt(table.header().cell(column.index))
@@ -103,7 +103,7 @@ impl Conditions {
         }
         if self.n_thermal > 0 && self.n_isothermal > 0 {
             warnings.push(format!(
-                "{} of the films are with heat and {} without: the form does not tell them apart; leave one kind out",
+                "{} of the films are thermal and {} isothermal: the form does not distinguish them; omit one kind",
                 self.n_thermal, self.n_isothermal
             ));
         }

@@ -8,11 +8,11 @@ use crate::words::digits;
 
 /// Ratio of largest to smallest value of a group below which it does not vary, as for power laws.
 const LEAST_VARIATION: f64 = 1.0 + 2e-3;
-/// Condition number from which constants vary as one, within what doubles tell.
+/// Condition number above which constants are collinear in double precision.
 const COLLINEAR: f64 = 1e6;
 /// Where the search starts: a, b, d, e and f of the published central films (Hamrock and Dowson 1977; Chittenden et al. 1985).
 const START: [f64; 5] = [0.67, 0.53, -0.067, 1.23, 2.0 / 3.0];
-/// Place of b among the constants, the only one that can be left out.
+/// Index of b among the constants, the only one that can be omitted.
 const MATERIAL_EXPONENT: usize = 2;
 
 /// Factor of ellipticity and angle, for D = R_y/R_x (-) and the angle θ (rad) of the motion to x.
@@ -21,7 +21,7 @@ const MATERIAL_EXPONENT: usize = 2;
 ///   Φ = [(1 − exp(−e D^f))^(2/a) cos²θ + (D^(1−a−2d) (1 − exp(−e D^(−f))))^(2/a) sin²θ]^(a/2)
 /// ```
 /// The first term is the film of a motion along x in the form of Chittenden et al. 1985 (f = 2/3), the second one that of a
-/// motion along y in the same groups: R_y = D R_x, U_y = U/D, W_y = W/D². Films rise with u^a, so that h^(2/a) of the two
+/// motion along y in the same groups: R_y = D R_x, U_y = U/D, W_y = W/D². Films rise with u^a, so h^(2/a) of the two
 /// components of the speed add up as the squares of these do: a circle does not feel the angle, a long cylinder
 /// feels the component across its axis alone.
 fn factor([a, d, e, f]: [f64; 4], ratio: f64, angle: f64) -> f64 {
@@ -170,7 +170,7 @@ pub(super) fn fit(
 fn effect(minimum: &Minimum, unknown: usize, residuals: impl Fn(&[f64], &mut [f64])) -> f64 {
     let at = |sign: f64| {
         let mut x = minimum.x.clone();
-        // Beyond a few units exponentials of what is undetermined tell nothing more.
+        // Beyond a few units, exponentials of undetermined constants carry no further information.
         x[unknown] += sign * minimum.half_widths[unknown].min(5.0);
         let mut r = vec![0.0; minimum.residuals.len()];
         residuals(&x, &mut r);

@@ -43,7 +43,7 @@ pub enum FilmForm {
     Elliptical,
 }
 
-/// What a film depends on.
+/// A variable of a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Variable {
     /// Symbol.
@@ -97,7 +97,7 @@ const SPEED_AND_LINE_LOAD: &[Variable] = &[
     },
 ];
 
-/// Why a form cannot be had.
+/// Reason why a form is not available.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FormError {
     /// There is no form of this name.
@@ -189,7 +189,7 @@ impl FilmForm {
         }
     }
 
-    /// What the film depends on; in power laws each has an exponent, in this order. Those of ellipses are of the contact seen
+    /// The variables; in power laws each has an exponent, in this order. Those of ellipses are of the contact seen
     /// from the principal direction x that is nearest to the motion: θ lies between 0 and 45 degrees.
     pub fn variables(self) -> &'static [Variable] {
         match self {

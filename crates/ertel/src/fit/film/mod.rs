@@ -45,12 +45,12 @@ impl FilmKind {
     }
 }
 
-/// A film with what it depends on.
+/// A film with its variables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FilmState {
     /// Film thickness h, m.
     pub film: f64,
-    /// What the formula's groups multiply, m: R √(2U), R or 1 m.
+    /// Length scale of the formula, m: R √(2U), R or 1 m.
     pub scale: f64,
     /// The variables of the form, in its order, SI.
     pub variables: Vec<f64>,
@@ -96,7 +96,7 @@ pub struct FilmFit {
     pub deviations: Vec<f64>,
     /// Confidence of the intervals.
     pub confidence: f64,
-    /// What the films leave open.
+    /// Warnings on constants that the films do not determine.
     pub warnings: Vec<String>,
 }
 
@@ -119,27 +119,27 @@ pub enum FilmFitError {
         /// Number of constants.
         n_unknowns: usize,
     },
-    /// Variables that vary as one, by their symbols.
+    /// Collinear variables, by their symbols.
     #[error(
-        "{0} are powers of each other in all films: their exponents cannot be told apart; vary one without the other, or \
-         take a form with fewer exponents"
+        "{0} are powers of each other in all films: their exponents cannot be determined separately; vary one without the other, or \
+         use a form with fewer exponents"
     )]
     Collinear(String),
     /// A constant that no film depends on, by its name.
     #[error(
-        "no film depends on {0}: it cannot be determined; vary M and L more, or take another form"
+        "no film depends on {0}: it cannot be determined; vary M and L more, or use another form"
     )]
     Undetermined(&'static str),
     /// A constant of ellipses that no film depends on, by its name.
     #[error(
-        "no film depends on {0}: it cannot be determined; vary speed, load, R_y/R_x and the angle, or take the form \
+        "no film depends on {0}: it cannot be determined; vary speed, load, R_y/R_x and the angle, or use the form \
          `hamrock-dowson` for ellipses of one shape"
     )]
     Unvaried(&'static str),
-    /// Constants of ellipses that make up for each other in all films.
+    /// Constants of ellipses that compensate each other in all films.
     #[error(
-        "{0} make up for each other in all films: they cannot be told apart; vary speed, load, R_y/R_x and the angle one \
-         without the other, or take the form `hamrock-dowson` for ellipses of one shape"
+        "{0} compensate each other in all films: they cannot be determined separately; vary speed, load, R_y/R_x and the angle one \
+         without the other, or use the form `hamrock-dowson` for ellipses of one shape"
     )]
     Inseparable(String),
     /// The confidence is no probability.
@@ -147,20 +147,18 @@ pub enum FilmFitError {
     Confidence(f64),
     /// The formula has no value at a film, from 1.
     #[error(
-        "the formula fitted to the films has no finite value at film {0}: leave it out, or take another form"
+        "the formula fitted to the films has no finite value at film {0}: omit it, or use another form"
     )]
     NotFinite(usize),
     /// A constant or its interval is not finite, by its name.
-    #[error(
-        "{0} and its interval are not finite: the films do not determine it; take another form"
-    )]
+    #[error("{0} and its interval are not finite: the films do not determine it; use another form")]
     NoInterval(&'static str),
     /// The search did not end.
     #[error(transparent)]
     Minimum(#[from] MinimumError),
 }
 
-/// What a least-squares solve of one kind of form returns.
+/// Result of a least-squares solve of one kind of form.
 struct Found {
     /// As in [`FilmFit`].
     constants: Vec<Option<Estimate>>,
@@ -172,7 +170,7 @@ struct Found {
     warnings: Vec<String>,
 }
 
-/// Fits the films' form by least squares of `ln h`. The exponent of a variable that does not vary is left out; its power
+/// Fits the films' form by least squares of `ln h`. The exponent of a variable that does not vary is omitted; its power
 /// is then part of c, and a warning says so.
 ///
 /// # Errors

@@ -10,7 +10,7 @@ use crate::words::digits;
 /// Ratio of largest to smallest value of a variable below which it does not vary. In a table of four digits a number is off by
 /// up to 5e-4 of itself, a group of several by more: most of all W = M (2U)^(3/4), by (1 + 3/4) 5e-4, to either side.
 const LEAST_VARIATION: f64 = 1.0 + 2e-3;
-/// Condition number from which variables vary as one, within what doubles tell.
+/// Condition number above which variables are collinear in double precision.
 const COLLINEAR: f64 = 1e6;
 
 /// Fits `ln(h/scale) = ln c + Σ aᵢ ln xᵢ`.
@@ -73,7 +73,7 @@ pub(super) fn fit(
     if minimum.condition > COLLINEAR {
         return Err(FilmFitError::Collinear(together()));
     }
-    // c is the film where all variables are 1; once more without centring, for its interval.
+    // c is the film where all variables are 1; solved again without centring, for its interval.
     let mut start = minimum.x.clone();
     start[0] -= (minimum.x[1..].iter().zip(&means))
         .map(|(x, mean)| x * mean)

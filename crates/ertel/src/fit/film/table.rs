@@ -23,7 +23,7 @@ pub struct Films {
     pub kind: FilmKind,
     /// The films.
     pub states: Vec<FilmState>,
-    /// What varies beside the form's variables.
+    /// Warnings on conditions that vary in addition to the form's variables.
     pub warnings: Vec<String>,
 }
 
@@ -56,7 +56,7 @@ enum Source {
 /// with `radius_y_m` and, where it is not 0, `entrainment_angle_rad`;
 /// `entrainment_speed_m_per_s` and the load for those in speed and load; error bars from `film_central_error_m` or
 /// `film_minimum_error_m`, where there are such. Any unit of the dimension does. Lines without a
-/// film are left out.
+/// film are omitted.
 ///
 /// # Errors
 ///
@@ -75,12 +75,12 @@ pub fn read_films(
     read_films_with(file, text, form, kind, &given)
 }
 
-/// What a user gives beside a table of films.
+/// Options for reading a table of films.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Given {
     /// Reduced radius of all films, m.
     pub radius: Option<f64>,
-    /// What is told about the columns.
+    /// Assignment of the columns.
     pub table: CsvParams,
 }
 
@@ -110,7 +110,7 @@ fn parse(file: &str, text: &str, params: &CsvParams) -> Result<CsvTable, CsvErro
     CsvTable::parse_for(file, text, &vocabulary, params)
 }
 
-/// As [`read_films`], with what the user tells about the table.
+/// As [`read_films`], with options.
 ///
 /// # Errors
 ///
@@ -188,7 +188,7 @@ pub fn read_films_with(
             error: bar.map(|bar| bar / thickness),
         });
     }
-    // The blend has L in a term of its own; a power law has its logarithm, unless there is none in any film.
+    // The blend has L in a separate term; a power law has its logarithm, unless it is zero in every film.
     if let Some((row, index)) = first_isoviscous
         && n_isoviscous < states.len()
         && !matches!(form, FilmForm::Blend(_))
@@ -314,14 +314,14 @@ impl Unlike {
         self.angle = widen(self.angle, contact.entrainment_angle.abs().to_degrees());
     }
 
-    /// What a form leaves out.
+    /// Warning on shapes that the form neglects.
     fn warnings(&self, form: FilmForm) -> Vec<String> {
         let ([flat, wide], [low, high]) = (self.ratio, self.angle);
         if form == FilmForm::Elliptical || !(wide > 1.01 * flat || high > low + 0.5) {
             return Vec::new();
         }
         vec![format!(
-            "the ellipses differ, R_y/R_x from {} to {} and the motion at {} to {} deg to x: the form leaves that out; take the form \
+            "the ellipses differ, R_y/R_x from {} to {} and the motion at {} to {} deg to x: the form neglects this; use the form \
              `elliptical`",
             digits(flat, 3),
             digits(wide, 3),
@@ -336,7 +336,7 @@ pub fn contact_of_films(text: &str) -> Option<Family> {
     contact_of_films_with(text, &CsvParams::default())
 }
 
-/// The same with what the user tells about the columns.
+/// The same with the column options of the user.
 pub fn contact_of_films_with(text: &str, params: &CsvParams) -> Option<Family> {
     let table = parse("", text, params).ok()?;
     let has = |dimension| table.find("load", dimension).ok().flatten().is_some();

@@ -1,4 +1,4 @@
-//! The folder of a comparison: whether it may be used, and what is written there.
+//! The folder of a comparison: whether it may be used, and the files written there.
 
 use std::fs;
 use std::io;
@@ -16,7 +16,7 @@ use crate::params::PictureFormats;
 use crate::study::journal::LOCK;
 use crate::study::{POINTS, STUDY_FORMAT};
 
-/// Folder within, with the study of the points.
+/// Subfolder with the study of the points.
 pub const COMPARISON_STUDY: &str = "study";
 
 /// Every file that a comparison writes into its folder.
@@ -42,10 +42,10 @@ const ALL_FORMATS: PictureFormats = PictureFormats {
 const REPORT: &str = "report.txt";
 const CASE: &str = "case.toml";
 
-/// Whether a comparison may be written here: nothing yet, an empty folder, or a former comparison, finished or not.
+/// Whether a comparison may be written here: the path does not exist, is an empty folder, or holds a former comparison, finished or not.
 ///
 /// # Errors
-/// [`OutputError::NotAFolder`] and [`OutputError::ForeignFolder`] for what is somebody else's; [`OutputError::Io`].
+/// [`OutputError::NotAFolder`] and [`OutputError::ForeignFolder`] for other contents; [`OutputError::Io`].
 pub fn check_comparison_folder(target: &Path) -> Result<(), OutputError> {
     let failed = |e| OutputError::io(target, e);
     let foreign = |reason: String| OutputError::ForeignFolder {
@@ -76,11 +76,11 @@ pub fn check_comparison_folder(target: &Path) -> Result<(), OutputError> {
             has_files = true;
         } else if !(kind.is_file() && name.starts_with(TEMPORARY)) {
             return Err(foreign(format!(
-                "it holds {name}, which is no file of a comparison"
+                "it holds {name}, which is not a comparison file"
             )));
         }
     }
-    // The study comes first, the JSON file before all others: an unfinished comparison has a study alone.
+    // The study is written first and the JSON file before all others: an unfinished comparison has only a study.
     if has_files && !has_format(&target.join(JSON), COMPARISON_FORMAT) {
         return Err(foreign(
             "it holds files, but no comparison of ertel".to_owned(),
@@ -90,14 +90,14 @@ pub fn check_comparison_folder(target: &Path) -> Result<(), OutputError> {
     let is_study = || has_format(&study.join(POINTS), STUDY_FORMAT);
     if has_study && !has_files && !is_study() && !is_begun(&study) {
         return Err(foreign(format!(
-            "its folder {COMPARISON_STUDY} is no study of ertel"
+            "its folder {COMPARISON_STUDY} is not a study of ertel"
         )));
     }
     Ok(())
 }
 
-/// Whether the folder of a study holds no more than a run leaves there that was stopped, or found the disk full, before it had written its
-/// list of points: its lock and files in the making, none of which holds anything yet.
+/// Whether a study folder holds only the traces of a run that stopped, or met a full disk, before it wrote its list of
+/// points: its lock and temporary files, all still empty.
 fn is_begun(study: &Path) -> bool {
     let is_of_the_beginning = |entry: io::Result<fs::DirEntry>| {
         let entry = entry?;
@@ -112,7 +112,7 @@ fn is_begun(study: &Path) -> bool {
         .is_ok_and(|mut entries| entries.all(|e| is_of_the_beginning(e).unwrap_or(false)))
 }
 
-/// Writes the files of a comparison into its folder, each whole or as before; `case` is the text of the base case.
+/// Writes the files of a comparison into its folder, each atomically; `case` is the text of the base case.
 ///
 /// # Errors
 /// [`OutputError`].
@@ -130,9 +130,9 @@ pub fn write_comparison(
     };
     let json = serde_json::to_string_pretty(&comparison_json(comparison))
         .map_err(|e| OutputError::io(&target.join(JSON), e.into()))?;
-    // First what may fail for another reason than the disk.
+    // Steps that may fail for a reason other than the disk come first.
     let picture = picture_files(comparison_picture(comparison).as_ref(), formats)?;
-    // Before all others: a folder with any of them and without it is taken for somebody else's.
+    // Written first: a folder with other comparison files but without this one is treated as foreign.
     write(JSON, format!("{json}\n").as_bytes())?;
     put_picture(target, PICTURE, &picture, ALL_FORMATS)?;
     write(TABLE, comparison_table(comparison).as_bytes())?;

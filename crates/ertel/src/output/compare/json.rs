@@ -7,10 +7,10 @@ use crate::compare::{ComparedRow, Comparison, Measurand, Outcome};
 use crate::output::FORMAT_VERSION;
 use crate::run::NUMERICS;
 
-/// Value of the key `format` by which the results of a comparison are recognised.
+/// Value of the key `format` that identifies comparison results.
 pub const COMPARISON_FORMAT: &str = "ertel-comparison";
 
-/// The document; SI throughout.
+/// The JSON document in SI units.
 pub fn comparison_json(comparison: &Comparison) -> Value {
     let statistics = comparison.figures().map(|figure| {
         let value = serde_json::to_value(comparison.statistics(figure)).unwrap_or_default();

@@ -10,15 +10,15 @@ use crate::compare::{ComparedRow, Comparison, Measurand};
 use crate::words::digits;
 use ertel_plot::{Axis, AxisScale, Chart, Drawing, ErrorBars, Look, PALETTE, Series, side_by_side};
 
-/// Ratio of the largest to the smallest value from which an axis is logarithmic.
+/// Smallest ratio of the largest to the smallest value for a logarithmic axis.
 const LOG_FROM: f64 = 5.0;
-/// Room of a logarithmic axis around the points.
+/// Margin of a logarithmic axis around the points.
 const ROOM: f64 = 1.1;
-/// Colour of rows where the other quantities have more settings than there are colours.
+/// Colour of rows when the other quantities have more settings than there are colours.
 const MANY: &str = "#404040";
 
-/// Films in one diagram, traction and figures of machines in others, over the column with the most settings; a colour for each setting of the other
-/// columns. `None` where no column is a number.
+/// Films in one diagram, traction and machine figures in others, over the column with the most settings. Each setting of the other
+/// columns has a colour. `None` without a numeric column.
 pub fn comparison_picture(comparison: &Comparison) -> Option<Drawing> {
     let layout = Layout::new(comparison)?;
     let (films, others): (Vec<Measurand>, Vec<Measurand>) =
@@ -31,13 +31,13 @@ pub fn comparison_picture(comparison: &Comparison) -> Option<Drawing> {
     Some(side_by_side(&comparison.title, &charts, 2))
 }
 
-/// The lower axis, and which rows belong together.
+/// The lower axis and the grouping of the rows.
 struct Layout {
     /// Column of the lower axis.
     x: usize,
-    /// Setting of the other columns of each row, numbered.
+    /// Number of each row's setting in the other columns.
     group: Vec<usize>,
-    /// What each setting is called.
+    /// Label of each setting.
     labels: Vec<String>,
 }
 
@@ -49,7 +49,7 @@ impl Layout {
         let count = |c: usize| settings[c].iter().collect::<HashSet<_>>().len();
         let n_apart = |c: usize| n_apart(comparison, c);
         let numbers = (0..settings.len()).filter(|c| comparison.dimensions[*c].is_some());
-        // The first of equals.
+        // Ties: the first column.
         let x = numbers.rev().max_by_key(|c| n_apart(*c))?;
         let others: Vec<usize> = (0..settings.len())
             .filter(|c| *c != x && count(*c) > 1)
@@ -124,7 +124,7 @@ impl Layout {
             false => Look::LineAndDots,
         };
         if let [of_points, of_rows] = &mut chart.series[..] {
-            // One curve needs no colour of its own in the legend.
+            // A single curve needs no separate colour in the legend.
             for (series, what) in [(of_rows, "measured"), (of_points, "computed")] {
                 series.label = format!("{}, {what}", figures[0].words());
             }
@@ -187,7 +187,7 @@ impl Layout {
         });
     }
 
-    /// Label of the lower axis, and how its values are shown.
+    /// Label of the lower axis and its display unit.
     fn x_unit(&self, comparison: &Comparison) -> (String, fn(f64) -> f64) {
         let (mut name, unit) = words(&comparison.columns[self.x]);
         if let Some(first) = name.get_mut(..1) {
@@ -202,7 +202,7 @@ impl Layout {
     }
 }
 
-/// Entry of the legend that holds for all colours.
+/// Legend entry for all colours.
 fn legend_entry(look: Look, label: &str) -> Series {
     Series {
         label: label.to_owned(),
@@ -212,7 +212,7 @@ fn legend_entry(look: Look, label: &str) -> Series {
     }
 }
 
-/// The left axis: logarithmic beside a logarithmic lower one, for power laws are straight there.
+/// The left axis. It is logarithmic if the lower axis is, because power laws are then straight lines.
 fn y_axis(chart: &Chart, label: &str) -> Axis {
     let points = chart.series.iter().flat_map(|s| &s.points).map(|p| p[1]);
     let bars = chart.error_bars.iter().flat_map(|b| &b.bars);
@@ -288,7 +288,7 @@ mod tests {
         ("temperature_K", Dimension::TEMPERATURE),
     ];
 
-    /// A speed ramp at two loads, with the scatter of a rig.
+    /// A speed ramp at two loads with the scatter of a test rig.
     #[test]
     fn the_scatter_of_a_rig_makes_no_curves() {
         let rows: [&[f64]; 6] = [

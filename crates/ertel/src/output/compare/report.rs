@@ -1,4 +1,4 @@
-//! What a user reads of a comparison.
+//! The report of a comparison.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -61,7 +61,7 @@ pub(super) fn unit_of(comparison: &Comparison, figure: Measurand) -> (f64, &'sta
         .rows
         .iter()
         .filter_map(|r| r.figures[figure as usize]);
-    // Films of a speed ramp go through both units: the thinnest decides.
+    // A speed ramp spans both units: the thinnest film decides.
     let smallest = measured.fold(f64::MAX, |smallest, c| smallest.min(c.measured.value));
     match figure.is_film() {
         true => film_unit(smallest),
@@ -89,7 +89,7 @@ pub(in crate::output) fn write_figures(out: &mut Lines, comparison: &Comparison)
     }
 }
 
-/// The table of a figure; its head first.
+/// The table of a figure, starting with its header.
 fn table_of(comparison: &Comparison, figure: Measurand) -> Vec<Vec<String>> {
     let (factor, unit) = unit_of(comparison, figure);
     let in_brackets = |unit: &str| match unit {
@@ -178,14 +178,14 @@ fn agree(compared: &Compared) -> String {
     .to_owned()
 }
 
-/// Rows that are left out or not resolved, as sentences.
+/// Rows that are omitted or not resolved, as sentences.
 pub(in crate::output) fn failures(comparison: &Comparison) -> Vec<String> {
     let of = comparison.rows.iter().filter_map(|row| {
         let said = match &row.outcome {
             Outcome::Solved { unresolved } if unresolved.is_empty() => return None,
             Outcome::Solved { unresolved } => format!("is not resolved by the mesh: {unresolved}"),
-            Outcome::Failed(reason) => format!("is left out, its point failed: {reason}"),
-            Outcome::Open => "is left out, its point was not begun".to_owned(),
+            Outcome::Failed(reason) => format!("is omitted; its point failed: {reason}"),
+            Outcome::Open => "is omitted; its point was not started".to_owned(),
         };
         Some(format!("line {} {said}", row.line))
     });
@@ -204,7 +204,7 @@ fn write_statistics(text: &mut String, comparison: &Comparison, figure: Measuran
     }
 }
 
-/// Bias, scatter and the worst row; nothing where no row could be compared.
+/// Bias, scatter and the worst row; empty if no row could be compared.
 fn statistics_of(comparison: &Comparison, figure: Measurand) -> Vec<(&'static str, String)> {
     let statistics = comparison.statistics(figure);
     let Statistics {
@@ -229,7 +229,7 @@ fn statistics_of(comparison: &Comparison, figure: Measurand) -> Vec<(&'static st
     if zeros > 0 {
         lines.push((
             "measured as zero",
-            format!("{zeros}; without a share in bias, rms and worst"),
+            format!("{zeros}; not in bias, rms and worst"),
         ));
     }
     lines
@@ -244,7 +244,7 @@ fn unsolved(comparison: &Comparison, figure: Measurand) -> usize {
     rows.filter(|compared| compared.computed.is_none()).count()
 }
 
-/// By which uncertainty rows agree.
+/// The uncertainty used to judge the agreement of the rows.
 fn basis(statistics: &Statistics) -> String {
     match statistics.n_with_uncertainty {
         0 => ", within the error bar of the calculation alone: the table gives no measurement uncertainty".to_owned(),

@@ -1,15 +1,15 @@
-//! Which values of a column are one setting of a rig.
+//! Which values of a column belong to one setting of a test rig.
 
 use crate::case::study::AxisValue;
 use crate::compare::Comparison;
 
-/// Values of one setting of a rig scatter by so much of themselves, and temperatures by so many K.
+/// Relative scatter of the values of one setting, and its scatter in K for temperatures.
 const SCATTER: f64 = 0.03;
 const SCATTER_KELVIN: f64 = 2.0;
-/// Slide-to-roll ratios of one setting scatter by so much.
+/// Scatter of the slide-to-roll ratio within one setting.
 const SCATTER_RATIO: f64 = 0.01;
 
-/// Number of the setting of each row in a column: values no farther from the next one than a rig scatters are one.
+/// Number of each row's setting in a column: values no farther from the next one than the scatter share a setting.
 pub(super) fn settings(comparison: &Comparison, column: usize) -> Vec<usize> {
     let mut numbers = vec![0; comparison.rows.len()];
     let mut setting = 0;
@@ -24,7 +24,7 @@ pub(super) fn settings(comparison: &Comparison, column: usize) -> Vec<usize> {
     numbers
 }
 
-/// How many values of a column lie farther apart than a rig scatters: of a fine ramp many.
+/// Number of neighbouring values farther apart than the scatter; large for a fine ramp.
 pub(super) fn n_apart(comparison: &Comparison, column: usize) -> usize {
     let mut n = 0;
     let mut first: Option<&AxisValue> = None;
@@ -37,7 +37,7 @@ pub(super) fn n_apart(comparison: &Comparison, column: usize) -> usize {
     n
 }
 
-/// The values of a column, rising, each with its row.
+/// The values of a column in rising order, each with its row.
 fn sorted(comparison: &Comparison, column: usize) -> Vec<(usize, &AxisValue)> {
     let mut values: Vec<_> = comparison
         .rows
@@ -52,7 +52,7 @@ fn sorted(comparison: &Comparison, column: usize) -> Vec<(usize, &AxisValue)> {
     values
 }
 
-/// Whether two values may be one setting of a rig.
+/// Whether two values may belong to one setting of a rig.
 fn is_same(a: &AxisValue, b: &AxisValue) -> bool {
     let (AxisValue::Number(a, dimension), AxisValue::Number(b, _)) = (a, b) else {
         return a == b;

@@ -1,11 +1,11 @@
-//! `comparison.csv`: one line for each row of the measurements.
+//! `comparison.csv`: one line per row of the measurements.
 
 use crate::case::study::AxisValue;
 use crate::compare::{Comparison, Measurand, Outcome};
 use crate::files::text_field;
 use crate::study::titled;
 
-/// The table as text, SI.
+/// The table as text, in SI units.
 pub fn comparison_table(comparison: &Comparison) -> String {
     let figures: Vec<Measurand> = comparison.figures().collect();
     let mut header = vec!["line".to_owned(), "point".to_owned()];

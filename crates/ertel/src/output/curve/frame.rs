@@ -1,4 +1,4 @@
-//! Axes of a diagram over the quantity of a curve, and points for them.
+//! Axes and points of a diagram over the quantity of a curve.
 
 use ertel_quantity::Dimension;
 
@@ -7,15 +7,15 @@ use crate::study::{CurveSolution, PointSolution, RPM};
 use crate::words::pressure_unit;
 use ertel_plot::{Axis, AxisScale, Chart, Marker};
 
-/// Ratio of the largest to the smallest value from which an axis is logarithmic.
+/// Smallest ratio of the largest to the smallest value for a logarithmic axis.
 const LOG_FROM: f64 = 5.0;
 
-/// Diagram over the quantity of a curve without series; call [`fit_y`] once they are there.
+/// Diagram over the quantity of a curve, without series; call [`fit_y`] after adding them.
 pub(super) fn curve_chart(title: &str, curve: &CurveSolution, y_label: &str) -> Chart {
     let values = || curve.points.iter().map(|p| p.value);
     let (shown, unit) = shown_unit(&curve.quantity, largest(values().map(f64::abs)));
     let label = axis_label(&curve.quantity, unit);
-    // Sliding is shown from rolling onwards, as traction curves are.
+    // The sliding axis starts at pure rolling, as in traction curves.
     let is_ratio = curve.quantity.dimension == Dimension::DIMENSIONLESS;
     let x = if !is_ratio && is_wide(values()) {
         Axis::log_close_around(&label, values().map(shown))
@@ -34,7 +34,7 @@ pub(super) fn curve_chart(title: &str, curve: &CurveSolution, y_label: &str) -> 
     chart
 }
 
-/// Lets the left axis cover the series; logarithmic beside a logarithmic x axis, for power laws are straight there.
+/// Fits the left axis to the series. It is logarithmic if the x axis is, because power laws are then straight lines.
 pub(super) fn fit_y(chart: &mut Chart) {
     let heights = || {
         let points = chart.series.iter().flat_map(|s| &s.points);
@@ -49,7 +49,7 @@ pub(super) fn fit_y(chart: &mut Chart) {
     chart.y = y;
 }
 
-/// One point for each of the curve; not finite where there is no value.
+/// One point per point of the curve; not finite without a value.
 pub(super) fn points_over(
     curve: &CurveSolution,
     value: impl Fn(&PointSolution) -> Option<f64>,
@@ -74,7 +74,7 @@ fn is_wide(values: impl Iterator<Item = f64>) -> bool {
     low > 0.0 && high >= LOG_FROM * low
 }
 
-/// How values of the quantity, the largest of this size (SI), are shown.
+/// Display unit of the quantity, given its largest value (SI).
 fn shown_unit(quantity: &Quantity, size: f64) -> (fn(f64) -> f64, &'static str) {
     match quantity.dimension {
         Dimension::SPEED if size < 0.1 => (|v| 1e3 * v, "mm/s"),

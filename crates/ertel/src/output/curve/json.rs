@@ -1,4 +1,4 @@
-//! `curve.json`: the points for programs.
+//! `curve.json`: the points in machine-readable form.
 
 use serde_json::{Value, json};
 
@@ -10,10 +10,10 @@ use crate::run::NUMERICS;
 use crate::study::{CurveSolution, Outcome, PointSolution};
 use crate::warning::{codes, silenced, texts};
 
-/// Value of the key `format` by which the results of a curve are recognised.
+/// Value of the key `format` that identifies curve results.
 pub const CURVE_FORMAT: &str = "ertel-curve";
 
-/// The document; SI throughout.
+/// The JSON document in SI units.
 pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<Value> {
     let points = (curve.points.iter().enumerate())
         .map(|(i, point)| point_json(i, point))
@@ -45,7 +45,7 @@ pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<
     }))
 }
 
-/// A point of a curve, as in `points` of [`curve_json`]; `index` counts from 0. Of a whole machine its figures.
+/// A point of a curve, as in `points` of [`curve_json`]; `index` counts from 0. Machines have their figures.
 ///
 /// # Errors
 /// Those of serde.
@@ -104,20 +104,20 @@ pub fn point_json(index: usize, point: &PointSolution) -> serde_json::Result<Val
             json["warnings"] = json!(texts(&s.warnings));
             json["warning_codes"] = json!(codes(&s.warnings));
         }
-        // Told above.
+        // Handled above.
         Outcome::InTime(_) => {}
         Outcome::Failed(reason) => json["reason"] = json!(reason),
     }
     if let Some(newtonian) = &point.newtonian {
-        json["newtonian"] = beside(newtonian)?;
+        json["newtonian"] = simpler_json(newtonian)?;
     }
     if let Some(isothermal) = &point.isothermal {
-        json["isothermal"] = beside(isothermal)?;
+        json["isothermal"] = simpler_json(isothermal)?;
     }
     Ok(json)
 }
 
-/// A point that is a case in time: the figures of the whole run.
+/// A point that is a transient case: the figures of the whole run.
 fn json_in_time(index: usize, point: &PointSolution) -> serde_json::Result<Value> {
     let mut json = json!({
         "point": index + 1,
@@ -140,8 +140,8 @@ fn json_in_time(index: usize, point: &PointSolution) -> serde_json::Result<Value
     Ok(json)
 }
 
-/// A simpler case solved beside a point.
-fn beside(outcome: &Outcome) -> serde_json::Result<Value> {
+/// A simpler case solved at the same point.
+fn simpler_json(outcome: &Outcome) -> serde_json::Result<Value> {
     Ok(match outcome {
         Outcome::Solved(s) => json!({
             "converged": true,
@@ -150,7 +150,7 @@ fn beside(outcome: &Outcome) -> serde_json::Result<Value> {
             "traction": serde_json::to_value(&s.traction)?,
             "warnings": texts(&s.warnings),
         }),
-        // Curves of cases in time have none beside them.
+        // Curves of transient cases have no simpler solutions.
         Outcome::InTime(_) => json!({ "converged": true }),
         Outcome::Failed(reason) => json!({ "converged": false, "reason": reason }),
     })

@@ -1,4 +1,4 @@
-//! Figures of whole machines and of runs in time over the quantity of a curve.
+//! Figures of whole machines and transient runs over the quantity of a curve.
 
 use super::super::machine::{DRAWN, DRAWN_IN_TIME, Drawn};
 use super::super::pictures::{ERROR_BARS, Picture};
@@ -7,7 +7,7 @@ use crate::solution::Estimate;
 use crate::study::{CurveSolution, PointSolution};
 use ertel_plot::{Chart, ErrorBars, PALETTE, Series, Side};
 
-/// A picture of each kind of figure that the machines, or the runs in time, have.
+/// One picture per kind of figure that the machines or the transient runs have.
 pub(super) fn pictures(title: &str, curve: &CurveSolution) -> Vec<Picture> {
     let drawn: &[Drawn] = match curve.points.iter().any(|point| point.is_in_time) {
         true => &DRAWN_IN_TIME,
@@ -40,7 +40,7 @@ fn figure(point: &PointSolution, name: &str) -> Option<Shown> {
     })
 }
 
-/// Figures over the quantity, with the bars that they have; `None` where no point has one.
+/// Figures over the quantity, with their error bars; `None` if no point has one.
 fn chart(title: &str, curve: &CurveSolution, drawn: &Drawn) -> Option<Chart> {
     let figures = drawn.figures.iter().flat_map(|name| {
         let of = curve.points.iter().filter_map(|point| figure(point, name));

@@ -1,4 +1,4 @@
-//! Results of a curve: `curve.csv`, `curve.json`, the pictures, a report, and folders of points.
+//! Results of a curve: `curve.csv`, `curve.json`, the pictures, a report, and point folders.
 
 mod frame;
 mod json;
@@ -28,10 +28,10 @@ use crate::study::{CurveSolution, Outcome, PointSolution};
 use ertel_plot::Chart;
 
 /// Writes the results of a curve into one folder, as [`super::write`] does; `folders` adds the results of each
-/// solved point in a folder of its own, `points/01`.
+/// solved point in a separate folder, `points/01`.
 ///
 /// # Errors
-/// [`OutputError`]; the target is then as it was before.
+/// [`OutputError`]; the target is then unchanged.
 pub fn write_curve(
     case: &CaseEcho,
     curve: &CurveSolution,
@@ -40,7 +40,7 @@ pub fn write_curve(
     folders: bool,
 ) -> Result<(), OutputError> {
     check_curve(curve)?;
-    let folder = NewFolder::beside(target)?;
+    let folder = NewFolder::next_to(target)?;
     write_files_of_curve(folder.root(), case, curve, params)?;
     if folders {
         let width = curve.n_points.to_string().len();
@@ -66,7 +66,7 @@ pub fn write_curve(
     folder.finish()
 }
 
-/// The files of the curve itself that [`write_curve`] puts into a folder, in memory.
+/// The curve's files, as written by [`write_curve`], in memory.
 ///
 /// # Errors
 /// As [`super::files`].
@@ -90,8 +90,8 @@ fn check_curve(curve: &CurveSolution) -> Result<(), OutputError> {
         if let Some(machine) = &point.machine {
             check_machine(&machine.solution, &machine.figures)?;
         }
-        let besides = [&point.newtonian, &point.isothermal].map(Option::as_ref);
-        for outcome in [[Some(&point.outcome); 1].as_slice(), &besides].concat() {
+        let simpler = [&point.newtonian, &point.isothermal].map(Option::as_ref);
+        for outcome in [[Some(&point.outcome); 1].as_slice(), &simpler].concat() {
             let solution = outcome.and_then(Outcome::solution);
             if let Some(what) = solution.and_then(|s| finite::first_not_finite(&point.case, s)) {
                 let what = format!("{what}, in point {}", i + 1);

@@ -9,23 +9,23 @@ use ertel_plot::{Chart, ErrorBars, Look, PALETTE, Series, Side};
 /// One of the films of a formula.
 type Film = fn(&FormulaFilm) -> Option<f64>;
 
-/// A figure of a solution; not a number where it has none.
+/// A figure of a solution; NaN without one.
 fn estimate(solution: &Solution, figure: Figure) -> Estimate {
     solution.measured.estimate(figure)
 }
 
-/// The figure of a point that is solved.
+/// The figure of a solved point.
 fn of_point(point: &PointSolution, figure: Figure) -> Option<Estimate> {
     Some(estimate(point.outcome.solution()?, figure))
 }
 
-/// Central and minimum film over the quantity, beside those without shear thinning and without heat (the first of these
-/// dashed, a second one open circles) or, where the curve asks for neither, the formulas' (dashed). Failed points are marked.
+/// Central and minimum film over the quantity, with the Newtonian and isothermal films (the first of these
+/// dashed, a second one open circles). Without those, the formula films are dashed. Failed points are marked.
 pub fn film_chart(title: &str, curve: &CurveSolution) -> Chart {
     films_over(title, curve, &[Figure::FilmCentral, Figure::FilmMinimum])
 }
 
-/// As [`film_chart`], with the smallest film on the centreline.
+/// As [`film_chart`], with the minimum film on the centreline.
 pub fn film_shape_chart(title: &str, curve: &CurveSolution) -> Chart {
     films_over(
         title,
@@ -38,7 +38,7 @@ pub fn film_shape_chart(title: &str, curve: &CurveSolution) -> Chart {
     )
 }
 
-/// These films over the quantity, beside those of simpler contacts.
+/// These films over the quantity, with those of simpler contacts.
 fn films_over(title: &str, curve: &CurveSolution, figures: &[Figure]) -> Chart {
     let size = largest(
         curve
@@ -61,24 +61,24 @@ fn films_over(title: &str, curve: &CurveSolution, figures: &[Figure]) -> Chart {
         });
         add_bars(&mut chart, curve, factor, *figure, colour);
     }
-    let besides = besides_of(&[curve]);
-    for beside in &besides {
+    let all = simpler_solutions(&[curve]);
+    for other in &all {
         for (figure, colour) in figures.iter().zip(PALETTE) {
             let value = |s: &Solution| factor * estimate(s, *figure).value;
-            chart.series.push(beside.unlabelled(curve, colour, value));
+            chart.series.push(other.unlabelled(curve, colour, value));
         }
-        let entry = legend_entry(beside.look, beside.name.to_owned());
+        let entry = legend_entry(other.look, other.name.to_owned());
         chart.series.push(entry);
     }
-    if besides.is_empty() {
+    if all.is_empty() {
         add_formulas(&mut chart, curve, factor);
     }
     fit_y(&mut chart);
     chart
 }
 
-/// Traction coefficient at mid-film over the quantity, beside that without shear thinning and that without heat (the
-/// first of these dashed, a second one open circles); `None` where nothing slides. Failed points are marked.
+/// Traction coefficient at mid-film over the quantity, with the Newtonian and isothermal ones (the first of these
+/// dashed, a second one open circles); `None` without sliding. Failed points are marked.
 pub fn traction_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
     let slides = |p: &PointSolution| p.case.motion.slides();
     let solved = |p: &&PointSolution| p.outcome.solution().is_some();
@@ -102,15 +102,15 @@ pub fn traction_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
         colour: PALETTE[0].into(),
         side: Side::Left,
     }];
-    let groups = besides_of(&[curve])
+    let groups = simpler_solutions(&[curve])
         .into_iter()
-        .map(|beside| vec![beside.series(curve, label, beside.colour, value)]);
+        .map(|other| vec![other.series(curve, label, other.colour, value)]);
     add_simpler_tractions(&mut chart, groups.collect());
     Some(chart)
 }
 
-/// Films of several curves over the same quantity: central with dots, minimum with rings, dashed the central ones of the
-/// simpler contact; of a single curve as [`film_chart`]. `None` without curves.
+/// Films of several curves over the same quantity: central films with dots, minimum films with rings, central films of the
+/// simpler contact dashed. A single curve is drawn as [`film_chart`]. `None` without curves.
 pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Chart> {
     if let [(_, curve)] = curves {
         return Some(film_chart(title, curve));
@@ -122,13 +122,13 @@ pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Cha
     let (factor, unit) = film_unit(size);
     let label = format!("Film thickness *h* ({unit})");
     let mut chart = curve_chart(title, curves.first()?.1, &label);
-    let beside = simpler(curves);
-    // Colours tell the curves, looks what they show: both stand in the legend.
+    let other = simpler(curves);
+    // The legend explains both: colours distinguish the curves, line styles the films.
     let mut looks = vec![
         (Look::LineAndDots, Figure::FilmCentral.words().to_owned()),
         (Look::LineAndRings, Figure::FilmMinimum.words().to_owned()),
     ];
-    looks.extend(beside.iter().map(|b| {
+    looks.extend(other.iter().map(|b| {
         (
             b.look,
             format!("{}, {}", Figure::FilmCentral.words(), b.name),
@@ -151,9 +151,9 @@ pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Cha
         for film in [Figure::FilmCentral, Figure::FilmMinimum] {
             add_bars(&mut chart, curve, factor, film, colour);
         }
-        if let Some(beside) = &beside {
+        if let Some(other) = &other {
             let central = |s: &Solution| factor * estimate(s, Figure::FilmCentral).value;
-            chart.series.push(beside.unlabelled(curve, colour, central));
+            chart.series.push(other.unlabelled(curve, colour, central));
         }
     }
     fit_y(&mut chart);
@@ -165,13 +165,13 @@ pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Cha
     Some(chart)
 }
 
-/// The simpler contact that several curves are shown beside: the first that one of them has.
-fn simpler(curves: &[(&str, &CurveSolution)]) -> Option<Beside> {
+/// The simpler contact drawn with several curves: the first one that some curve has.
+fn simpler(curves: &[(&str, &CurveSolution)]) -> Option<Simpler> {
     let curves: Vec<&CurveSolution> = curves.iter().map(|(_, curve)| *curve).collect();
-    besides_of(&curves).into_iter().next()
+    simpler_solutions(&curves).into_iter().next()
 }
 
-/// Entry of the legend that holds for curves of all colours.
+/// Legend entry for curves of all colours.
 fn legend_entry(look: Look, label: String) -> Series {
     Series {
         label,
@@ -181,16 +181,16 @@ fn legend_entry(look: Look, label: String) -> Series {
     }
 }
 
-/// Colour of legend entries that hold for curves of all colours.
+/// Colour of legend entries for curves of all colours.
 const LEGEND_GREY: &str = "#404040";
 
-/// Traction coefficients of several curves over the same quantity, dashed those of the simpler contact, which may
-/// leave the picture. `None` without curves.
+/// Traction coefficients of several curves over the same quantity, those of the simpler contact dashed; the latter may
+/// exceed the frame. `None` without curves.
 pub fn tractions_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Chart> {
     let value = |s: &Solution| estimate(s, Figure::TractionCoefficient).value;
     let mut chart = curve_chart(title, curves.first()?.1, "Traction coefficient");
-    let beside = simpler(curves);
-    let mut simpler = Vec::new();
+    let other = simpler(curves);
+    let mut dashed = Vec::new();
     for ((name, curve), colour) in curves.iter().zip(PALETTE.iter().cycle()) {
         chart.series.push(Series {
             label: (*name).to_owned(),
@@ -199,16 +199,16 @@ pub fn tractions_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option
             colour: (*colour).into(),
             side: Side::Left,
         });
-        let series = beside.iter().map(|b| b.unlabelled(curve, colour, value));
-        simpler.extend(series);
+        let series = other.iter().map(|b| b.unlabelled(curve, colour, value));
+        dashed.extend(series);
     }
-    simpler.extend(beside.map(|b| legend_entry(b.look, b.name.to_owned())));
-    add_simpler_tractions(&mut chart, vec![simpler]);
+    dashed.extend(other.map(|b| legend_entry(b.look, b.name.to_owned())));
+    add_simpler_tractions(&mut chart, vec![dashed]);
     Some(chart)
 }
 
-/// Fits the axis to the tractions, and to each group of those of simpler contacts unless they are several times
-/// larger: these leave the frame.
+/// Fits the axis to the tractions and to each group of simpler contacts, unless these are several times
+/// larger: then they exceed the frame.
 fn add_simpler_tractions(chart: &mut Chart, groups: Vec<Vec<Series>>) {
     let size = |list: &[Series]| {
         let points = list.iter().flat_map(|s| &s.points);
@@ -228,45 +228,45 @@ fn add_simpler_tractions(chart: &mut Chart, groups: Vec<Vec<Series>>) {
     chart.series.extend(leaving.into_iter().flatten());
 }
 
-/// A traction coefficient of a simpler contact of so many times the largest one is not shown to its end.
+/// Traction coefficients of a simpler contact above this multiple of the largest one are cut off.
 const LARGEST_SIMPLER: f64 = 3.0;
 
-/// Simpler solutions shown beside those of a curve.
+/// Simpler solutions drawn with those of a curve.
 #[derive(Clone, Copy)]
-struct Beside {
+struct Simpler {
     name: &'static str,
     look: Look,
-    /// In a picture of one figure.
+    /// Colour in a picture of one figure.
     colour: &'static str,
     of: fn(&PointSolution) -> Option<&Solution>,
 }
 
 /// The simpler solutions that some curve has: the first kind dashed, a second one as open circles.
-fn besides_of(curves: &[&CurveSolution]) -> Vec<Beside> {
-    let newtonian = Beside {
+fn simpler_solutions(curves: &[&CurveSolution]) -> Vec<Simpler> {
+    let newtonian = Simpler {
         name: "Newtonian",
         look: Look::Dashed,
         colour: PALETTE[0],
         of: PointSolution::newtonian_solution,
     };
-    let isothermal = Beside {
+    let isothermal = Simpler {
         name: "isothermal",
         of: PointSolution::isothermal_solution,
         ..newtonian
     };
-    let found = |beside: &Beside| {
+    let found = |other: &Simpler| {
         let mut points = curves.iter().flat_map(|curve| &curve.points);
-        points.any(|p| (beside.of)(p).is_some())
+        points.any(|p| (other.of)(p).is_some())
     };
-    let mut besides: Vec<Beside> = [newtonian, isothermal].into_iter().filter(found).collect();
-    for second in besides.iter_mut().skip(1) {
+    let mut all: Vec<Simpler> = [newtonian, isothermal].into_iter().filter(found).collect();
+    for second in all.iter_mut().skip(1) {
         second.look = Look::Circles;
         second.colour = PALETTE[1];
     }
-    besides
+    all
 }
 
-impl Beside {
+impl Simpler {
     /// A figure of these solutions.
     fn series(
         &self,
@@ -284,7 +284,7 @@ impl Beside {
         }
     }
 
-    /// The same without an entry of the legend.
+    /// The same without a legend entry.
     fn unlabelled(
         &self,
         curve: &CurveSolution,
@@ -317,7 +317,7 @@ fn add_bars(chart: &mut Chart, curve: &CurveSolution, factor: f64, of: Figure, c
     chart.error_label = ERROR_BARS.to_owned();
 }
 
-/// The films of the formulas, dashed.
+/// The formula films, dashed.
 fn add_formulas(chart: &mut Chart, curve: &CurveSolution, factor: f64) {
     let mut colours = PALETTE[2..].iter().cycle();
     for formula in curve.points.first().map_or(&[][..], |p| &p.formulas) {

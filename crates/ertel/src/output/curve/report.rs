@@ -1,10 +1,10 @@
-//! What a user reads of a curve.
+//! The report of a curve.
 
 use std::fmt::Write;
 use std::path::Path;
 
 use super::super::figure::{estimate, number, peak, temperature};
-use super::super::machine::{TOLD, TOLD_IN_TIME, shown};
+use super::super::machine::{REPORTED, REPORTED_IN_TIME, shown};
 use super::super::mixed::share;
 use super::super::transient::over_time_text;
 use crate::case::CaseEcho;
@@ -14,7 +14,7 @@ use crate::study::{CurveSolution, Outcome, PointSolution, UnresolvedFigures, val
 use crate::warning::by_kind;
 use crate::words::digits;
 
-/// The points as a table, failures with their reasons, warnings.
+/// The points as a table, failures with their reasons, and warnings.
 pub fn curve_report(case: &CaseEcho, curve: &CurveSolution, folder: Option<&Path>) -> String {
     let mut title: String = case.title.chars().filter(|c| !c.is_control()).collect();
     if title.trim().is_empty() {
@@ -56,7 +56,7 @@ pub fn curve_report(case: &CaseEcho, curve: &CurveSolution, folder: Option<&Path
     text
 }
 
-/// The table with its header; of rough surfaces with the lambda ratio, with boundary friction with the friction of film and asperities.
+/// The table with its header; lambda ratio for rough surfaces, film and asperity friction with boundary friction.
 fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
     let mixed = |p: &PointSolution| p.outcome.solution()?.mixed.clone();
     let found: Vec<MixedLubrication> = curve.points.iter().filter_map(mixed).collect();
@@ -141,11 +141,11 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
     rows
 }
 
-/// The table of whole machines with its header: those of the main figures that they have.
+/// The table of whole machines with its header and their main figures.
 fn rows_of_machines(curve: &CurveSolution) -> Vec<Vec<String>> {
     let figure = |p: &PointSolution, name: &str| p.machine.as_ref()?.figures.find(name).cloned();
     let found = |name: &str| curve.points.iter().find_map(|p| figure(p, name));
-    let columns: Vec<(&str, &str)> = (TOLD.iter())
+    let columns: Vec<(&str, &str)> = (REPORTED.iter())
         .filter_map(|name| Some((*name, found(name)?.words)))
         .collect();
     let mut head = vec![curve.quantity.name.to_owned()];
@@ -170,14 +170,14 @@ fn rows_of_machines(curve: &CurveSolution) -> Vec<Vec<String>> {
     rows
 }
 
-/// The table of runs in time with its header: those of the main figures that they have, not zero at all of them.
+/// The table of transient runs with its header and those main figures that are not zero in all runs.
 fn rows_in_time(curve: &CurveSolution) -> Vec<Vec<String>> {
     let figure = |p: &PointSolution, name: &str| p.outcome.in_time()?.find(name).cloned();
-    let is_told = |name: &&&str| {
+    let is_reported = |name: &&&str| {
         let mut found = curve.points.iter().filter_map(|p| figure(p, name));
         found.any(|figure| figure.estimate.value != 0.0)
     };
-    let names: Vec<&&str> = TOLD_IN_TIME.iter().filter(is_told).collect();
+    let names: Vec<&&str> = REPORTED_IN_TIME.iter().filter(is_reported).collect();
     let words = names.iter().map(|name| words_of(name).unwrap_or_default());
     let mut head = vec![curve.quantity.name.to_owned()];
     head.extend(words.map(str::to_owned));
@@ -201,7 +201,7 @@ fn rows_in_time(curve: &CurveSolution) -> Vec<Vec<String>> {
     rows
 }
 
-/// Failures, and warnings with the points that they are about.
+/// Failures, and warnings with their points.
 fn write_remarks(text: &mut String, curve: &CurveSolution) {
     if curve.is_partial() {
         let (n, all) = (curve.points.len(), curve.n_points);
@@ -214,8 +214,8 @@ fn write_remarks(text: &mut String, curve: &CurveSolution) {
     }
     let all: Vec<_> = curve.points.iter().map(PointSolution::warnings).collect();
     let warnings = all.iter().enumerate().flat_map(|(i, of)| {
-        let told = of.iter().filter(|w| w.is_shown());
-        told.map(move |w| (i, w))
+        let shown = of.iter().filter(|w| w.is_shown());
+        shown.map(move |w| (i, w))
     });
     for merged in by_kind(warnings) {
         let line = merged.with_text(merged.line(curve.points.len()));

@@ -1,4 +1,4 @@
-//! The Stribeck curve: friction of film and asperities over speed.
+//! The Stribeck curve: film and asperity friction over speed.
 
 use ertel_quantity::Dimension;
 
@@ -7,8 +7,8 @@ use crate::solution::MixedFriction;
 use crate::study::{CurveSolution, PointSolution};
 use ertel_plot::{Axis, Chart, Look, Marker, PALETTE, Series, Side};
 
-/// Friction coefficients over the entrainment speed, logarithmic: film, asperities and both, and on the right axis the lambda ratio.
-/// `None` where the curve is not over a speed, or no point has friction of asperities. Failed points are marked.
+/// Friction coefficients over the logarithmic entrainment speed: film, asperities and total. The lambda ratio is on the right axis.
+/// `None` if the curve is not over a speed, or no point has asperity friction. Failed points are marked.
 pub fn stribeck_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
     let friction = |p: &PointSolution| p.outcome.solution()?.mixed.as_ref()?.friction().copied();
     let is_over_speed = curve.quantity.dimension == Dimension::SPEED;

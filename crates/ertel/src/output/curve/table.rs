@@ -1,4 +1,4 @@
-//! `curve.csv`: one line for each point.
+//! `curve.csv`: one line per point.
 
 use std::fmt::Write;
 
@@ -6,7 +6,7 @@ use crate::case::study::header;
 use crate::files::text_field;
 use crate::study::{CurveSolution, joint_titles, point_fields};
 
-/// The table as text, SI.
+/// The table as text, in SI units.
 pub fn curve_table(curve: &CurveSolution) -> String {
     // `entrainment_speed_m_per_s`, `load_N`, `slide_to_roll_ratio`.
     let quantity = &curve.quantity;

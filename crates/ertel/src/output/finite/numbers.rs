@@ -1,4 +1,4 @@
-//! The first number of a value that is not finite, whatever serde makes of the value: nothing is kept, so that fields of millions of numbers cost little.
+//! The first non-finite number of any serialisable value. Nothing is stored, so fields of millions of numbers cost little.
 
 use std::fmt::Display;
 
@@ -7,12 +7,12 @@ use serde::ser::{
     SerializeTuple, SerializeTupleStruct, SerializeTupleVariant, Serializer,
 };
 
-/// Path of the first number that is not finite: `.film_central.value`, `[3]`.
+/// Path of the first non-finite number: `.film_central.value`, `[3]`.
 pub(super) fn first_not_finite(value: &impl Serialize) -> Option<String> {
     value.serialize(Look).err().map(|found| found.0)
 }
 
-/// Where a number is not finite, from the value that is looked at on.
+/// Path of a non-finite number, relative to the scanned value.
 #[derive(Debug)]
 struct Found(String);
 
@@ -38,10 +38,10 @@ impl Error for Found {
 
 type Looked = Result<(), Found>;
 
-/// Looks at a value.
+/// Scans a value.
 struct Look;
 
-/// Looks at the parts of one, by their number or their key.
+/// Scans the parts of a value by index or key.
 #[derive(Default)]
 struct Parts {
     number: usize,
@@ -61,7 +61,7 @@ impl Parts {
     }
 }
 
-/// Values without a number that may not be finite.
+/// Values that cannot hold a non-finite number.
 macro_rules! fine {
     ($($name:ident: $kind:ty),*) => {
         $(fn $name(self, _: $kind) -> Looked {
@@ -169,7 +169,7 @@ impl Serializer for Look {
     }
 }
 
-/// Parts by their number.
+/// Parts by index.
 macro_rules! by_number {
     ($($kind:ident, $method:ident);*) => {
         $(impl $kind for Parts {
@@ -194,7 +194,7 @@ by_number!(
     SerializeTupleVariant, serialize_field
 );
 
-/// Parts by the name of their field.
+/// Parts by field name.
 macro_rules! by_field {
     ($($kind:ident),*) => {
         $(impl $kind for Parts {

@@ -1,4 +1,4 @@
-//! What a page knows of a result: figures, fields on the mesh, profiles, iterations.
+//! Page data of a result: figures, fields on the mesh, profiles, iterations.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -15,17 +15,17 @@ pub const DATA_FORMAT: &str = "ertel-report";
 /// Version of the layout of the data.
 pub const DATA_VERSION: u64 = 1;
 
-/// Bytes of fields that a page holds at the most, before they are written as text; so it stays below 2 MB.
+/// Maximum bytes of fields in a page before encoding; the page stays below 2 MB.
 const MOST_BYTES: usize = 1_150_000;
 
-/// By how much fields on meshes of many triangles may be off where nodes are left out: the film as a share of itself, others of their
-/// range. The next one where there is no room.
+/// Tolerances of thinned fields on meshes of many triangles: relative for the film, of the range for others.
+/// The next tolerance is used if the fields do not fit.
 const TOLERANCES: [f64; 3] = [1e-3, 3e-3, 1e-2];
 
-/// Half-widths of the dry contact that maps reach beyond it.
+/// Margin of the maps around the dry contact, in half-widths.
 const MARGIN: f64 = 1.5;
 
-/// Fields on the contact area in the order in which they are kept where there is no room for all.
+/// Fields on the contact area in order of priority if not all fit.
 const BY_IMPORTANCE: [Field; 14] = [
     Field::Pressure,
     Field::FilmThickness,
@@ -76,10 +76,10 @@ pub fn data(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Value {
     })
 }
 
-/// Straight pieces of the drawn edge of an elliptical zone.
+/// Number of segments in the drawn edge of an elliptical zone.
 const EDGE_PIECES: usize = 120;
 
-/// Edge of the dry contact, m, as it lies against the motion: an ellipse, or the rectangle of a roller; nothing of a line.
+/// Edge of the dry contact, m, in the axes of motion: an ellipse, or the rectangle of a roller; empty for a line.
 fn edge(solution: &Solution) -> Value {
     let zone = &solution.shape.zone;
     let corners = match solution.shape.outline() {
@@ -100,7 +100,7 @@ fn edge(solution: &Solution) -> Value {
     json!(scaled.collect::<Vec<_>>())
 }
 
-/// Every figure, with the places of those that have one; a page shows those large that have a symbol. The film first, by which maps are scaled.
+/// Every figure, with its place if it has one; a page shows those with a symbol large. The film is first because it scales the maps.
 fn figures(solution: &Solution) -> Vec<Value> {
     let is_line = solution.shape.is_line();
     let entry = |(figure, at): (Figure, Located)| {
@@ -119,7 +119,7 @@ fn figures(solution: &Solution) -> Vec<Value> {
         entry
     };
     let mut figures: Vec<Value> = solution.figures().map(entry).collect();
-    // The centre is a place, too, though no one looks for it.
+    // The first figure is the central film, whose place the registry omits.
     figures[0]["x"] = 0.0.into();
     figures[0]["y"] = 0.0.into();
     if let Some(mixed) = &solution.mixed {
@@ -132,7 +132,7 @@ fn figures(solution: &Solution) -> Vec<Value> {
     figures
 }
 
-/// A field as text: its name, unit and values in single precision.
+/// A field as text: name, unit, and values in single precision.
 fn field(field: Field, values: impl Iterator<Item = f64>) -> Value {
     let bytes: Vec<u8> = values.flat_map(|v| (v as f32).to_le_bytes()).collect();
     json!({
@@ -143,7 +143,7 @@ fn field(field: Field, values: impl Iterator<Item = f64>) -> Value {
     })
 }
 
-/// The elements of the contact and its margin with the fields on them; nothing of line contacts, whose profiles say all.
+/// The elements of the contact and its margin with their fields; empty for line contacts, whose profiles are complete.
 fn mesh(solution: &Solution) -> Value {
     let surface = &solution.surface;
     if solution.shape.is_line() || surface.elements.is_empty() {
@@ -210,16 +210,16 @@ fn mesh(solution: &Solution) -> Value {
     })
 }
 
-/// Elements by their nodes, numbered as they come.
+/// Nodes of each element, numbered by occurrence.
 struct Elements {
-    /// Nodes of the elements, one after another, by their places in `kept`.
+    /// Nodes of the elements, concatenated, as indices into `kept`.
     nodes: Vec<u32>,
     /// Nodes of the surface.
     kept: Vec<usize>,
 }
 
 impl Elements {
-    /// Of elements by nodes of the surface, which has so many.
+    /// From elements by nodes of the surface, given the number of its nodes.
     fn new(n_points: usize, of_surface: Vec<u32>) -> Elements {
         let mut number = vec![u32::MAX; n_points];
         let (mut kept, mut nodes) = (Vec::new(), Vec::new());
@@ -241,14 +241,14 @@ impl Elements {
         }
     }
 
-    /// Number of fields for which a page has room, beside the places of the nodes.
+    /// Number of fields that fit on a page, in addition to the node coordinates.
     fn room_for(&self) -> usize {
         let room = MOST_BYTES.saturating_sub(self.node_bytes() * self.nodes.len());
         (room / (4 * self.kept.len().max(1))).saturating_sub(2)
     }
 }
 
-/// Triangles without the nodes that linear interpolation gives as well. Those around the places of figures stay.
+/// Triangles without the nodes that linear interpolation reproduces. Nodes around the places of figures are kept.
 fn thinned(
     solution: &Solution,
     elements: &Elements,
@@ -306,7 +306,7 @@ fn thinned(
     Elements::new(solution.surface.points.len(), of_surface.collect())
 }
 
-/// Whether a page draws the logarithm of a field, as `spread` in `assets/field.js` says.
+/// Whether a page draws the logarithm of a field; `spread` in `assets/field.js` has the same rule.
 fn has_decades(field: Field, values: &[f64]) -> bool {
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
     let high = values.iter().copied().fold(0.0, f64::max);
@@ -317,7 +317,7 @@ pub(super) fn bytes<T: Copy, const N: usize>(values: &[T], of: impl Fn(T) -> [u8
     values.iter().flat_map(|v| of(*v)).collect()
 }
 
-/// The profiles along the centreline where there is a contact to see.
+/// The profiles along the centreline within the visible contact.
 fn centreline(solution: &Solution) -> Value {
     let line = &solution.centreline;
     let a = solution.hertz.half_width;
@@ -346,10 +346,10 @@ mod tests {
     use crate::run::solve;
     use crate::solve::NoObserver;
 
-    /// The edge of an ellipse of half-axes a and 3 a whose first axis is turned by 30° against the motion: in its own axes
+    /// The edge of an ellipse of half-axes a and 3 a whose first axis is rotated by 30° against the motion: in its own axes
     /// each point has (x/a)² + (y/3a)² = 1.
     #[test]
-    fn the_edge_of_a_turned_ellipse_is_turned() {
+    fn the_edge_of_a_rotated_ellipse_is_rotated() {
         let mut solution = sample::ellipse().1.clone();
         let a = solution.hertz.half_width;
         let angle = 30_f64.to_radians();
@@ -369,14 +369,14 @@ mod tests {
                 });
                 distances.fold(0.0, f64::max)
             };
-            // The sense of the angle is that of `Turn`.
+            // The angle has the sense of `Turn`.
             assert!(off(sine).min(off(-sine)) < 1e-5, "{}", off(sine));
             assert!(turned == 0.0 || off(0.0) > 0.1);
         }
     }
 
-    /// Of a film by finite volumes on 25,000 nodes: the page has few of them, with all fields, and the node nearest to the smallest
-    /// film and the one in the centre are among them with their values.
+    /// A film by finite volumes on 25,000 nodes: the page has few of them, with all fields, and includes the nodes nearest to the minimum
+    /// film and to the centre with their values.
     #[test]
     fn meshes_of_finite_volumes_are_thinned() {
         let text = include_str!("../../../../../cases/ball-on-disc.toml");

@@ -1,4 +1,4 @@
-//! By how much several curves, machines or studies differ from the first of them.
+//! Differences of several curves, machines or studies from the first of them.
 
 use std::cell::Cell;
 
@@ -11,7 +11,7 @@ use super::super::study::words;
 use crate::solution::Figure;
 use crate::words::digits;
 
-/// Figures that are compared, by the titles of their columns up to the unit.
+/// Compared figures, by their column titles up to the unit.
 const FIGURES: [&str; 9] = [
     "film_central",
     "film_minimum",
@@ -24,10 +24,10 @@ const FIGURES: [&str; 9] = [
     "lambda_minimum",
 ];
 
-/// Rows that are told of each result.
+/// Maximum number of rows per result.
 const MOST_ROWS: usize = 200;
 
-/// By how much of the larger one numbers may differ that are one place.
+/// Relative difference up to which two numbers are the same place.
 const SAME: f64 = 1e-9;
 
 /// Rows of a table by their cells.
@@ -37,14 +37,14 @@ struct Rows {
     n_axes: usize,
 }
 
-/// What the result of a table is called, its rows, and its figures as a whole.
+/// Name, rows and overall figures of a result.
 struct Part<'a> {
     name: &'a str,
     rows: Rows,
     figures: &'a Value,
 }
 
-/// Tells of the differences of all tables from the first one: of curves at the places of the first, of machines and studies row by row.
+/// Writes the differences of all tables from the first one: at the points of the first curve; row by row for machines and studies.
 pub(super) fn write(out: &mut Lines, tables: &[Value]) {
     let parts: Vec<Part> = tables.iter().filter_map(part).collect();
     let Some((first, others)) = parts.split_first() else {
@@ -62,11 +62,11 @@ pub(super) fn write(out: &mut Lines, tables: &[Value]) {
         };
         out.table(table);
         if is_between {
-            out.note("at places between points of the other result: linear between these");
+            out.note("linear interpolation between points of the other result");
         }
         if n_left_out > 0 {
             out.note(&format!(
-                "{n_left_out} rows of the first result have no place in the other one, or no room here"
+                "{n_left_out} rows of the first result are omitted: no counterpart in the other result, or table full"
             ));
         }
     }
@@ -88,21 +88,20 @@ fn part(table: &Value) -> Option<Part<'_>> {
     })
 }
 
-/// Figures of whole machines beside each other.
+/// Figures of two whole machines, each with its marks.
 fn whole(first: &Part, other: &Part) -> Option<Table> {
-    let value = |figures: &Value, name: &str| {
-        let mut all = figures.as_array()?.iter();
-        all.find(|f| f["name"] == name)?["value"].as_f64()
-    };
     let of = first.figures.as_array()?.iter().filter_map(|figure| {
         let (name, unit) = (figure["name"].as_str()?, figure["unit"].as_str()?);
-        let own = value(first.figures, name)?;
-        let (number, change) = beside(own, value(other.figures, name)?, unit);
+        let counterpart = (other.figures.as_array()?.iter()).find(|f| f["name"] == name)?;
+        let change = match (figure["value"].as_f64(), counterpart["value"].as_f64()) {
+            (Some(own), Some(new)) => with_change(own, new, unit).1,
+            _ => "-".to_owned(),
+        };
         let words = format!("{} {}", figure["words"].as_str()?, in_brackets(unit));
         Some(vec![
             words.trim_end().to_owned(),
-            shown(own, unit),
-            number,
+            marked(figure, unit),
+            marked(counterpart, unit),
             change,
         ])
     });
@@ -111,14 +110,14 @@ fn whole(first: &Part, other: &Part) -> Option<Table> {
     (!rows.is_empty()).then(|| table(head.map(str::to_owned).to_vec(), rows))
 }
 
-/// The rows of the first that have a place in the other, how many have none or no room, and whether any lies between points of the other.
+/// The rows of the first result with a counterpart in the other, the number of omitted rows, and whether any value was interpolated.
 fn rows(first: &Rows, other: &Rows) -> Option<(Table, usize, bool)> {
     let figures: Vec<([usize; 2], String, String)> = (first.head.iter().enumerate())
         .filter_map(|(i, title)| {
             let (name, unit) = name_of(title);
-            let is_told = FIGURES.contains(&name.as_str());
+            let is_compared = FIGURES.contains(&name.as_str());
             let j = other.head.iter().position(|own| own == title)?;
-            is_told.then_some(([i, j], name, unit))
+            is_compared.then_some(([i, j], name, unit))
         })
         .collect();
     let axes: Vec<[usize; 2]> = (1..=first.n_axes)
@@ -131,7 +130,7 @@ fn rows(first: &Rows, other: &Rows) -> Option<(Table, usize, bool)> {
         return None;
     }
     let is_between = Cell::new(false);
-    let mut told = Vec::new();
+    let mut compared = Vec::new();
     for row in &first.body {
         let Some(found) = place(row, &axes, other) else {
             continue;
@@ -152,15 +151,15 @@ fn rows(first: &Rows, other: &Rows) -> Option<(Table, usize, bool)> {
             .collect();
         for ([i, j], _, unit) in &figures {
             let both = number(&row[*i]).zip(at(*j));
-            cells.push(both.map_or("-".to_owned(), |(own, new)| beside(own, new, unit).1));
+            cells.push(both.map_or("-".to_owned(), |(own, new)| with_change(own, new, unit).1));
         }
-        told.push(cells);
+        compared.push(cells);
     }
-    if told.is_empty() {
+    if compared.is_empty() {
         return None;
     }
-    // Figures that no row has go without saying.
-    let has = |k: usize| told.iter().any(|row| row[k] != "-");
+    // Figures without a value in any row are omitted.
+    let has = |k: usize| compared.iter().any(|row| row[k] != "-");
     let mut head: Vec<String> = (axes.iter())
         .map(|[i, _]| {
             let (name, unit) = words(&first.head[*i]);
@@ -174,18 +173,18 @@ fn rows(first: &Rows, other: &Rows) -> Option<(Table, usize, bool)> {
         .filter(|k| *k < axes.len() || has(*k))
         .collect();
     let pick = |cells: &Vec<String>| kept.iter().map(|k| cells[*k].clone()).collect();
-    let shown: Vec<Vec<String>> = told.iter().take(MOST_ROWS).map(pick).collect();
+    let shown: Vec<Vec<String>> = compared.iter().take(MOST_ROWS).map(pick).collect();
     let n_left_out = first.body.len() - shown.len();
     Some((table(pick(&head), shown), n_left_out, is_between.get()))
 }
 
-/// Where a place of the first stands in the other.
+/// Counterpart of a row of the first result in the other one.
 enum Place {
     At(usize),
     Between(usize, usize, f64),
 }
 
-/// The row at the same place; with one axis of numbers also between two rows.
+/// The row at the same place; with a single numeric axis also between two rows.
 fn place(row: &[String], axes: &[[usize; 2]], other: &Rows) -> Option<Place> {
     let is_same = |own: &str, there: &str| match number(own).zip(number(there)) {
         Some((a, b)) => (a - b).abs() <= SAME * a.abs().max(b.abs()),
@@ -230,7 +229,7 @@ fn words_of(name: &str) -> String {
     )
 }
 
-/// The unit in which a number is shown.
+/// The display unit of a number, in brackets.
 fn in_brackets(unit: &str) -> String {
     match unit {
         "" => String::new(),
@@ -243,8 +242,16 @@ fn shown(value: f64, unit: &str) -> String {
     digits(if unit == "K" { value - CELSIUS } else { value }, 5)
 }
 
-/// The second number, and by how much it differs: temperatures in K, others in per cent.
-fn beside(own: f64, new: f64, unit: &str) -> (String, String) {
+/// A figure of a machine with the symbols of its marks.
+fn marked(figure: &Value, unit: &str) -> String {
+    match figure["value"].as_f64() {
+        Some(value) => shown(value, unit) + figure["marks"].as_str().unwrap_or_default(),
+        None => "not resolved".to_owned(),
+    }
+}
+
+/// The second number and its difference: in K for temperatures, in per cent otherwise.
+fn with_change(own: f64, new: f64, unit: &str) -> (String, String) {
     let change = match (unit, own) {
         ("K", _) => format!("{:+.2} K", new - own),
         (_, own) if own == new => "0".to_owned(),
@@ -269,7 +276,7 @@ mod tests {
     use super::super::super::lines::Block;
     use super::*;
 
-    fn told(tables: &[Value]) -> Vec<Table> {
+    fn differences(tables: &[Value]) -> Vec<Table> {
         let mut out = Lines::default();
         write(&mut out, tables);
         let tables = out.blocks.into_iter().filter_map(|block| match block {
@@ -283,23 +290,23 @@ mod tests {
         json!({ "name": name, "csv": csv, "n_axes": n_axes, "figures": null })
     }
 
-    /// Pages are read from files: a table may say more axes than it has columns.
+    /// Pages are read from files: a table may state more axes than it has columns.
     #[test]
-    fn a_table_with_fewer_columns_than_axes_is_left_out() {
+    fn a_table_with_fewer_columns_than_axes_is_omitted() {
         let of = of("one", "point,film_central_m\n1,2e-7\n", 3);
-        assert!(told(&[of.clone(), of]).is_empty());
+        assert!(differences(&[of.clone(), of]).is_empty());
         let of = self::of("one", "point\n1\n", 1);
-        assert!(told(&[of.clone(), of]).is_empty());
+        assert!(differences(&[of.clone(), of]).is_empty());
     }
 
-    /// By hand: at 2 m/s the other film lies midway between 300 and 500 nm, 100 % above 200 nm; 4 m/s is beyond it. At 1 m/s both have points: +50 %,
+    /// By hand: at 2 m/s the other film is midway between 300 and 500 nm, 100 % above 200 nm; 4 m/s is beyond it. At 1 m/s both have points: +50 %
     /// and 3 K.
     #[test]
     fn curves_over_the_places_of_the_first() {
         let head = "point,entrainment_speed_m_per_s,film_central_m,film_temperature_maximum_K\n";
         let first = format!("{head}1,1e0,2e-7,300\n2,2e0,2e-7,300\n3,4e0,3e-7,310\n");
         let other = format!("{head}1,1e0,3e-7,303\n2,3e0,5e-7,305\n");
-        let tables = told(&[of("one", &first, 1), of("two", &other, 1)]);
+        let tables = differences(&[of("one", &first, 1), of("two", &other, 1)]);
         assert_eq!(tables.len(), 1);
         assert_eq!(
             tables[0].head,
@@ -315,20 +322,31 @@ mod tests {
         );
     }
 
-    /// Row by row of the same contact at the same ring, and the figures of the whole machine.
+    /// Row by row for the same contact and ring, and the figures of the whole machine.
     #[test]
     fn machines_row_by_row() {
         let head = "contact,angle_rad,ring,name,film_minimum_m\n";
         let first = format!("{head}1,0e0,inner,\"ball 0, inner ring\",2e-7\n2,0e0,outer,b,1e-7\n");
         let other =
             format!("{head}1,0e0,inner,\"ball 0, inner ring\",1e-7\n2,0e0,outer,b,1.5e-7\n");
-        let figure = |value: f64| json!([{ "name": "friction_torque", "words": "torque", "unit": "N m", "value": value }]);
+        let figure = |value: f64| {
+            json!([
+                { "name": "friction_torque", "words": "torque", "unit": "N m", "value": value, "marks": " (f)" },
+                { "name": "spin", "words": "spin", "unit": "W", "value": null },
+            ])
+        };
         let mut both = [of("one", &first, 2), of("two", &other, 2)];
         for (table, value) in both.iter_mut().zip([0.2, 0.1]) {
             table["figures"] = figure(value);
         }
-        let tables = told(&both);
-        assert_eq!(tables[0].rows, [["torque (N m)", "0.2", "0.1", "-50.00 %"]]);
+        let tables = differences(&both);
+        assert_eq!(
+            tables[0].rows,
+            [
+                ["torque (N m)", "0.2 (f)", "0.1 (f)", "-50.00 %"],
+                ["spin (W)", "not resolved", "not resolved", "-"],
+            ]
+        );
         assert_eq!(
             tables[1].rows,
             [["0", "inner", "-50.00 %"], ["0", "outer", "+50.00 %"]]

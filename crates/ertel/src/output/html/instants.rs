@@ -1,4 +1,4 @@
-//! What a page knows of a case in time from instant to instant: the centreline, and of point contacts the map of the film.
+//! Page data of a transient case: the centreline, and the film map of point contacts, instant by instant.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -8,17 +8,17 @@ use super::data::bytes;
 use crate::output::transient::{film_axis, film_range};
 use crate::run::transient::TransientSolution;
 
-/// Bytes of the centrelines of all instants, and of the maps, at most, before they are written as text.
+/// Maximum bytes of all centrelines, and of all maps, before encoding.
 const MOST_PROFILE_BYTES: usize = 300_000;
 const MOST_MAP_BYTES: usize = 180_000;
-/// Maps at most.
+/// Maximum number of maps.
 const MOST_MAPS: usize = 60;
 /// Films are kept up to this multiple of the end of their axis.
 const BEYOND: f64 = 2.0;
 
-/// The data; nothing where there are no instants to look at.
+/// The data; `None` without instants to show.
 ///
-/// Numbers are quantised: centrelines to 16 bits, maps to 8. Line contacts have their instants, more than fit evenly thinned; others the output times.
+/// Numbers are quantised: centrelines to 16 bits, maps to 8. Line contacts have their instants, evenly thinned if too many; others have the output times.
 pub fn instants(found: &TransientSolution) -> Value {
     let [low, high] = film_range(found);
     let fields = &found.fields;
@@ -38,7 +38,7 @@ pub fn instants(found: &TransientSolution) -> Value {
         false => MOST_MAPS,
     };
     let shown = evenly(times.len(), most.max(2));
-    // The row of a grid that runs through the centre.
+    // The grid row through the centre.
     let row = fields.y.iter().map(|y| y.abs());
     let middle = row.enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
     let start = middle.map_or(0, |(j, _)| j) * fields.x.len();
@@ -70,7 +70,7 @@ pub fn instants(found: &TransientSolution) -> Value {
     })
 }
 
-/// The films of point contacts at these output times, rows along the motion from the least y on.
+/// Films of point contacts at these output times, in rows along the motion from the smallest y.
 fn maps(found: &TransientSolution, shown: &[usize], range: [f64; 2]) -> Value {
     let fields = &found.fields;
     let [nx, ny] = [fields.x.len(), fields.y.len()];
@@ -99,13 +99,13 @@ fn maps(found: &TransientSolution, shown: &[usize], range: [f64; 2]) -> Value {
     })
 }
 
-/// The step nearest to a value, from 0 at the low end to `last` at the high one.
+/// The step nearest to a value, from 0 at the lower limit to `last` at the upper one.
 fn quantised(value: f32, [low, high]: [f64; 2], last: f64) -> f64 {
     let share = (f64::from(value) - low) / (high - low);
     (last * share).round().clamp(0.0, last)
 }
 
-/// At most so many numbers below n, the first and the last among them.
+/// At most this many indices below n, including the first and the last.
 fn evenly(n: usize, most: usize) -> Vec<usize> {
     if n <= most {
         return (0..n).collect();
@@ -126,7 +126,7 @@ mod tests {
         assert!(many.windows(2).all(|w| w[0] < w[1]));
     }
 
-    /// Half a step is the largest error; what lies beyond has the end.
+    /// The error is at most half a step; values outside the range are clamped.
     #[test]
     fn values_are_quantised() {
         let range = [1.0, 3.0];

@@ -1,7 +1,7 @@
-//! `report.html`: a result as one page that needs nothing but a browser.
+//! `report.html`: a result as one self-contained page.
 //!
-//! The template and its scripts are in `assets`; uPlot (MIT) draws the lines. Text of cases is escaped by the template engine, data
-//! by writing `<` as an escape; a content security policy in the page forbids it to load anything.
+//! The template and its scripts are in `assets`; uPlot (MIT) draws the charts. The template engine escapes the text of cases, and
+//! `<` is escaped in the data; a content security policy in the page forbids loading anything.
 
 mod data;
 mod differences;
@@ -31,13 +31,13 @@ use crate::solution::Solution;
 use crate::study::{CurveSolution, MachineSolution};
 use crate::words::{digits, pressure};
 
-/// Name of the page in a folder of results.
+/// Name of the page in a result folder.
 pub const REPORT_PAGE: &str = "report.html";
 
-/// Opens the element of a page that holds its data.
+/// Opening tag of the page's data element.
 const DATA_OPEN: &str = r#"<script type="application/json" id="ertel-data">"#;
 
-/// Bytes of a table that a page holds at the most.
+/// Maximum bytes of a table in a page.
 const MOST_TABLE_BYTES: usize = 1_500_000;
 
 const TEMPLATE: &str = include_str!("assets/page.html");
@@ -60,14 +60,14 @@ const SCRIPT: &str = concat!(
     "})();\n"
 );
 
-/// A part of the page: a heading and what stands under it.
+/// A section of the page: a heading and its content.
 #[derive(Debug, Default, Serialize)]
 struct Section {
     heading: String,
     blocks: Vec<Shown>,
 }
 
-/// A piece of a report as the template takes it.
+/// A block of a report, for the template.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 enum Shown {
@@ -86,7 +86,7 @@ enum Shown {
     },
 }
 
-/// The sections of a report; what comes before the first heading goes under `first`.
+/// The sections of a report; blocks before the first heading are placed under `first`.
 fn sections(lines: Lines, first: &str) -> Vec<Section> {
     let mut sections = vec![Section {
         heading: first.to_owned(),
@@ -127,7 +127,7 @@ fn part(write: impl FnOnce(&mut Lines), first: &str) -> Vec<Section> {
     sections(lines, first)
 }
 
-/// The page of a solution; `tolerance` of Newton's method is drawn with its iterations.
+/// The page of a solution; the tolerance of Newton's method is drawn with its iterations.
 pub fn report_page(case: &CaseEcho, solution: &Solution, tolerance: f64) -> String {
     let mut results = part(
         |out| {
@@ -138,7 +138,7 @@ pub fn report_page(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Stri
         },
         "",
     );
-    // The heading above them says so.
+    // The heading above them says the same.
     for section in &mut results {
         if section.heading == "Results" {
             section.heading.clear();
@@ -215,14 +215,18 @@ pub fn machine_page(
 ) -> String {
     let whole = &machine.machine;
     let n_axes = if whole.has_sides() { 2 } else { 1 };
-    let told: Vec<Value> = (figures.all.iter())
-        .map(|f| json!({ "name": f.name, "words": f.words, "unit": f.unit, "value": f.estimate.value }))
+    let values: Vec<Value> = (figures.all.iter())
+        .map(|f| {
+            let value = f.estimate.is_resolved().then_some(f.estimate.value);
+            let marks = f.estimate.marks.symbols();
+            json!({ "name": f.name, "words": f.words, "unit": f.unit, "value": value, "marks": marks })
+        })
         .collect();
     let data = json!({
         "version": DATA_VERSION,
         "title": case.title,
         "table": table(&table_of_pressed(machine), n_axes),
-        "figures": told,
+        "figures": values,
     });
     let results = part(
         |out| {
@@ -245,7 +249,7 @@ pub fn machine_page(
     })
 }
 
-/// The page of a case in time: extremes and instants, pictures, a slider over the instants, and the table over time.
+/// The page of a transient case: extremes and instants, pictures, an instant slider, and the table over time.
 pub fn transient_page(case: &CaseEcho, found: &TransientSolution, pictures: &[Picture]) -> String {
     let csv = transient_table(found, case.contact.kind.is_line());
     let data = json!({
@@ -270,7 +274,7 @@ pub fn transient_page(case: &CaseEcho, found: &TransientSolution, pictures: &[Pi
     })
 }
 
-/// The page of a study from its table (CSV), whose first columns after the number of the point are the axes.
+/// The page of a study from its table (CSV); the first columns after the point number are the axes.
 pub fn study_page(title: &str, csv: &str, n_axes: usize, warnings: Vec<String>) -> String {
     let data = json!({ "version": DATA_VERSION, "title": title, "table": table(csv, n_axes) });
     let n = csv.lines().count().saturating_sub(1);
@@ -310,30 +314,30 @@ pub fn comparison_page(comparison: &Comparison, case: &str) -> String {
     })
 }
 
-/// Why a text is not shown as a page of results.
+/// Why a text cannot be shown as a result page.
 #[derive(Debug, thiserror::Error)]
 pub enum PageError {
-    /// It is something else, or damaged.
-    #[error("it is no page of results of ertel")]
+    /// Not a result page, or damaged.
+    #[error("it is not a result page of ertel")]
     NotAPage,
     /// It was written by another version.
     #[error(
-        "it was written by a version of ertel with another layout ({found}, not {DATA_VERSION}); solve the case once more"
+        "it was written by a version of ertel with another layout ({found}, not {DATA_VERSION}); solve the case again"
     )]
     Version {
         /// Version of its layout.
         found: String,
     },
-    /// Contacts and tables of points do not go on one page.
+    /// Contacts and tables of points cannot share a page.
     #[error("results of single contacts and tables of curves or studies cannot be shown together")]
     Mixed,
 }
 
-/// The page that shows several results together, each by its title, its name and the data of its own page: contacts with the differences
-/// of their fields, or curves, machines and studies with their points in one table and the differences of their figures.
+/// A page with several results, each given by its title, its name and its page data: contacts with the differences
+/// of their fields, or curves, machines and studies with a merged table and the differences of their figures.
 ///
 /// # Errors
-/// [`PageError::Mixed`]; [`PageError::NotAPage`] of data that are damaged.
+/// [`PageError::Mixed`]; [`PageError::NotAPage`] for damaged data.
 pub fn joint_page(parts: Vec<(String, Value)>) -> Result<String, PageError> {
     let n = parts.len();
     let (mut results, mut tables) = (Vec::new(), Vec::new());
@@ -377,10 +381,10 @@ pub fn joint_page(parts: Vec<(String, Value)>) -> Result<String, PageError> {
     }))
 }
 
-/// The data that a page holds.
+/// The data of a page.
 ///
 /// # Errors
-/// [`PageError`] of a text that is no page of this version.
+/// [`PageError`] if the text is not a page of this version.
 pub fn page_data(page: &str) -> Result<Value, PageError> {
     let (_, rest) = page.split_once(DATA_OPEN).ok_or(PageError::NotAPage)?;
     let (text, _) = rest.split_once("</script>").ok_or(PageError::NotAPage)?;
@@ -393,7 +397,7 @@ pub fn page_data(page: &str) -> Result<Value, PageError> {
     }
 }
 
-/// A table with the number of columns, after that of the points, which say what was varied.
+/// A table with the number of columns, after the point number, that state the varied inputs.
 fn table(csv: &str, n_axes: usize) -> Value {
     let end = match csv.get(..MOST_TABLE_BYTES.min(csv.len())) {
         Some(text) if text.len() == csv.len() => csv.len(),
@@ -408,7 +412,7 @@ fn table(csv: &str, n_axes: usize) -> Value {
     json!({ "csv": &csv[..end], "n_axes": n_axes, "left_out": left_out })
 }
 
-/// The lines of a curve's report that begin with an exclamation mark.
+/// The lines of a curve's report that start with an exclamation mark.
 fn remarks(report: &str) -> Vec<String> {
     let marked = report
         .lines()
@@ -429,7 +433,7 @@ fn subtitle(solution: &Solution) -> String {
     )
 }
 
-/// What the template takes.
+/// Context of the template.
 #[derive(Debug, Default, Serialize)]
 struct Page<'a> {
     title: &'a str,
@@ -468,7 +472,7 @@ fn page(page: Page<'_>) -> String {
         .expect("the template is ours")
 }
 
-/// JSON that ends no script and opens none.
+/// JSON that cannot close or open a script element.
 fn script_data(data: &Value) -> String {
     data.to_string().replace('<', "\\u003c")
 }
@@ -480,9 +484,9 @@ mod tests {
     use crate::solution::Figure;
     use crate::warning::{Warning, WarningKind};
 
-    /// Titles and case files are text, whatever they hold, and the data end no script.
+    /// Titles and case files are treated as text, whatever they contain, and the data cannot end a script.
     #[test]
-    fn text_of_users_stays_text() {
+    fn user_text_is_escaped() {
         let (mut case, solution) = sample::circle().clone();
         case.title = "</script><script>alert(1)</script> & \"ball\"".to_owned();
         case.case_file = Some("<!-- <b>title</b> -->".to_owned());
@@ -494,7 +498,7 @@ mod tests {
         assert_eq!(data["results"][0]["title"], case.title);
     }
 
-    /// The page loads nothing: its policy says so, and there is no address but that in the licence of uPlot.
+    /// The page loads nothing: its policy forbids it, and the only address is in the licence of uPlot.
     #[test]
     fn pages_need_no_network() {
         let (case, solution) = sample::line();
@@ -509,9 +513,9 @@ mod tests {
         }
     }
 
-    /// Figures, warnings and formulas stand in the page for those without scripts.
+    /// Figures, warnings and formulas are readable without scripts.
     #[test]
-    fn pages_say_what_the_report_says() {
+    fn pages_repeat_the_report() {
         let (case, mut solution) = sample::circle().clone();
         sample::set(&mut solution, Figure::FilmCentral, 245e-9, 0.8e-9);
         solution.formulas[0].central = Some(264.1e-9);
@@ -542,7 +546,7 @@ mod tests {
         assert!(matches!(page_data(&old), Err(PageError::Version { .. })));
     }
 
-    /// A table that is too long ends after a whole line, and the page knows how many are left out.
+    /// A table that is too long ends after a complete line, and the page states the number of omitted lines.
     #[test]
     fn long_tables_are_cut() {
         let csv = "point,a\n".to_owned() + &"1,22222222\n".repeat(200_000);

@@ -1,26 +1,26 @@
-//! Fewer nodes for a page: those of a mesh of triangles that linear interpolation between the others gives as well.
+//! Mesh thinning for a page: removes the nodes of a triangle mesh that linear interpolation between the others reproduces.
 //!
-//! A node goes by sliding onto a neighbour, if all nodes that went before and lie in the new triangles stay within the tolerance
+//! A node is removed by sliding onto a neighbour, if all removed nodes in the new triangles stay within the tolerance
 //! (Schroeder, Zarge & Lorensen 1992, Computer Graphics 26(2), 65-70: decimation of triangle meshes).
 
-/// Twice the area of a triangle beside the square of its longest edge: no triangle becomes flatter.
+/// Smallest ratio of twice a triangle's area to the square of its longest edge: no triangle becomes flatter.
 const FLATTEST: f64 = 0.05;
 
-/// Barycentric coordinate below zero up to which a point lies on an edge, for all that rounding does.
+/// Negative barycentric coordinate down to which a point counts as on an edge, to allow for rounding.
 const ON_AN_EDGE: f64 = 1e-9;
 
-/// Rounds after which nothing more is looked for.
+/// Maximum number of rounds.
 const MOST_ROUNDS: usize = 30;
 
-/// A field at the nodes, and by how much it may be off at each.
+/// A field at the nodes, with the tolerance at each.
 pub(super) struct Bounded<'a> {
     /// Values.
     pub values: &'a [f64],
-    /// By how much linear interpolation may be off, in the unit of the values.
+    /// Tolerance of linear interpolation, in the unit of the values.
     pub tolerance: Vec<f64>,
 }
 
-/// The triangles that are left, by their nodes; nodes for which `stays` says so, and those of the edge, are among them.
+/// The remaining triangles, by their nodes. Nodes marked in `stays` and those on the edge are kept.
 pub(super) fn thin(
     points: &[[f64; 2]],
     cells: &[[u32; 3]],
@@ -30,19 +30,19 @@ pub(super) fn thin(
     let mut mesh = Mesh::new(points, cells, fields);
     let mut fixed = mesh.edge();
     fixed.iter_mut().zip(stays).for_each(|(f, s)| *f |= *s);
-    // What could not go cannot until something around it has changed.
+    // A node that could not be removed is tried again only after its surroundings have changed.
     let mut stuck = fixed.clone();
     for _ in 0..MOST_ROUNDS {
-        // Those beside one that went wait for the next round, so that all regions thin alike.
+        // Neighbours of a removed node wait for the next round, which thins all regions alike.
         let mut waits = vec![false; points.len()];
-        let mut n_gone = 0;
+        let mut n_removed = 0;
         for node in 0..points.len() {
             if waits[node] || stuck[node] {
                 continue;
             }
             stuck[node] = true;
             if mesh.remove(node as u32) {
-                n_gone += 1;
+                n_removed += 1;
                 for around in &mesh.around {
                     let around = *around as usize;
                     waits[around] = true;
@@ -50,7 +50,7 @@ pub(super) fn thin(
                 }
             }
         }
-        if 100 * n_gone <= mesh.n_left {
+        if 100 * n_removed <= mesh.n_remaining {
             break;
         }
     }
@@ -61,23 +61,23 @@ struct Mesh<'a> {
     points: &'a [[f64; 2]],
     fields: &'a [Bounded<'a>],
     cells: Vec<Option<[u32; 3]>>,
-    /// Cells of each node; none of those that went.
+    /// Cells of each node; empty for removed nodes.
     of_node: Vec<Vec<u32>>,
-    /// Nodes that went, by the cell that they lie in.
+    /// Removed nodes, by the cell that contains them.
     inside: Vec<Vec<u32>>,
-    /// Nodes that are left.
-    n_left: usize,
-    /// Nodes around the one that was looked at last.
+    /// Number of remaining nodes.
+    n_remaining: usize,
+    /// Nodes around the last one examined.
     around: Vec<u32>,
-    /// What is tried: its nodes that go, the new cells, and in which of them the nodes lie.
-    gone: Vec<u32>,
+    /// The attempted removal: its removed nodes, the new cells, and the cell that contains each removed node.
+    removed: Vec<u32>,
     moved: Vec<[u32; 3]>,
     places: Vec<usize>,
 }
 
 impl<'a> Mesh<'a> {
     fn new(points: &'a [[f64; 2]], cells: &[[u32; 3]], fields: &'a [Bounded<'a>]) -> Mesh<'a> {
-        // Corners against the clock.
+        // Corners counterclockwise.
         let turned = |[a, b, c]: [u32; 3]| match twice_area([a, b, c].map(|n| points[n as usize])) {
             area if area < 0.0 => [a, c, b],
             _ => [a, b, c],
@@ -87,16 +87,16 @@ impl<'a> Mesh<'a> {
             cell.iter()
                 .for_each(|n| of_node[*n as usize].push(c as u32));
         }
-        let n_left = of_node.iter().filter(|own| !own.is_empty()).count();
+        let n_remaining = of_node.iter().filter(|own| !own.is_empty()).count();
         Mesh {
             points,
             fields,
             cells: cells.iter().map(|cell| Some(turned(*cell))).collect(),
             of_node,
             inside: vec![Vec::new(); cells.len()],
-            n_left,
+            n_remaining,
             around: Vec::new(),
-            gone: Vec::new(),
+            removed: Vec::new(),
             moved: Vec::new(),
             places: Vec::new(),
         }
@@ -106,7 +106,7 @@ impl<'a> Mesh<'a> {
         cell(&self.cells, c)
     }
 
-    /// Whether nodes lie on the edge of the mesh: the triangles around them do not close.
+    /// Whether each node is on the edge of the mesh: the triangles around it do not close.
     fn edge(&mut self) -> Vec<bool> {
         let mut is_on_edge = Vec::with_capacity(self.points.len());
         for (node, own) in self.of_node.iter().enumerate() {
@@ -116,14 +116,14 @@ impl<'a> Mesh<'a> {
         is_on_edge
     }
 
-    /// Removes a node if some neighbour can take its place.
+    /// Removes a node if it can slide onto a neighbour.
     fn remove(&mut self, node: u32) -> bool {
         let own = std::mem::take(&mut self.of_node[node as usize]);
         note_around(&self.cells, &own, node, &mut self.around);
         let of = own.iter().flat_map(|c| &self.inside[*c as usize]);
-        self.gone.clear();
-        self.gone.extend(of);
-        self.gone.push(node);
+        self.removed.clear();
+        self.removed.extend(of);
+        self.removed.push(node);
         let goes = (0..self.around.len()).any(|n| self.slides(node, &own, self.around[n]));
         if goes {
             self.replace(node, &own);
@@ -133,7 +133,7 @@ impl<'a> Mesh<'a> {
         goes
     }
 
-    /// Whether a node of some cells can slide onto another; the new cells are then noted.
+    /// Whether a node can slide onto another; the new cells are then stored.
     fn slides(&mut self, node: u32, own: &[u32], onto: u32) -> bool {
         self.moved.clear();
         for c in own {
@@ -148,10 +148,13 @@ impl<'a> Mesh<'a> {
         }
         let mut places = std::mem::take(&mut self.places);
         places.clear();
-        let found = self.gone.iter().map_while(|n| self.place(*n, &self.moved));
+        let found = self
+            .removed
+            .iter()
+            .map_while(|n| self.place(*n, &self.moved));
         places.extend(found);
         self.places = places;
-        self.places.len() == self.gone.len()
+        self.places.len() == self.removed.len()
     }
 
     fn is_sound(&self, cell: &[u32; 3]) -> bool {
@@ -164,7 +167,7 @@ impl<'a> Mesh<'a> {
         twice_area(corners) > FLATTEST * longest
     }
 
-    /// The first of the cells in which a node lies, by its number, if all fields there are within the tolerance.
+    /// Index of the first cell that contains a node, if all fields there are within the tolerance.
     fn place(&self, node: u32, cells: &[[u32; 3]]) -> Option<usize> {
         let p = self.points[node as usize];
         let of = |cell: &[u32; 3]| shares(cell.map(|n| self.points[n as usize]), p);
@@ -179,7 +182,7 @@ impl<'a> Mesh<'a> {
         self.fields.iter().all(is_near).then_some(place)
     }
 
-    /// The new cells in the place of the old ones of a node that goes.
+    /// Replaces the old cells of a removed node with the new ones.
     fn replace(&mut self, node: u32, own: &[u32]) {
         for c in own {
             for n in self.cell(*c).into_iter().filter(|n| *n != node) {
@@ -188,15 +191,15 @@ impl<'a> Mesh<'a> {
             self.cells[*c as usize] = None;
             self.inside[*c as usize].clear();
         }
-        // New cells take the numbers of old ones, in order.
+        // New cells reuse the indices of old ones, in order.
         for (c, cell) in own.iter().zip(&self.moved) {
             self.cells[*c as usize] = Some(*cell);
             cell.iter().for_each(|n| self.of_node[*n as usize].push(*c));
         }
-        for (n, place) in self.gone.iter().zip(&self.places) {
+        for (n, place) in self.removed.iter().zip(&self.places) {
             self.inside[own[*place] as usize].push(*n);
         }
-        self.n_left -= 1;
+        self.n_remaining -= 1;
     }
 }
 
@@ -204,7 +207,7 @@ fn cell(cells: &[Option<[u32; 3]>], c: u32) -> [u32; 3] {
     cells[c as usize].expect("cells of nodes are there")
 }
 
-/// Notes the nodes around a node with its own cells, each once.
+/// Stores the nodes around a node, given its cells, each once.
 fn note_around(cells: &[Option<[u32; 3]>], own: &[u32], node: u32, around: &mut Vec<u32>) {
     around.clear();
     let of = own.iter().flat_map(|c| cell(cells, *c));
@@ -213,7 +216,7 @@ fn note_around(cells: &[Option<[u32; 3]>], own: &[u32], node: u32, around: &mut 
     around.dedup();
 }
 
-/// Whether a point lies in a triangle or on its edge.
+/// Whether a point is inside a triangle or on its edge.
 pub(super) fn contains(corners: [[f64; 2]; 3], p: [f64; 2]) -> bool {
     shares(corners, p).iter().all(|s| *s >= -ON_AN_EDGE)
 }
@@ -224,7 +227,7 @@ fn shares([a, b, c]: [[f64; 2]; 3], p: [f64; 2]) -> [f64; 3] {
     [[p, b, c], [a, p, c], [a, b, p]].map(|part| twice_area(part) / whole)
 }
 
-/// Twice the area of a triangle, positive where its corners go round against the clock.
+/// Twice the area of a triangle, positive for counterclockwise corners.
 fn twice_area([a, b, c]: [[f64; 2]; 3]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
@@ -254,10 +257,10 @@ mod tests {
         (points, cells.collect())
     }
 
-    /// Hertz's pressure √(1 - r²): flat in the middle, steep at the rim. The triangles that are left cover the same area, pass the
-    /// values of the nodes that went by no more than the tolerance, and keep those that stay.
+    /// Hertz pressure √(1 - r²): flat in the middle, steep at the rim. The remaining triangles cover the same area, reproduce the
+    /// removed nodes within the tolerance, and keep the marked nodes.
     #[test]
-    fn what_goes_is_within_the_tolerance() {
+    fn removed_nodes_are_within_the_tolerance() {
         let (points, cells) = square(80);
         let values: Vec<f64> = (points.iter())
             .map(|p| (1.0 - p[0] * p[0] - p[1] * p[1]).max(0.0).sqrt())
@@ -296,9 +299,9 @@ mod tests {
         assert!(worst > 0.3 * tolerance, "{worst}");
     }
 
-    /// A plane needs the edge alone, where no triangle becomes too flat.
+    /// A plane needs only the edge, unless a triangle would become too flat.
     #[test]
-    fn planes_need_hardly_a_node() {
+    fn planes_need_few_nodes() {
         let (points, cells) = square(24);
         let values: Vec<f64> = points.iter().map(|p| 1.0 + 2.0 * p[0] - p[1]).collect();
         let field = Bounded {

@@ -1,4 +1,4 @@
-//! `machine.json`: figures of the machine, and its contacts with all that `result.json` has of each but its iterations.
+//! `machine.json`: figures of the machine and its contacts, each with everything in `result.json` except iterations.
 
 use serde_json::{Map, Value, json};
 
@@ -12,10 +12,10 @@ use crate::run::NUMERICS;
 use crate::study::MachineSolution;
 use crate::warning::{codes, silenced, texts};
 
-/// Value of the key `format` by which the results of a machine are recognised.
+/// Value of the key `format` that identifies machine results.
 pub const MACHINE_FORMAT: &str = "ertel-machine";
 
-/// The document; SI throughout.
+/// The JSON document in SI units.
 ///
 /// # Errors
 /// Those of serde.
@@ -76,7 +76,7 @@ pub fn machine_json(
     }))
 }
 
-/// The figures of a machine by their names.
+/// The figures of a machine by name.
 pub(in crate::output) fn machine_figures_json(figures: &MachineFigures) -> Map<String, Value> {
     (figures.all.iter())
         .map(|figure| {

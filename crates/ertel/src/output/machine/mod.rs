@@ -1,4 +1,4 @@
-//! Results of a machine: `machine.json`, `machine.csv`, pictures, a report, and folders of its contacts.
+//! Results of a machine: `machine.json`, `machine.csv`, pictures, a report, and contact folders.
 
 mod json;
 mod over;
@@ -8,7 +8,7 @@ mod table;
 
 pub(super) use json::machine_figures_json;
 pub use json::{MACHINE_FORMAT, machine_json};
-pub(super) use over::{DRAWN, DRAWN_IN_TIME, Drawn, TOLD, TOLD_IN_TIME};
+pub(super) use over::{DRAWN, DRAWN_IN_TIME, Drawn, REPORTED, REPORTED_IN_TIME};
 pub(super) use picture::pictures as machine_pictures;
 pub use report::machine_report;
 pub(super) use report::{shown, warnings, write_figures, write_idle};
@@ -25,11 +25,11 @@ use crate::machine::MachineFigures;
 use crate::params::OutputParams;
 use crate::study::MachineSolution;
 
-/// Writes the results of a machine into one folder, as [`super::write`] does; where the machine asks for folders, the results of each contact into a
-/// folder of its own, too: `points/01`, by its place among the contacts.
+/// Writes the results of a machine into one folder, as [`super::write`] does; if the machine asks for folders, each contact also has a
+/// separate folder: `points/01`, numbered by contact.
 ///
 /// # Errors
-/// [`OutputError`]; the target is then as it was before.
+/// [`OutputError`]; the target is then unchanged.
 pub fn write_machine(
     case: &CaseEcho,
     machine: &MachineSolution,
@@ -38,7 +38,7 @@ pub fn write_machine(
     params: &OutputParams,
 ) -> Result<(), OutputError> {
     check(machine, figures)?;
-    let folder = NewFolder::beside(target)?;
+    let folder = NewFolder::next_to(target)?;
     write_files_of_machine(folder.root(), case, machine, figures, params)?;
     if machine.machine.folders {
         let width = machine.machine.contacts.len().to_string().len();
@@ -52,7 +52,7 @@ pub fn write_machine(
     folder.finish()
 }
 
-/// Refuses numbers that are none.
+/// Rejects non-finite numbers.
 pub(super) fn check(
     machine: &MachineSolution,
     figures: &MachineFigures,

@@ -1,22 +1,22 @@
-//! Which figures of machines and of runs in time are drawn over the quantity of a curve or the axis of a study, and told of each point in its report.
+//! Figures of machines and transient runs that are drawn over the quantity of a curve or the axis of a study, and listed per point in its report.
 
 use super::super::pictures::film_unit;
 use ertel_plot::Look;
 
-/// Figures that are drawn in one picture.
+/// Figures drawn in one picture.
 pub(in crate::output) struct Drawn {
-    /// Name of the picture of a study.
+    /// Name of the picture in a study.
     pub name: &'static str,
-    /// Name of the picture of a curve.
+    /// Name of the picture in a curve.
     pub curve: &'static str,
-    /// What its upright axis shows.
+    /// Label of the vertical axis.
     pub axis: &'static str,
     scale: Scale,
-    /// The figures, by their names in the registry.
+    /// The figures, by registry name.
     pub figures: &'static [&'static str],
 }
 
-/// How values are shown.
+/// Display unit of the values.
 #[derive(Clone, Copy)]
 enum Scale {
     Film,
@@ -28,7 +28,7 @@ enum Scale {
     Pure,
 }
 
-/// Every picture of machines over what varies; a machine has those whose figures it has.
+/// Every picture of machines over a varied quantity; a machine has those for which it has figures.
 pub(in crate::output) const DRAWN: [Drawn; 8] = [
     Drawn {
         name: "film",
@@ -108,7 +108,7 @@ pub(in crate::output) const DRAWN: [Drawn; 8] = [
     },
 ];
 
-/// Every picture of runs in time over what varies.
+/// Every picture of transient runs over a varied quantity.
 pub(in crate::output) const DRAWN_IN_TIME: [Drawn; 4] = [
     Drawn {
         name: "film",
@@ -140,8 +140,8 @@ pub(in crate::output) const DRAWN_IN_TIME: [Drawn; 4] = [
     },
 ];
 
-/// Figures that the report of a curve tells of each run in time.
-pub(in crate::output) const TOLD_IN_TIME: [&str; 8] = [
+/// Figures listed in the report of a curve for each transient run.
+pub(in crate::output) const REPORTED_IN_TIME: [&str; 8] = [
     "film_central_lowest",
     "film_minimum_lowest",
     "film_central_last",
@@ -152,8 +152,8 @@ pub(in crate::output) const TOLD_IN_TIME: [&str; 8] = [
     "coefficient_of_restitution",
 ];
 
-/// Figures that the report of a curve tells of each point.
-pub(in crate::output) const TOLD: [&str; 12] = [
+/// Figures listed in the report of a curve for each machine.
+pub(in crate::output) const REPORTED: [&str; 12] = [
     "film_minimum",
     "lambda_minimum",
     "friction_torque",
@@ -169,7 +169,7 @@ pub(in crate::output) const TOLD: [&str; 12] = [
 ];
 
 impl Drawn {
-    /// SI unit of its figures in the registry.
+    /// SI unit of the figures in the registry.
     pub fn unit(&self) -> &'static str {
         match self.scale {
             Scale::Film => "m",
@@ -181,7 +181,7 @@ impl Drawn {
         }
     }
 
-    /// Factor and summand that lead from SI to what is shown, and the label of the axis, where the largest value is of this size (SI).
+    /// Factor and offset from SI to the display unit, and the axis label, given the largest value (SI).
     pub fn scale(&self, largest: f64) -> ([f64; 2], String) {
         let (factor, summand, unit) = match self.scale {
             Scale::Film => {
@@ -203,7 +203,7 @@ impl Drawn {
         ([factor, summand], label)
     }
 
-    /// How its figure of this number is drawn: all but the first dashed where formulas alone make them, without bars.
+    /// Line style of the figure with this index: dashed for all but the first if they are formula results without bars.
     pub fn look(&self, figure: usize, has_bars: bool) -> Look {
         match (figure, has_bars) {
             (0, _) => Look::LineAndDots,

@@ -1,4 +1,4 @@
-//! Loads and films around a bearing, or along a path of contact and over a turn of a cam.
+//! Loads and films around a bearing, along a path of contact, or over a cam revolution.
 
 use ertel_machines::gear::PathLabel;
 use ertel_plot::{
@@ -26,12 +26,12 @@ pub(in crate::output) fn pictures(title: &str, machine: &MachineSolution) -> Vec
     vec![drawing]
 }
 
-/// By how much points of the rings stand apart, over the distance of the elements: without, those of one film hide those of the other.
-const APART: f64 = 0.12;
+/// Angular separation of the two rings' points, relative to the element spacing: otherwise equal films would hide each other.
+const RING_SEPARATION: f64 = 0.12;
 
-/// Points of a ring a little beside the angle of their element.
-fn beside(points: Vec<[f64; 2]>, side: usize, n_elements: usize) -> Vec<[f64; 2]> {
-    let by = APART * std::f64::consts::TAU / n_elements.max(1) as f64;
+/// Shifts the points of a ring slightly from the angle of their element.
+fn offset(points: Vec<[f64; 2]>, side: usize, n_elements: usize) -> Vec<[f64; 2]> {
+    let by = RING_SEPARATION * std::f64::consts::TAU / n_elements.max(1) as f64;
     let by = if side == 0 { -0.5 * by } else { 0.5 * by };
     (points.into_iter())
         .map(|[angle, value]| [angle + by, value])
@@ -42,7 +42,7 @@ fn ring(side: usize) -> String {
     format!("{} ring", RINGS[side])
 }
 
-/// A value of each contact of a side with its place; without those that were not solved.
+/// A value of each contact of a side with its place, without unsolved contacts.
 fn values(
     machine: &MachineSolution,
     side: usize,
@@ -76,7 +76,7 @@ fn around(title: &str, machine: &MachineSolution) -> Drawing {
     let polar = |heading: &str, label: String, high: f64| Polar {
         title: title.to_owned(),
         heading: heading.to_owned(),
-        // Room for the points at the rim.
+        // Margin for the points at the rim.
         radius: Axis::linear(&label, 0.0, 1.08 * high),
         series: Vec::new(),
         labels: labels.clone(),
@@ -96,7 +96,7 @@ fn around(title: &str, machine: &MachineSolution) -> Drawing {
     );
     let looks = [Look::Dots, Look::Circles];
     for (side, points) in loads.into_iter().enumerate().rev() {
-        let points = beside(points, side, first.len());
+        let points = offset(points, side, first.len());
         of_loads.add(&ring(side), points, looks[side], PALETTE[side]);
     }
     let films: Vec<[Vec<[f64; 2]>; 2]> = [0, 1]
@@ -112,7 +112,7 @@ fn around(title: &str, machine: &MachineSolution) -> Drawing {
     for (side, [central, minimum]) in films.into_iter().enumerate().rev() {
         let scaled = |points: Vec<[f64; 2]>| -> Vec<[f64; 2]> {
             let scaled = points.into_iter().map(|[angle, h]| [angle, factor * h]);
-            beside(scaled.collect(), side, first.len())
+            offset(scaled.collect(), side, first.len())
         };
         let label = |what: &str| format!("{what}, {}", ring(side));
         of_films.add(
@@ -131,9 +131,9 @@ fn around(title: &str, machine: &MachineSolution) -> Drawing {
     polar_row(title, &[of_loads, of_films])
 }
 
-/// By how much of the path a place lies next to B or D.
-const BESIDE: f64 = 1e-6;
-/// Relative difference of loads on both sides of a place from which the load jumps there.
+/// Distance from B or D at which the loads on both sides are taken, relative to the path length.
+const JUMP_STEP: f64 = 1e-6;
+/// Smallest relative load difference that counts as a jump.
 const JUMP: f64 = 1e-3;
 
 /// The gears of a machine, if it is a pair of them.
@@ -144,10 +144,10 @@ fn gears(machine: &MachineSolution) -> Option<&GearMechanics> {
     }
 }
 
-/// Where the load jumps as pairs of teeth take over, with the Hertz pressures before and behind: [place (m), pressure, pressure (Pa)].
+/// Load jumps where tooth pairs engage or disengage, with the Hertz pressures before and behind: [place (m), pressure, pressure (Pa)].
 fn jumps(gears: &GearMechanics) -> Vec<[f64; 3]> {
     let points = gears.pair.points;
-    let beside = BESIDE * (points.e - points.a);
+    let step = JUMP_STEP * (points.e - points.a);
     let taken_over = [PathLabel::B, PathLabel::D];
     let at = |s: f64| (gears.pair.contact_at(&gears.operation, gears.sharing, s)).ok();
     let labelled = gears.path.iter().filter(|point| {
@@ -155,14 +155,14 @@ fn jumps(gears: &GearMechanics) -> Vec<[f64; 3]> {
         label.is_some_and(|label| taken_over.contains(&label))
     });
     let jump = |s: f64| {
-        let (before, behind) = (at(s - beside)?, at(s + beside)?);
+        let (before, behind) = (at(s - step)?, at(s + step)?);
         let change = (behind.load_per_length / before.load_per_length).ln();
         (change.abs() > JUMP).then_some([s, before.hertz_pressure, behind.hertz_pressure])
     };
     labelled.filter_map(|point| jump(point.position)).collect()
 }
 
-/// Lines through points are interrupted where the load jumps, [place, pressure before, pressure behind]: a point there has the larger load, of the single contact.
+/// Interrupts lines at load jumps, [place, pressure before, pressure behind]: a point there has the larger load, that of single contact.
 fn interrupted(points: Vec<[f64; 2]>, jumps: &[[f64; 3]]) -> Vec<[f64; 2]> {
     let mut shown: Vec<[f64; 2]> = Vec::with_capacity(points.len() + jumps.len());
     for point in points {
@@ -180,7 +180,7 @@ fn interrupted(points: Vec<[f64; 2]>, jumps: &[[f64; 3]]) -> Vec<[f64; 2]> {
     shown
 }
 
-/// Points with those of both sides of each jump: [place, value before, value behind].
+/// Points with the values on both sides of each jump: [place, value before, value behind].
 fn with_both_sides(points: Vec<[f64; 2]>, jumps: &[[f64; 3]]) -> Vec<[f64; 2]> {
     let mut shown = Vec::with_capacity(points.len() + jumps.len());
     for point in points {
@@ -306,7 +306,7 @@ fn along(title: &str, machine: &MachineSolution) -> Drawing {
 mod tests {
     use super::*;
 
-    /// The load jumps at 1 and 3: a line is interrupted before the first of them and behind the second, and a pressure has both values there.
+    /// The load jumps at 1 and 3: the line is interrupted before the first and behind the second, and the pressure has two values there.
     #[test]
     fn jumps_are_drawn_as_jumps() {
         let points: Vec<[f64; 2]> = (0..5).map(|i| [f64::from(i), 10.0]).collect();
@@ -319,10 +319,10 @@ mod tests {
         assert_eq!(both[4..6], [[3.0, 10.0], [3.0, 6.0]]);
     }
 
-    /// Of nine elements, 40° apart, points of the rings stand 2.4° to either side.
+    /// For nine elements, 40° apart, the points of the rings are 2.4° to either side.
     #[test]
     fn points_of_both_rings_are_seen() {
-        let at = |side| beside(vec![[1.0, 5.0]], side, 9)[0];
+        let at = |side| offset(vec![[1.0, 5.0]], side, 9)[0];
         let by = 2.4_f64.to_radians();
         for (side, expected) in [(0, 1.0 - by), (1, 1.0 + by)] {
             assert!((at(side)[0] - expected).abs() < 1e-12);

@@ -1,4 +1,4 @@
-//! What a user reads of a machine.
+//! The report of a machine.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -46,7 +46,7 @@ pub fn machine_report(
     text
 }
 
-/// Figures of the machine, section by section.
+/// Figures of the machine by section.
 pub(in crate::output) fn write_figures(out: &mut Lines, figures: &MachineFigures) {
     for section in Section::ALL {
         let of: Vec<&MachineFigure> = figures
@@ -65,20 +65,20 @@ pub(in crate::output) fn write_figures(out: &mut Lines, figures: &MachineFigures
         for mark in marks.iter().filter(|mark| !mark.symbol().is_empty()) {
             out.note(mark.words());
         }
-        let mut told: Vec<&str> = Vec::new();
+        let mut noted: Vec<&str> = Vec::new();
         for figure in of.iter().filter(|f| !f.source.is_empty()) {
-            if !told.contains(&figure.source) {
-                told.push(figure.source);
+            if !noted.contains(&figure.source) {
+                noted.push(figure.source);
                 out.note(figure.source);
             }
         }
     }
 }
 
-/// Rises, and no temperatures.
+/// Temperature rises, not temperatures.
 const FLASH: [&str; 2] = ["flash_temperature", "flash_temperature_blok"];
 
-/// A figure with its unit as people read it, and with the symbols of its marks; without a number where what it is made of is not resolved.
+/// A figure with its display unit and the symbols of its marks; no number if its components are not resolved.
 pub(in crate::output) fn shown(figure: &MachineFigure) -> String {
     let marks = figure.estimate.marks;
     match marks.has(Mark::Unresolved) {
@@ -107,7 +107,7 @@ fn with_unit(figure: &MachineFigure) -> String {
     }
 }
 
-/// Numbers from here on have a power of ten: their digits are none that a life has.
+/// Larger numbers are written with a power of ten: a life does not have that many digits.
 const MANY: f64 = 1e6;
 
 /// A rating life.
@@ -119,7 +119,7 @@ fn life(e: Estimate, factor: f64, unit: &str) -> String {
     }
 }
 
-/// A row for each contact; those that are alike in one.
+/// A row per contact; equal contacts share one.
 pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSolution) {
     let whole = &machine.machine;
     out.heading("Contacts");
@@ -227,12 +227,12 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
     write_idle(out, machine);
 }
 
-/// The text of a figure of a contact with the symbols of its marks.
+/// The text of a contact figure with the symbols of its marks.
 fn marked(text: String, solution: &Solution, figure: Figure) -> String {
     text + &of_figure(solution, figure).symbols()
 }
 
-/// How many contacts have no films, and why.
+/// The number of contacts without films, and the reason.
 pub(in crate::output) fn write_idle(out: &mut Lines, machine: &MachineSolution) {
     let whole = &machine.machine;
     let n = whole.contacts.iter().filter(|c| c.like.is_none()).count();
@@ -264,7 +264,7 @@ fn power(solution: &Solution, is_line: bool) -> String {
     }
 }
 
-/// An interruption, failures, and warnings of the contacts, those of one kind together.
+/// An interruption, failures, and the warnings of the contacts, grouped by kind.
 pub(in crate::output) fn warnings(
     machine: &MachineSolution,
     figures: &MachineFigures,
@@ -272,12 +272,12 @@ pub(in crate::output) fn warnings(
     let interruption = machine.interruption().map(|text| {
         Warning::new(
             WarningKind::NotSolved,
-            format!("{text}; sums and extremes over all contacts are left out"),
+            format!("{text}; sums and extremes over all contacts are omitted"),
         )
     });
     let mut failures: Vec<Warning> = interruption.into_iter().collect();
     failures.extend(figures.warnings.iter().cloned());
-    let mut told = Vec::new();
+    let mut of_contacts = Vec::new();
     let n = machine.n_contacts();
     for (place, point) in machine.solved() {
         match &point.outcome {
@@ -285,12 +285,12 @@ pub(in crate::output) fn warnings(
                 WarningKind::NotSolved,
                 format!("{} failed: {reason}", machine.machine.contacts[place].name),
             )),
-            Outcome::Solved(s) => told.extend(s.warnings.iter().map(|w| (place, w))),
-            // Contacts of a whole machine are steady.
+            Outcome::Solved(s) => of_contacts.extend(s.warnings.iter().map(|w| (place, w))),
+            // Contacts of a machine are steady.
             Outcome::InTime(_) => {}
         }
     }
-    let merged = by_kind(told);
+    let merged = by_kind(of_contacts);
     let name = |place: usize| machine.machine.contacts[place].name.as_str();
     failures.extend((merged.iter()).map(|m| m.with_text(m.line_of(n, name))));
     failures

@@ -1,4 +1,4 @@
-//! `machine.csv`: one line for each contact.
+//! `machine.csv`: one line per contact.
 
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
@@ -7,17 +7,17 @@ use crate::case::{MachineAxis, MachineContact, RINGS};
 use crate::files::text_field;
 use crate::study::{Column, MachineSolution, columns};
 
-/// The columns of studies, but for the Hertz pressure, which every contact has from the mechanics.
+/// The columns of studies, except the Hertz pressure, which the mechanics give for every contact.
 fn figures() -> impl Iterator<Item = Column> {
     columns().filter(|column| column.name != "hertz_pressure")
 }
 
-/// The table as text, SI. Contacts that are alike repeat the figures of the one that was solved; those that nothing presses have none.
+/// The table as text, SI. Equal contacts repeat the figures of the solved one; unloaded contacts have none.
 pub fn machine_table(machine: &MachineSolution) -> String {
     table_of(machine, |_| true, |place| place)
 }
 
-/// The table without the contacts that nothing presses; angles round a bearing from −π to π, so that neighbours in its loaded zone stand together.
+/// The table of loaded contacts; angles around a bearing from −π to π, which keeps the loaded zone contiguous.
 pub(in crate::output) fn table_of_pressed(machine: &MachineSolution) -> String {
     let is_around = machine.machine.axis == MachineAxis::Around;
     let shown = |place: f64| match is_around && place > PI {
@@ -27,7 +27,7 @@ pub(in crate::output) fn table_of_pressed(machine: &MachineSolution) -> String {
     table_of(machine, |contact| contact.like.is_some(), shown)
 }
 
-/// The table of the contacts that are kept, with their places as shown.
+/// The table of the kept contacts, with their displayed places.
 fn table_of(
     machine: &MachineSolution,
     keeps: impl Fn(&MachineContact) -> bool,

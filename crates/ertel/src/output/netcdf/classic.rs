@@ -1,5 +1,5 @@
-//! The classic format of netCDF with 64-bit offsets (CDF-2), as far as results need it: fixed dimensions, variables of single or double
-//! precision, attributes that are texts, numbers or integers.
+//! The classic format of netCDF with 64-bit offsets (CDF-2), restricted to fixed dimensions, variables of single or double
+//! precision, and attributes that are texts, numbers or integers.
 //!
 //! Source: Unidata, The NetCDF Classic Format Specification (NetCDF Users Guide, file format specifications).
 
@@ -26,7 +26,7 @@ pub enum Values {
 }
 
 impl Values {
-    /// Type and bytes of one, and how many.
+    /// Type, bytes, and number of the values.
     fn layout(&self) -> (u32, usize, usize) {
         match self {
             Values::Double(values) => (DOUBLE, 8, values.len()),
@@ -47,7 +47,7 @@ impl Values {
 pub struct Variable {
     /// Its name.
     pub name: String,
-    /// Places of its dimensions in [`Dataset::dimensions`], the slowest first; none of a scalar.
+    /// Indices of its dimensions in [`Dataset::dimensions`], the slowest first; empty for a scalar.
     pub dimensions: Vec<usize>,
     /// Names and values of its attributes.
     pub attributes: Vec<(&'static str, Attribute)>,
@@ -55,12 +55,12 @@ pub struct Variable {
     pub values: Values,
 }
 
-/// A file.
+/// A netCDF file.
 #[derive(Clone, Debug, Default)]
 pub struct Dataset {
-    /// Names and lengths.
+    /// Names and lengths of the dimensions.
     pub dimensions: Vec<(&'static str, usize)>,
-    /// Names and values of what belongs to the file as a whole.
+    /// Names and values of the global attributes.
     pub attributes: Vec<(&'static str, Attribute)>,
     /// The variables.
     pub variables: Vec<Variable>,
@@ -76,9 +76,9 @@ const FLOAT: u32 = 5;
 const DOUBLE: u32 = 6;
 
 impl Dataset {
-    /// The file: a header, then the values of one variable after the other.
+    /// The bytes of the file: a header, then the values of each variable.
     pub fn to_bytes(&self) -> Vec<u8> {
-        // Offsets have the same width whatever they are.
+        // The size of the offsets does not depend on their values.
         let n_header = self.header(0).len();
         let mut bytes = self.header(n_header);
         for variable in &self.variables {
@@ -87,7 +87,7 @@ impl Dataset {
         bytes
     }
 
-    /// The header, the values beginning at this byte.
+    /// The header; the values begin at this byte.
     fn header(&self, begin: usize) -> Vec<u8> {
         let mut out = MAGIC.to_vec();
         // No records.
@@ -122,7 +122,7 @@ fn tag(out: &mut Vec<u8>, tag: u32) {
     out.extend(tag.to_be_bytes());
 }
 
-/// A count; those of results are far below the four gigabytes that it can tell.
+/// A count; those of results are far below the format's limit of four gigabytes.
 fn word(out: &mut Vec<u8>, count: usize) {
     tag(out, u32::try_from(count).unwrap_or(u32::MAX));
 }
@@ -133,7 +133,7 @@ fn list(out: &mut Vec<u8>, of: u32, n: usize) {
     word(out, n);
 }
 
-/// Bytes up to a multiple of four.
+/// Padding to a multiple of four bytes.
 fn padded(out: &mut Vec<u8>, bytes: &[u8]) {
     out.extend(bytes);
     out.resize(out.len().next_multiple_of(4), 0);
@@ -176,7 +176,7 @@ fn attributes(out: &mut Vec<u8>, all: &[(&str, Attribute)]) {
 mod tests {
     use super::*;
 
-    /// By hand from the grammar of the specification: two points, one variable, no attribute but one of the file.
+    /// By hand from the grammar of the specification: two points, one variable, and a single attribute, of the file.
     #[test]
     fn bytes_are_those_of_the_specification() {
         let data = Dataset {
@@ -198,7 +198,7 @@ mod tests {
         expected.extend(b"\0\0\0\x06\0\0\0\x10\0\0\0\0\0\0\0\x6c");
         expected.extend(b"\x3f\xf0\0\0\0\0\0\0\xc0\0\0\0\0\0\0\0");
         assert_eq!(data.to_bytes(), expected);
-        // The same in single precision: another type, half of the bytes.
+        // The same in single precision: another type, half the bytes.
         let mut single = data;
         single.variables[0].values = Values::Single(vec![1.0, -2.0]);
         let n = expected.len();

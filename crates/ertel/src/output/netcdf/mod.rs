@@ -1,4 +1,4 @@
-//! `result.nc`: fields of a contact on a regular grid, and its figures, as netCDF of the classic format.
+//! `result.nc`: fields of a contact on a regular grid, and its figures, in the classic netCDF format.
 
 pub(super) mod classic;
 
@@ -6,7 +6,7 @@ use classic::{Attribute, Dataset, Values, Variable};
 
 use crate::solution::{ContactFields, Field, Figure, Solution};
 
-/// Points along x if none are asked for.
+/// Default number of points along x.
 pub const N_POINTS: usize = 201;
 
 /// Limits of a grid, m.
@@ -14,39 +14,39 @@ pub const N_POINTS: usize = 201;
 pub struct GridExtent {
     /// Along the motion.
     pub x: [f64; 2],
-    /// Across it; both zero in line contacts.
+    /// Across it; both zero for line contacts.
     pub y: [f64; 2],
 }
 
-/// A figure as the file has it.
+/// A figure as written to the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GridFigure {
-    /// Which.
+    /// The figure.
     pub figure: Figure,
     /// Its value, SI.
     pub value: f64,
     /// Half-width of its error bar.
     pub error: Option<f64>,
-    /// Half-width that the uncertainty of the inputs makes.
+    /// Half-width due to the uncertainty of the inputs.
     pub uncertainty: Option<f64>,
     /// Whether the bar is narrow enough for a number.
     pub resolved: bool,
-    /// Where it is, m.
+    /// Its place, m.
     pub place: Option<[f64; 2]>,
 }
 
-/// What the file tells of the result as a whole.
+/// Global data of the result.
 #[derive(Clone, Copy, Debug)]
 pub struct About<'a> {
     /// Title of the case.
     pub title: &'a str,
     /// Kind of the contact.
     pub kind: &'a str,
-    /// Version of the program that solved it.
+    /// Version of the solver.
     pub version: &'a str,
 }
 
-/// The contact and a margin: two half-widths upstream, 1.6 downstream, and 1.2 times as far across as there is pressure.
+/// Default grid: two half-widths upstream, 1.6 downstream, and 1.2 times the extent of the pressure across.
 pub fn extent(
     points: &[[f64; 2]],
     pressure: &[f64],
@@ -70,7 +70,7 @@ pub fn extent(
     }
 }
 
-/// Points across the motion of a grid with `n_points` along it: one in line contacts.
+/// Points across the motion for a grid with `n_points` along it: one for line contacts.
 pub fn n_rows(is_line: bool, n_points: usize, extent: GridExtent) -> usize {
     let [width, height] = [extent.x, extent.y].map(|[low, high]| high - low);
     let n = n_points as f64;
@@ -78,7 +78,7 @@ pub fn n_rows(is_line: bool, n_points: usize, extent: GridExtent) -> usize {
     if is_line { 1 } else { (rows as usize).max(2) }
 }
 
-/// Points along both axes, with the same distance across as along; one at y = 0 in line contacts. At least two points along x.
+/// Points along both axes with equal spacing; one at y = 0 for line contacts. At least two points along x.
 pub fn axes(is_line: bool, n_points: usize, extent: GridExtent) -> [Vec<f64>; 2] {
     let rows = match is_line {
         true => vec![extent.y[0]],
@@ -87,7 +87,7 @@ pub fn axes(is_line: bool, n_points: usize, extent: GridExtent) -> [Vec<f64>; 2]
     [spaced(extent.x, n_points.max(2)), rows]
 }
 
-/// Both limits and points between them at equal distances.
+/// Equally spaced points, including both limits.
 fn spaced([low, high]: [f64; 2], n: usize) -> Vec<f64> {
     let step = (high - low) / (n - 1) as f64;
     let inner = (0..n - 1).map(|i| i as f64 * step + low);
@@ -127,8 +127,8 @@ pub(super) fn of_solution(title: &str, solution: &Solution) -> Vec<u8> {
     netcdf(about, &fields, &axes, &figures(solution))
 }
 
-/// The file: variables `x` and `y`, m; each field on the grid, not a number outside the contact area; each figure as a variable without
-/// dimension with its bars and place as attributes.
+/// The file: variables `x` and `y`, m; each field on the grid, NaN outside the contact area; each figure as a scalar variable
+/// with its bars and place as attributes.
 pub fn netcdf(
     about: About<'_>,
     fields: &ContactFields,
@@ -152,7 +152,7 @@ pub fn netcdf(
         ],
         variables: Vec::new(),
     };
-    // Rows of a grid come first.
+    // Grid rows come first.
     if !fields.is_line {
         data.dimensions.push(("y", y.len()));
         data.variables

@@ -1,19 +1,19 @@
-//! Convergence: of the film over the meshes, and of Newton's method on each of them.
+//! Convergence of the film over the meshes, and of Newton's method on each mesh.
 
 use crate::solution::Role;
 use crate::solution::{IterationRecord, LevelStats, Solution};
 use ertel_plot::{Axis, Chart, Look, Marker, PALETTE, Series, Side};
 
-/// Colours of stages that stop before their equations are solved to the tolerance.
+/// Colours of stages that stop before reaching the tolerance of the solution.
 const PALE: [&str; 2] = ["#A9CBE3", "#F0BF9C"];
 const GREY: &str = "#7f7f7f";
-/// Share of the tolerance below which nothing is shown: it is round-off.
+/// Smallest value shown, as a fraction of the tolerance; anything below is round-off.
 const FLOOR: f64 = 1e-3;
-/// Least distance of two labels of stages, as a share of the axis.
+/// Smallest distance of two stage labels, as a fraction of the axis.
 const LABELS_APART: f64 = 0.055;
 
-/// How the films come to those of the last mesh, where there are three meshes at least, and how Newton's method comes to its
-/// tolerance there.
+/// Convergence of the films towards the last mesh, if there are three meshes or more, and of Newton's method to its
+/// tolerance.
 pub fn convergence(title: &str, solution: &Solution, tolerance: Option<f64>) -> Vec<Chart> {
     let coupling = solution.thermal.as_ref().map(|t| t.coupling.tolerance);
     let newton = newton(title, solution, [tolerance, coupling]);
@@ -23,14 +23,14 @@ pub fn convergence(title: &str, solution: &Solution, tolerance: Option<f64>) -> 
         .collect()
 }
 
-/// Position of the level of the solution.
+/// Index of the level of the solution.
 fn solved(levels: &[LevelStats]) -> Option<usize> {
     levels
         .iter()
         .rposition(|l| l.role == Role::Final && l.converged)
 }
 
-/// Differences of both films from those of the last mesh over the number of unknowns.
+/// Differences of both films from the last mesh over the number of unknowns.
 fn meshes(title: &str, solution: &Solution) -> Option<Chart> {
     let levels = &solution.stats.levels;
     let last = solved(levels)?;
@@ -88,13 +88,13 @@ fn meshes(title: &str, solution: &Solution) -> Option<Chart> {
     Some(chart)
 }
 
-/// Residual and update of every Newton iteration, stages one after the other; those before the solution are pale. With heat,
-/// film and temperatures are solved in turn, each to a share of the other's changes: the change from round to round is what has to
-/// come below a tolerance. The tolerances are those of Newton's method and of that change.
+/// Residual and update of every Newton iteration, one stage after the other; earlier stages are pale. In thermal cases,
+/// film and temperatures are solved in turn, each to a fraction of the other's change: the change per round
+/// converges to its tolerance. Tolerances are drawn for Newton's method and for that change.
 fn newton(title: &str, solution: &Solution, [tolerance, coupling]: [Option<f64>; 2]) -> Chart {
     let history = &solution.history;
     let last = solved(&solution.stats.levels);
-    // Without levels all is the solution.
+    // Without levels, every stage is the solution.
     let is_last = |record: &IterationRecord| last.is_none_or(|last| record.level == last);
     let floor = tolerance.map_or(0.0, |t| FLOOR * t);
     let curve = |value: fn(&IterationRecord) -> f64, of_last: bool| -> Vec<[f64; 2]> {
@@ -149,7 +149,7 @@ fn newton(title: &str, solution: &Solution, [tolerance, coupling]: [Option<f64>;
     };
     if !rounds.is_empty() {
         series.push(Series {
-            label: "change from round to round of film and heat".into(),
+            label: "film and heat, change per round".into(),
             points: rounds,
             look: Look::LineAndDots,
             colour: PALETTE[2].into(),
@@ -179,7 +179,7 @@ fn newton(title: &str, solution: &Solution, [tolerance, coupling]: [Option<f64>;
     chart
 }
 
-/// A line where each stage begins; labels where there is room.
+/// A line where each stage begins; labels if there is room.
 fn stages(history: &[IterationRecord], last: Option<usize>) -> Vec<Marker> {
     let apart = LABELS_APART * history.len() as f64;
     let mut markers: Vec<Marker> = Vec::new();
@@ -194,7 +194,7 @@ fn stages(history: &[IterationRecord], last: Option<usize>) -> Vec<Marker> {
             (false, false) => String::new(),
         };
         if is_solution && x - labelled < apart {
-            // The label of the solution counts more than that of the stage before it.
+            // The label of the solution takes precedence over that of the stage before it.
             if let Some(before) = markers.iter_mut().rev().find(|m| !m.label.is_empty()) {
                 before.label.clear();
             }
@@ -228,9 +228,9 @@ mod tests {
         }
     }
 
-    /// Film and heat in turn: what has to come below the tolerance is the change from round to round, which the picture shows.
+    /// Film and heat in turn: the drawn tolerance is that of the change per round, and the change falls below it.
     #[test]
-    fn a_solve_with_heat_ends_below_the_tolerance_that_is_drawn() {
+    fn a_thermal_solve_ends_below_its_tolerance() {
         let (_, mut solution) = sample::line().clone();
         let last = solution.history.last().unwrap().level;
         let of_last: Vec<usize> = (0..solution.history.len())
@@ -249,7 +249,7 @@ mod tests {
             let series = chart.series.iter().find(|s| s.label.contains(label));
             &series.unwrap_or_else(|| panic!("no {label}")).points
         };
-        let rounds = points("round to round");
+        let rounds = points("per round");
         assert_eq!(rounds.len(), of_last.len());
         let tolerance = points("tolerance of the change")[0][1];
         assert!(rounds[0][1] > tolerance && rounds.last().unwrap()[1] < tolerance);
@@ -261,9 +261,9 @@ mod tests {
         );
     }
 
-    /// Thirty stages of one iteration each: labels keep apart, and the solution has its own.
+    /// Thirty stages of one iteration each: labels do not overlap, and the solution has a label.
     #[test]
-    fn labels_of_stages_keep_apart() {
+    fn stage_labels_do_not_overlap() {
         let history: Vec<IterationRecord> = (0..30).map(record).collect();
         let markers = stages(&history, Some(29));
         assert_eq!(markers.len(), 30);

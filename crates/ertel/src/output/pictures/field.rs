@@ -19,11 +19,11 @@ use ertel_plot::frame::{Frame, polyline};
 pub(super) struct FieldMap<'a> {
     pub title: &'a str,
     pub field: Sampling,
-    /// Where it lies.
+    /// Layout of the contact area.
     pub layout: Layout,
-    /// Boundaries between the colours, rising.
+    /// Colour boundaries, rising.
     pub levels: Vec<f64>,
-    /// One colour more than levels.
+    /// One more colour than boundaries.
     pub colours: Vec<String>,
     pub bar: Bar,
     pub bar_label: &'a str,
@@ -32,7 +32,7 @@ pub(super) struct FieldMap<'a> {
     pub rim: &'a str,
     /// The Hertz half-width a, m.
     pub half_width: f64,
-    /// What stands on the left of the bar, if anything.
+    /// The scale on the left of the bar, if any.
     pub other: Option<OtherScale>,
 }
 
@@ -40,22 +40,22 @@ pub(super) struct FieldMap<'a> {
 pub(super) struct OtherScale {
     /// Its values at the ends of the bar.
     pub ends: [f64; 2],
-    /// Units over its left and its right side.
+    /// Unit labels above the left and right side of the bar.
     pub units: [&'static str; 2],
 }
 
-/// What the colour bar shows.
+/// Content of the colour bar.
 pub(super) enum Bar {
-    /// Values between these two on an axis; no level lines.
+    /// An axis between these two values; no level lines.
     Continuous([f64; 2]),
-    /// Fields of equal height, their boundaries labelled; level lines in the map.
+    /// Fields of equal height with labelled boundaries; level lines in the map.
     Steps,
 }
 
-/// Area, px², below which a closed level line is a dot: noise of a field that hardly differs from the level there.
+/// Area, px², below which a closed level line is noise of a nearly constant field and is omitted.
 const DOT: f64 = 4.0;
 
-/// Size and height of the lines of the note below a map, px, and width of the frame from which it is one line.
+/// Font size and line height of the note below a map, px, and the frame width from which it fits on one line.
 const NOTE_SIZE: f64 = 11.0;
 const NOTE_ROW: f64 = 15.0;
 const ONE_LINE: f64 = 240.0;
@@ -64,7 +64,7 @@ const GREY: &str = "#595959";
 const BAR_GAP: f64 = 22.0;
 const BAR_WIDTH: f64 = 16.0;
 
-/// Height of the bar, px, below which its labels would lie on each other: it stands out above and below the map of a slender contact.
+/// Minimum height of the bar, px, for readable labels; the bar may extend above and below the map of a slender contact.
 const LEAST_BAR_HEIGHT: f64 = 180.0;
 
 impl FieldMap<'_> {
@@ -179,7 +179,7 @@ impl FieldMap<'_> {
         let y = |share: f64| bar.top + (1.0 - share) * bar.height;
         let n = self.colours.len() as f64;
         for (i, colour) in self.colours.iter().enumerate() {
-            // Up to the top of the bar: the next colour covers the rest without a seam
+            // Extends to the top of the bar: the next colour covers the rest without a seam
             let from = y(i as f64 / n);
             drawing.rectangle(bar.left, bar.top, bar.width, from - bar.top, colour);
         }
@@ -203,7 +203,7 @@ impl FieldMap<'_> {
         drawing.stroke(&bar.outline(), Stroke::solid(INK, 0.8));
     }
 
-    /// Ticks of the bar: share of its height, and label.
+    /// Ticks of the bar: relative height and label.
     fn bar_ticks(&self) -> Vec<(f64, String)> {
         match self.bar {
             Bar::Continuous(ends) => bar_ticks(ends),
@@ -223,14 +223,14 @@ impl FieldMap<'_> {
     }
 }
 
-/// Ticks of a bar with these values at its ends: share of its height, and label.
+/// Ticks of a bar with these values at its ends: relative height and label.
 fn bar_ticks([bottom, top]: [f64; 2]) -> Vec<(f64, String)> {
     let axis = Axis::linear("", bottom, top);
     let ticks = axis.ticks().into_iter();
     ticks.map(|(v, label)| (axis.position(v), label)).collect()
 }
 
-/// The scale on the left of a bar, and the units of both over it.
+/// The scale on the left of a bar, and the units of both scales above it.
 fn draw_other(drawing: &mut Drawing, bar: Frame, other: &OtherScale, ticks: &[(f64, String)]) {
     let mut d = String::new();
     for (share, label) in ticks {
@@ -247,7 +247,7 @@ fn draw_other(drawing: &mut Drawing, bar: Frame, other: &OtherScale, ticks: &[(f
     drawing.text([edge, y], right, TICK_SIZE, Anchor::Start, INK);
 }
 
-/// Ticks that point outwards, for they would be lost on the colours; `upright` is the frame, upside down where y rises downwards.
+/// Ticks point outwards to remain visible; `upright` is the frame, inverted if y increases downwards.
 pub(in crate::output) fn draw_ticks(
     drawing: &mut Drawing,
     [frame, upright]: [Frame; 2],
@@ -265,7 +265,7 @@ pub(in crate::output) fn draw_ticks(
     drawing.stroke(&d, Stroke::solid(INK, 0.8));
 }
 
-/// Whether a line is open, or goes round an area that is seen.
+/// Whether a line is open, or encloses a visible area.
 fn is_seen(line: &[[f64; 2]]) -> bool {
     let twice_area: f64 = (line.windows(2))
         .map(|w| w[0][0] * w[1][1] - w[1][0] * w[0][1])
@@ -282,7 +282,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn dots_are_not_seen_but_short_open_lines_are() {
+    fn dots_are_hidden_but_short_open_lines_are_drawn() {
         let square = |side: f64| {
             let corners = [[0.0, 0.0], [side, 0.0], [side, side], [0.0, side]];
             let [first, ..] = corners;

@@ -1,4 +1,4 @@
-//! Viscosity of a fluid under pressure.
+//! Viscosity of a fluid over pressure.
 
 use crate::words::digits;
 use crate::words::pressure_unit;
@@ -14,8 +14,8 @@ pub struct ViscosityCurve {
     pub viscosity: Vec<f64>,
 }
 
-/// Viscosity-pressure curves of a fluid on a logarithmic axis. Where a range of validity
-/// (Pa) is given, what lies outside of it is shaded, and dashed.
+/// Viscosity-pressure curves of a fluid on a logarithmic axis. Outside a given range of validity
+/// (Pa), the background is shaded and the curves are dashed.
 pub fn viscosity_chart(
     title: &str,
     curves: &[ViscosityCurve],
@@ -75,7 +75,7 @@ pub fn viscosity_chart(
     chart
 }
 
-/// Part of a curve with x between the bounds; ends between two points by interpolation in ln y.
+/// Part of a curve with x between the bounds; end points are interpolated in ln y.
 fn between(points: &[[f64; 2]], low: f64, high: f64) -> Vec<[f64; 2]> {
     let mut part = Vec::new();
     for (i, [x, y]) in points.iter().enumerate() {
@@ -98,7 +98,7 @@ fn between(points: &[[f64; 2]], low: f64, high: f64) -> Vec<[f64; 2]> {
 mod tests {
     use super::*;
 
-    /// An exponential is straight on a logarithmic axis: cut at 0.5 it has e^0.5.
+    /// An exponential is a straight line on a logarithmic axis: cut at 0.5, it is e^0.5.
     #[test]
     fn curve_is_cut_at_the_end_of_its_range() {
         let curve = [[0.0, 1.0], [1.0, 1f64.exp()], [2.0, 2f64.exp()]];

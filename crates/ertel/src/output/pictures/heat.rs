@@ -1,4 +1,4 @@
-//! Temperatures: along the contact, over it, and across the film.
+//! Temperatures along the contact, over it, and across the film.
 
 use super::super::heat::profile_label;
 use super::maps::temperature_map;
@@ -39,7 +39,7 @@ pub fn heat_pictures<'a>(
     pictures
 }
 
-/// Temperatures at mid-film, of both surfaces, and across the film on average, along y = 0.
+/// Temperatures at mid-film and at both surfaces, and the film average, along y = 0.
 pub fn temperature_chart(title: &str, solution: &Solution, scale: TemperatureScale) -> Chart {
     let [low, high] = window_x(solution);
     let fields = (solution.elements.temperatures.iter()).flat_map(|t| {
@@ -102,7 +102,7 @@ pub fn cross_film_chart(
     chart
 }
 
-/// Axis around temperatures in K, and that of the other scale over the same range.
+/// Axis around temperatures in K, and the axis of the other scale over the same range.
 fn axes(scale: TemperatureScale, kelvin: impl Iterator<Item = f64>) -> [Axis; 2] {
     let label = |shown: TemperatureScale| format!("Temperature *T* ({})", shown.unit());
     let axis = Axis::linear_around(&label(scale), kelvin.map(|t| scale.shown(t)));
@@ -126,15 +126,15 @@ mod tests {
         }
     }
 
-    /// 313.15 K is 40 °C on both axes, whichever stands on the left.
+    /// 313.15 K is 40 °C on both axes, whichever is on the left.
     #[test]
     fn both_scales_agree_on_both_sides() {
         for scale in [TemperatureScale::Kelvin, TemperatureScale::Celsius] {
             let [own, other] = axes(scale, [313.15, 371.2].into_iter());
             for kelvin in [313.15, 371.2] {
                 let at = own.position(scale.shown(kelvin));
-                let beside = other.position(scale.other().shown(kelvin));
-                assert!((at - beside).abs() < 1e-12 && (0.0..=1.0).contains(&at));
+                let opposite = other.position(scale.other().shown(kelvin));
+                assert!((at - opposite).abs() < 1e-12 && (0.0..=1.0).contains(&at));
             }
         }
     }

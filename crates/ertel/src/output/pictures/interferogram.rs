@@ -1,4 +1,4 @@
-//! The film as a camera sees it by the interference of light: an image, and a picture with axes.
+//! The film as an optical interferogram: an image, and a picture with axes.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -15,11 +15,11 @@ use ertel_plot::drawing::{Drawing, DrawingError, Raster};
 use ertel_plot::frame::Frame;
 use ertel_plot::png::encode;
 
-/// Pixels of the image per unit of the picture.
+/// Image pixels per unit of the picture.
 const SCALE: f64 = 2.0;
-/// Each pixel is the mean of so many points in each direction.
+/// Each pixel is the mean of this many points in each direction.
 const POINTS: usize = 2;
-/// Where there is no film: outside of what was computed.
+/// Colour outside the computed area.
 const NOTHING: [u8; 3] = [128; 3];
 
 /// An interferogram: rows from the top, red, green and blue of each pixel.
@@ -27,7 +27,7 @@ pub struct Image {
     width: usize,
     height: usize,
     pixels: Vec<u8>,
-    /// How it lies.
+    /// Layout of the image.
     layout: Layout,
 }
 
@@ -60,7 +60,7 @@ impl Image {
                     let points = (0..POINTS * POINTS).map(|k| {
                         let (right, down) =
                             (POINTS * column + k % POINTS, POINTS * row + k / POINTS);
-                        // The first row of the image is the top: the inlet, or the last of the grid.
+                        // The first image row is the top: the inlet, or the last row of the grid.
                         let (i, j) = match layout.is_turned {
                             true => (down, right),
                             false => (right, fine[1] - 1 - down),
@@ -88,7 +88,7 @@ impl Image {
         encode(self.width as u32, self.height as u32, &self.pixels, None)
     }
 
-    /// The image, whose PNG file is `png`, with axes around it.
+    /// The image, whose PNG file is `png`, with axes.
     pub fn drawing(&self, title: &str, png: &[u8]) -> Drawing {
         let [width, height] = self.layout.size();
         let frame = Frame {
@@ -118,7 +118,7 @@ impl Image {
     }
 }
 
-/// The points at which the film is looked at, in Hertz half-widths; the first is at the lower left.
+/// The sampling points of the film, in Hertz half-widths; the first is at the lower left.
 struct Grid {
     n: [usize; 2],
     origin: [f64; 2],
@@ -136,7 +136,7 @@ impl Grid {
         self.origin[axis] + self.step[axis] * (i as f64 + 0.5)
     }
 
-    /// Puts values into the points within a triangle; `value` of the shares of its corners.
+    /// Writes values at the points within a triangle; `value` takes the barycentric coordinates.
     fn fill(&self, corners: [[f64; 2]; 3], field: &mut [f64], value: impl Fn([f64; 3]) -> f64) {
         let [a, b, c] = corners;
         let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
@@ -154,7 +154,7 @@ impl Grid {
                 let s = (p[0] * v[1] - p[1] * v[0]) / area;
                 let t = (u[0] * p[1] - u[1] * p[0]) / area;
                 let shares = [1.0 - s - t, s, t];
-                // Points on edges belong to both sides: rounding leaves none out.
+                // Points on edges belong to both sides; rounding cannot omit any.
                 if shares.iter().all(|share| *share >= -1e-9) {
                     field[j * self.n[0] + i] = value(shares);
                 }
@@ -162,7 +162,7 @@ impl Grid {
         }
     }
 
-    /// The other half of a contact that was solved for y ≤ 0.
+    /// The other half of a contact solved for y ≤ 0.
     fn mirror(&self, field: &mut [f64]) {
         let [nx, ny] = self.n;
         for j in ny / 2..ny {
@@ -172,7 +172,7 @@ impl Grid {
     }
 }
 
-/// Film thickness at the points, m; not finite where there is none.
+/// Film thickness at the points, m; NaN outside the film.
 fn film(solution: &Solution, grid: &Grid) -> Vec<f64> {
     let elements = &solution.elements;
     let mut field = vec![f64::NAN; grid.n[0] * grid.n[1]];
@@ -208,7 +208,7 @@ fn density_ratio(solution: &Solution, grid: &Grid, ambient: f64) -> Vec<f64> {
     field
 }
 
-/// Colour of a pixel with these films and density ratios: grey of one wavelength.
+/// Colour of a pixel with these films and density ratios: grey for a single wavelength.
 fn colour(light: &Interferometer, points: &[(f64, f64)]) -> [u8; 3] {
     if points.iter().any(|(film, _)| !film.is_finite()) {
         return NOTHING;
@@ -226,7 +226,7 @@ fn colour(light: &Interferometer, points: &[(f64, f64)]) -> [u8; 3] {
     }
 }
 
-/// A share of the brightest as screens show it (sRGB, IEC 61966-2-1).
+/// Relative brightness as encoded for screens (sRGB, IEC 61966-2-1).
 fn encoded(share: f64) -> u8 {
     let value = match share {
         s if s <= 0.003_130_8 => 12.92 * s,
@@ -239,9 +239,9 @@ fn encoded(share: f64) -> u8 {
 mod tests {
     use super::*;
 
-    /// Middle grey of the standard: 0.2140 is shown as 127.5/255 within rounding, ends as they are.
+    /// Middle grey of the standard: 0.2140 is encoded as 127.5/255 within rounding; the ends are unchanged.
     #[test]
-    fn shares_are_shown_as_the_standard_says() {
+    fn brightness_follows_the_standard() {
         assert_eq!([0.0, 0.2140, 1.0].map(encoded), [0, 127, 255]);
     }
 

@@ -1,4 +1,4 @@
-//! How the contact area lies in a picture: its motion to the right, or downwards where it is much longer across the motion than along it.
+//! Layout of the contact area in a picture: the motion points right, or down if the contact is much longer across the motion than along it.
 
 use ertel_plot::axis::Axis;
 use ertel_plot::chart::Side;
@@ -7,30 +7,30 @@ use ertel_plot::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis, polyline
 
 use super::field::draw_ticks;
 
-/// Length across the motion over that along it from which a contact lies on its side, as in pages of results.
+/// Ratio of length across to length along the motion from which a contact is rotated, as in result pages.
 const SLENDER: f64 = 1.6;
 
-/// Height of the frame of most contacts, px, bounds of its width, and the least height of the longest ones.
+/// Frame height of most contacts, px, limits of its width, and minimum height for the longest contacts.
 const HEIGHT: f64 = 330.0;
 const WIDTHS: [f64; 2] = [220.0, 760.0];
 const LEAST_HEIGHT: f64 = 60.0;
 
-/// The arrow of the motion: its distance from the corner, length and head, px.
+/// Motion arrow: distance from the corner, length and head, px.
 const FROM_CORNER: f64 = 14.0;
 const ARROW: f64 = 30.0;
 const HEAD: f64 = 7.0;
 
-/// Places of the contact area in a picture; lengths in Hertz half-widths, equal scales on both axes.
+/// Maps the contact area to a picture; lengths in Hertz half-widths, equal scales on both axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Layout {
-    /// Lower and upper end of x and y.
+    /// Lower and upper limit of x and y.
     pub window: [[f64; 2]; 2],
-    /// Whether y goes to the right and x downwards.
+    /// Whether y points right and x down.
     pub is_turned: bool,
 }
 
 impl Layout {
-    /// Of a window of x and y.
+    /// For a window of x and y.
     pub fn of(window: [[f64; 2]; 2]) -> Layout {
         let [along, across] = window.map(|[low, high]| high - low);
         Layout {
@@ -39,7 +39,7 @@ impl Layout {
         }
     }
 
-    /// Lengths to the right and upwards.
+    /// Ranges to the right and upwards.
     fn spans(&self) -> [f64; 2] {
         let [along, across] = self.window.map(|[low, high]| high - low);
         match self.is_turned {
@@ -56,12 +56,12 @@ impl Layout {
         [height * wide / high, height]
     }
 
-    /// Length of a pixel.
+    /// Length per pixel.
     pub fn pixel(&self) -> f64 {
         self.spans()[1] / self.size()[1]
     }
 
-    /// The same in a frame of this size.
+    /// The layout in a frame of this size.
     pub fn within(self, frame: Frame) -> Placed {
         let [[x0, x1], [y0, y1]] = self.window;
         Placed {
@@ -82,7 +82,7 @@ pub(super) struct Placed {
 }
 
 impl Placed {
-    /// Where a point lies, px.
+    /// Position of a point, px.
     pub fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         match self.is_turned {
             true => [
@@ -102,7 +102,7 @@ impl Placed {
         .to_degrees()
     }
 
-    /// The edge with ticks and labels.
+    /// The frame with ticks and labels.
     pub fn draw_axes(&self, drawing: &mut Drawing) {
         let (right, up, upright) = match self.is_turned {
             true => (&self.y, &self.x, self.frame.upside_down()),
@@ -114,12 +114,12 @@ impl Placed {
         label_y_axis(drawing, upright, up, Side::Left, INK);
     }
 
-    /// An arrow in the upper left corner, in the direction of the entrainment.
+    /// An arrow in the upper left corner in the direction of entrainment.
     pub fn draw_motion(&self, drawing: &mut Drawing) {
         let from = [self.frame.left + FROM_CORNER, self.frame.top + FROM_CORNER];
-        let at = |along: f64, beside: f64| match self.is_turned {
-            true => [from[0] - beside, from[1] + along],
-            false => [from[0] + along, from[1] + beside],
+        let at = |along: f64, across: f64| match self.is_turned {
+            true => [from[0] - across, from[1] + along],
+            false => [from[0] + along, from[1] + across],
         };
         let length = match self.is_turned {
             true => ARROW.min(self.frame.height - 2.0 * FROM_CORNER),
@@ -140,7 +140,7 @@ impl Placed {
                 )
             })
             .collect();
-        // Black on white is seen on every colour.
+        // Black on white is visible on every colour.
         for (colour, width) in [("#ffffff", 4.0), ("#000000", 1.6)] {
             drawing.stroke(&format!("{shaft}{head}"), Stroke::solid(colour, width));
         }
@@ -161,9 +161,9 @@ mod tests {
         }
     }
 
-    /// A contact that is ten times as long across the motion as along it: its length lies across the page, its inlet above.
+    /// A contact ten times as long across the motion as along it: its length is horizontal and its inlet at the top.
     #[test]
-    fn slender_contacts_lie_on_their_side() {
+    fn slender_contacts_are_rotated() {
         for (window, is_turned) in [
             ([[-1.0, 1.0], [-10.0, 10.0]], true),
             ([[-1.5, 1.5], [-1.3, 1.3]], false),
@@ -184,7 +184,7 @@ mod tests {
                 true => assert!(moved[0].abs() < 1e-9 && moved[1] > 0.0 && across[0] > 0.0),
                 false => assert!(moved[0] > 0.0 && moved[1].abs() < 1e-9 && across[1] < 0.0),
             }
-            // Neither mirrored nor stretched: from x to y it is a quarter turn against the clock.
+            // Neither mirrored nor stretched: from x to y is a quarter turn counterclockwise.
             let turn = moved[0] * across[1] - moved[1] * across[0];
             assert!(turn < 0.0);
             let scale = |length: f64, [low, high]: [f64; 2]| length / (high - low);
@@ -194,7 +194,7 @@ mod tests {
             ];
             assert!((scales[0] / scales[1] - 1.0).abs() < 1e-9, "{scales:?}");
             assert!((layout.pixel() * scales[0] - 1.0).abs() < 1e-9);
-            // Directions are those of the places.
+            // Directions agree with positions.
             let from = placed.at([0.0, 0.0]);
             let to = placed.at([0.3, 0.1]);
             let seen = (to[1] - from[1]).atan2(to[0] - from[0]).to_degrees();
@@ -202,7 +202,7 @@ mod tests {
         }
     }
 
-    /// The arrow goes from the inlet to the outlet and stays in the frame.
+    /// The arrow points from the inlet to the outlet and stays in the frame.
     #[test]
     fn the_arrow_shows_the_motion() {
         for (window, sign) in [

@@ -9,20 +9,20 @@ use crate::solution::{Polynomials, Solution};
 use crate::words::{TemperatureScale, pressure_unit};
 use ertel_plot::drawing::Drawing;
 
-/// Colours of a map that shall look continuous.
+/// Number of colours of a continuous map.
 const N_SHADES: usize = 64;
-/// Space shown around the contact, as a share of its smaller half-extent,
+/// Margin around the contact, as a fraction of its smaller half-extent,
 const MARGIN: f64 = 0.25;
-/// and around what has more than this share of the Hertz pressure, where that reaches farther.
+/// and around the area with more than this fraction of the Hertz pressure, if that is larger.
 const PRESSED: f64 = 0.05;
-/// Least range of the scale of a temperature, K: below it, a map would show noise.
+/// Smallest range of a temperature scale, K: below it, a map would show noise.
 const LEAST_RANGE: f64 = 0.1;
 /// Film maps: fine levels up to this multiple of the central film,
 const FINE_UP_TO: f64 = 1.15;
-/// and coarse ones up to this.
+/// coarse levels up to this one.
 const FILM_UP_TO: f64 = 2.5;
 
-/// Window of the maps, in half-widths: the contact with what else bears a load, and a margin.
+/// Window of the maps, in half-widths: the contact, other loaded areas, and a margin.
 pub(super) fn window_map(solution: &Solution) -> [[f64; 2]; 2] {
     let a = solution.hertz.half_width;
     let [along, across] = solution.shape.zone.half_extents();
@@ -45,7 +45,7 @@ pub(super) fn window_map(solution: &Solution) -> [[f64; 2]; 2] {
     ]
 }
 
-/// Smallest and largest value of a field, times a factor, within a window.
+/// Smallest and largest value of a field within a window, times a factor.
 fn range_within(
     solution: &Solution,
     field: &Polynomials,
@@ -65,8 +65,8 @@ fn hex(gradient: colorous::Gradient, i: usize, n: usize) -> String {
     format!("#{:x}", gradient.eval_rational(i, n))
 }
 
-/// Samples of a field over the whole contact, in half-widths, for contours at these levels; `factor` by which the field,
-/// SI, is multiplied.
+/// Samples of a field over the whole contact, in half-widths, for contours at these levels; the SI field is multiplied by
+/// `factor`.
 fn sampled(
     solution: &Solution,
     field: &Polynomials,
@@ -88,7 +88,7 @@ fn sampled(
     }
 }
 
-/// Levels and colours between two values that look continuous.
+/// Levels and colours between two values for a continuous map.
 fn shades([low, high]: [f64; 2], gradient: colorous::Gradient) -> (Vec<f64>, Vec<String>) {
     let share = |i: usize| i as f64 / N_SHADES as f64;
     let levels = (1..N_SHADES).map(|i| low + (high - low) * share(i));
@@ -124,7 +124,7 @@ pub fn pressure_map(title: &str, solution: &Solution) -> Drawing {
     .drawing()
 }
 
-/// Temperature over the whole contact, continuous colours over its own range; the other of Celsius and Kelvin on the left
+/// Temperature over the whole contact, continuous colours over its range; the other scale (Celsius or Kelvin) on the left
 /// of the bar.
 pub fn temperature_map(
     title: &str,
@@ -158,8 +158,8 @@ pub fn temperature_map(
     .drawing()
 }
 
-/// Film thickness over the whole contact as contours, like an interferogram: close levels up to
-/// `FINE_UP_TO` times the central film, wide ones to `FILM_UP_TO`, white beyond.
+/// Film thickness over the whole contact as contours, like an interferogram: fine levels up to
+/// `FINE_UP_TO` times the central film, coarse ones to `FILM_UP_TO`, white beyond.
 pub fn film_map(title: &str, solution: &Solution) -> Drawing {
     let summary = &solution.summary;
     let (factor, unit) = film_unit(FILM_UP_TO * summary.film_central.value);
@@ -188,7 +188,7 @@ pub fn film_map(title: &str, solution: &Solution) -> Drawing {
     .drawing()
 }
 
-/// Rising levels of a film map for the minimum and central film.
+/// Levels of a film map for the minimum and central film.
 fn film_levels(minimum: f64, central: f64) -> Vec<f64> {
     let fine = ertel_plot::axis::tick_step(0.8 * central);
     let coarse = 5.0 * fine;
@@ -205,7 +205,7 @@ mod tests {
     use super::*;
     use crate::output::sample;
 
-    /// All of the contact, and not more than two and a half times as much around it.
+    /// The whole contact, and at most two and a half times its extent.
     #[test]
     fn the_frame_is_the_contact_and_a_margin() {
         for (_, solution) in [sample::circle(), sample::ellipse()] {
@@ -218,7 +218,7 @@ mod tests {
         }
     }
 
-    /// The scale goes from the smallest to the largest value in the frame, and to no others.
+    /// The scale covers exactly the values in the frame.
     #[test]
     fn colours_cover_the_data_in_the_frame() {
         let (_, solution) = sample::circle();
@@ -227,7 +227,7 @@ mod tests {
         let [low, high] = range_within(solution, film, 1e9, window);
         let a = solution.hertz.half_width;
         let surface = &solution.surface;
-        // Of the nodes in the frame, and in a frame that is wider by about an element.
+        // From the nodes in the frame, and in a frame wider by about an element.
         let of_nodes = |wider: f64| {
             let inside = (surface.points.iter().zip(&surface.film_thickness)).filter(|(p, _)| {
                 (0..2).all(|k| (window[k][0] - wider..=window[k][1] + wider).contains(&(p[k] / a)))

@@ -28,21 +28,21 @@ use crate::words::TemperatureScale;
 /// Film thicknesses are shown in nm below this value (m), else in µm.
 const NANOMETRES_BELOW: f64 = 1e-6;
 
-/// What error bars of computed figures are called in legends.
+/// Legend label of the error bars of computed figures.
 pub(crate) const ERROR_BARS: &str = "numerical error";
 
-/// A picture with its name.
+/// A named picture.
 pub struct Picture {
     /// File name without suffix.
     pub name: &'static str,
     /// SVG file.
     pub svg: String,
-    /// What it shows, to be written in other formats.
+    /// Its drawing, for other formats.
     pub drawing: Drawing,
 }
 
 impl Picture {
-    /// Under a file name without suffix.
+    /// A picture with a file name without suffix.
     pub fn new(name: &'static str, drawing: Drawing) -> Picture {
         Picture {
             name,
@@ -52,17 +52,17 @@ impl Picture {
     }
 }
 
-/// Whether residuals and updates come below `solver.tolerance`; finite volumes end by what a step would change of films and pressures.
+/// Whether residuals and updates converge to `solver.tolerance`; finite volumes stop at a tolerance of the films and pressures.
 pub(super) fn has_one_tolerance(solution: &Solution) -> bool {
     solution.stats.method == Method::FiniteElements
 }
 
-/// Every picture of a solution, temperatures in Kelvin first; the convergence target is drawn where given.
+/// Every picture of a solution, temperatures in Kelvin first; the convergence tolerance is drawn if given.
 pub fn pictures(title: &str, solution: &Solution, tolerance: Option<f64>) -> Vec<Picture> {
     pictures_in(title, solution, tolerance, TemperatureScale::default())
 }
 
-/// The same with the scale in which temperatures are shown first.
+/// The same with the given temperature scale first.
 pub fn pictures_in(
     title: &str,
     solution: &Solution,
@@ -90,10 +90,10 @@ pub fn pictures_in(
         .collect()
 }
 
-/// Name of a picture, and how it is drawn.
+/// Name and drawing function of a picture.
 type Task<'a> = (&'static str, Box<dyn FnOnce() -> Drawing + Send + 'a>);
 
-/// Factor and unit in which lengths of this size (m) are shown.
+/// Factor and unit for lengths of this size (m).
 pub fn film_unit(size: f64) -> (f64, &'static str) {
     if size < NANOMETRES_BELOW {
         (1e9, "nm")
@@ -102,7 +102,7 @@ pub fn film_unit(size: f64) -> (f64, &'static str) {
     }
 }
 
-/// Factor and unit in which pressures of this size (Pa) are shown.
+/// Factor and unit for pressures of this size (Pa).
 pub(super) fn pressure_unit(size: f64) -> (f64, &'static str) {
     if size < 0.1e9 {
         (1e-6, "MPa")
@@ -111,7 +111,7 @@ pub(super) fn pressure_unit(size: f64) -> (f64, &'static str) {
     }
 }
 
-/// Part of the x axis worth showing, in half-widths: where there is pressure, and some inlet.
+/// Visible part of the x axis, in half-widths: the pressurised area and part of the inlet.
 fn window_x(solution: &Solution) -> [f64; 2] {
     let a = solution.hertz.half_width;
     let line = &solution.centreline;
@@ -138,7 +138,7 @@ fn window_x(solution: &Solution) -> [f64; 2] {
 pub fn centreline(title: &str, solution: &Solution) -> Chart {
     let a = solution.hertz.half_width;
     let (p_factor, p_unit) = pressure_unit(solution.hertz.pressure);
-    // Room above the film for the pressure: the film stays in the lower part of the frame
+    // Margin above the film for the pressure: the film is in the lower part of the frame
     let film_top = 3.0 * solution.summary.film_central.value;
     let (h_factor, h_unit) = film_unit(film_top);
     let [low, high] = window_x(solution);

@@ -1,4 +1,4 @@
-//! Fields along the centreline y = 0 and across the contact, by their polynomials.
+//! Fields along the centreline y = 0 and across the contact, from their polynomials.
 
 use ertel_fem::element::Lagrange;
 
@@ -23,11 +23,11 @@ pub fn profile_across(solution: &Solution, field: &Polynomials, factor: f64) -> 
 /// Samples per element edge.
 const PER_EDGE: usize = 32;
 
-/// Axes of coordinates.
+/// Coordinate axes.
 const X: usize = 0;
 const Y: usize = 1;
 
-/// A field along an axis, by its polynomials: x or y, m, rising, and value, SI.
+/// A field along an axis, from its polynomials: x or y, m, rising, and value, SI.
 fn along(elements: &ElementFields, field: &Polynomials, axis: usize) -> Vec<[f64; 2]> {
     let lagrange = match field.values.is_empty() {
         true => return Vec::new(),
@@ -54,7 +54,7 @@ fn along(elements: &ElementFields, field: &Polynomials, axis: usize) -> Vec<[f64
         }
     }
     edges.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
-    // An edge with an element on either side counts once.
+    // An edge between two elements counts once.
     edges.dedup_by(|b, a| {
         let [from, to] = [0, 1].map(|k: usize| (a.0[k] - b.0[k]).abs());
         from + to <= 1e-9 * (a.0[1] - a.0[0])
@@ -72,7 +72,7 @@ fn along(elements: &ElementFields, field: &Polynomials, axis: usize) -> Vec<[f64
     line
 }
 
-/// A piece of the axis: its ends, the element, and the same in the element's coordinates.
+/// A piece of the axis: its ends, the element, and the ends in the element's coordinates.
 type Piece = ([f64; 2], usize, [[f64; 3]; 2]);
 
 fn rising([a, b]: [f64; 2], element: usize, [from, to]: [[f64; 3]; 2]) -> Piece {
@@ -82,7 +82,7 @@ fn rising([a, b]: [f64; 2], element: usize, [from, to]: [[f64; 3]; 2]) -> Piece 
     }
 }
 
-/// The piece of the axis inside a triangle that it cuts; of the corners the coordinates along and across it.
+/// The piece of the axis inside a triangle; the corners are given by their coordinates along and across it.
 fn chord(corners: [[f64; 2]; 3], element: usize, on_axis: &impl Fn(f64) -> bool) -> Option<Piece> {
     let side = corners.map(|c| if on_axis(c[1]) { 0.0 } else { c[1].signum() });
     if !(side.contains(&1.0) && side.contains(&-1.0)) {
@@ -111,7 +111,7 @@ fn chord(corners: [[f64; 2]; 3], element: usize, on_axis: &impl Fn(f64) -> bool)
 mod tests {
     use super::*;
 
-    /// A line through two triangles with no edge on it, f = 3x − 2y: exact, from rim to rim.
+    /// A line through two triangles and along no edge, f = 3x − 2y: exact, from boundary to boundary.
     #[test]
     fn a_centreline_cuts_triangles() {
         let vertices = vec![[-1.0, -0.5], [2.0, -1.0], [0.5, 1.0], [3.0, 2.0]];
@@ -136,7 +136,7 @@ mod tests {
         assert!(line.iter().all(|[x, v]| (v - 3.0 * x).abs() < 1e-12));
     }
 
-    /// Triangles on both sides of an edge on the line: each piece of it once, and rising.
+    /// Triangles on both sides of an edge on the line: each piece occurs once, in rising order.
     #[test]
     fn an_edge_between_two_triangles_counts_once() {
         let vertices = vec![[-1.0, 0.0], [1.0, 0.0], [0.0, -1.0], [0.0, 1.0], [3.0, 0.0]];
@@ -158,7 +158,7 @@ mod tests {
         assert!(line.iter().all(|[x, v]| (v - x).abs() < 1e-12));
     }
 
-    /// y² + x on two triangles of order 2, one on each side of the line, and a third one left of it.
+    /// y² + x on two triangles of order 2, one on each side of the line, and a third one to the left.
     #[test]
     fn the_line_across_is_found_in_triangles() {
         let lagrange = Lagrange::new(2, 2);
@@ -195,7 +195,7 @@ mod tests {
     /// T₅(x) on two segments of order 5, written from right to left: rising x, the maximum of 1 at cos(2π/5) found
     /// between nodes at which T₅ is 0.85 and −0.08 at the most.
     #[test]
-    fn profile_shows_what_lies_between_nodes() {
+    fn profiles_resolve_extrema_between_nodes() {
         let bump = |x: f64| 16.0 * x.powi(5) - 20.0 * x.powi(3) + 5.0 * x;
         let lagrange = Lagrange::new(1, 5);
         let corners = [1.0, -1.0, -3.0];

@@ -1,8 +1,8 @@
-//! Samples of fields that are polynomials on elements, as fine as a picture needs them.
+//! Adaptive samples of fields that are polynomials on elements, for pictures.
 //!
-//! Elements are cut into triangles on which the field is as good as linear: no contour is out of place by more than a
-//! tenth of a pixel. Round by round, triangles ask for edges to be halved; a triangle is cut as those of its edges are
-//! that it or a neighbour wants halved, so that there are no gaps between fine and coarse triangles.
+//! Elements are divided into triangles on which the field is nearly linear: no contour is displaced by more than a
+//! tenth of a pixel. In each round, triangles request edges to be halved; a triangle is divided according to the edges
+//! that it or a neighbour requests, which leaves no gaps between fine and coarse triangles.
 
 use ertel_fem::element::Lagrange;
 use rayon::prelude::*;
@@ -11,16 +11,16 @@ use rustc_hash::FxHashMap;
 use crate::solution::mirror;
 use crate::solution::{ElementFields, Polynomials};
 
-/// Edges within the picture are no longer than this, px,
+/// Maximum length of edges within the picture, px,
 const LONGEST: f64 = 3.0;
-/// and are halved for the sake of contours only if longer than this, px.
+/// and minimum length of edges halved for the sake of contours, px.
 const FINE_ENOUGH: f64 = 0.7;
-/// Distance by which a contour may be out of place, px.
+/// Tolerated displacement of a contour, px.
 const OUT_OF_PLACE: f64 = 0.1;
-/// Triangles of a sampling before it is mirrored, at the most by about this number.
+/// Approximate maximum number of triangles of a sampling before mirroring.
 const MOST: usize = 75_000;
-/// Barycentric coordinates at which a polynomial is compared with the linear field: in thirds of the edges, where odd
-/// deviations show as well as even ones.
+/// Barycentric coordinates at which a polynomial is compared with the linear field: thirds of the edges, which reveal odd
+/// and even deviations.
 const PROBES: [[f64; 3]; 4] = {
     const A: f64 = 1.0 / 3.0;
     const B: f64 = 2.0 / 3.0;
@@ -30,21 +30,21 @@ const PROBES: [[f64; 3]; 4] = {
 /// Reference coordinates of an element's corners.
 pub(super) const CORNERS: [[f64; 3]; 3] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
-/// What a picture shows of a field.
+/// The view of a field in a picture.
 pub(super) struct View<'a> {
-    /// Unit of length of the picture's axes, m.
+    /// Unit of length of the picture axes, m.
     pub unit: f64,
-    /// Lower and upper end of both axes, in that unit.
+    /// Lower and upper limit of both axes, in that unit.
     pub window: [[f64; 2]; 2],
     /// Size of a pixel, in that unit.
     pub pixel: f64,
-    /// By which the field, SI, is multiplied.
+    /// Factor applied to the SI field.
     pub factor: f64,
     /// Contours, rising.
     pub levels: &'a [f64],
 }
 
-/// A field as good as linear on triangles.
+/// A field that is nearly linear on triangles.
 #[derive(Default)]
 pub(super) struct Sampling {
     /// Points, in the unit of the view.
@@ -80,7 +80,7 @@ impl Sampling {
     }
 }
 
-/// Corner of a piece: its point, and where that is in the element.
+/// Corner of a piece: its point, and its position in the element.
 #[derive(Clone, Copy)]
 struct Corner {
     node: u32,
@@ -92,12 +92,12 @@ struct Corner {
 struct Piece {
     element: usize,
     corners: [Corner; 3],
-    /// Wants no edge halved.
+    /// Whether no edge is to be halved.
     content: bool,
 }
 
 impl Piece {
-    /// Key of the edge from corner `i` to the next one, the same from both sides.
+    /// Key of the edge from corner `i` to the next one, independent of the side.
     fn edge(&self, i: usize) -> [u32; 2] {
         let (a, b) = (self.corners[i].node, self.corners[(i + 1) % 3].node);
         [a.min(b), a.max(b)]
@@ -114,7 +114,7 @@ struct Sampler<'a> {
 }
 
 impl<'a> Sampler<'a> {
-    /// The elements that reach into the window, uncut.
+    /// The elements that overlap the window, undivided.
     fn new(elements: &ElementFields, field: &'a Polynomials, view: &'a View) -> Sampler<'a> {
         let mut sampler = Sampler {
             view,
@@ -158,7 +158,7 @@ impl<'a> Sampler<'a> {
         })
     }
 
-    /// Lengths of a piece's edges, px.
+    /// Edge lengths of a piece, px.
     fn lengths(&self, piece: &Piece) -> [f64; 3] {
         [0, 1, 2].map(|i| {
             let [a, b] = piece.edge(i).map(|n| self.points[n as usize]);
@@ -166,7 +166,7 @@ impl<'a> Sampler<'a> {
         })
     }
 
-    /// Halves the edges that pieces want halved; whether there were any.
+    /// Halves the edges requested by the pieces; returns whether there were any.
     fn refine(&mut self) -> bool {
         let wants: Vec<[bool; 3]> = self.pieces.par_iter().map(|p| self.wants(p)).collect();
         let mut halved: FxHashMap<[u32; 2], Option<u32>> = FxHashMap::default();
@@ -176,7 +176,7 @@ impl<'a> Sampler<'a> {
                 halved.insert(piece.edge(edge), None);
             }
         }
-        // Each halved edge cuts two triangles
+        // Each halved edge divides two triangles
         if halved.is_empty() || self.pieces.len() + 2 * halved.len() > MOST {
             return false;
         }
@@ -190,7 +190,7 @@ impl<'a> Sampler<'a> {
         true
     }
 
-    /// The point in the middle of an edge, made where it is met first.
+    /// The midpoint of an edge, created on first use.
     fn middle(&mut self, piece: &Piece, edge: usize, known: &mut Option<u32>) -> Corner {
         let (a, b) = (piece.corners[edge], piece.corners[(edge + 1) % 3]);
         let half = |i: usize| 0.5 * (a.xi[i] + b.xi[i]);
@@ -204,7 +204,7 @@ impl<'a> Sampler<'a> {
         Corner { node, xi }
     }
 
-    /// Edges that a piece wants halved: long ones, and where a contour would be out of place.
+    /// Edges that a piece requests to be halved: long ones, and those where a contour would be displaced.
     fn wants(&self, piece: &Piece) -> [bool; 3] {
         if piece.content {
             return [false; 3];
@@ -223,7 +223,7 @@ impl<'a> Sampler<'a> {
         }
     }
 
-    /// Whether contours cross a piece, and would be out of place if the field were linear on it.
+    /// Whether contours cross a piece and would be displaced if the field were linear on it.
     fn is_bent(&self, piece: &Piece) -> bool {
         let at_corners = piece.corners.map(|c| self.values[c.node as usize]);
         let mut deviation = 0.0_f64;
@@ -245,7 +245,7 @@ impl<'a> Sampler<'a> {
         crossed && deviation > OUT_OF_PLACE * slope
     }
 
-    /// Slope of the linear field through the corners of a piece.
+    /// Gradient of the linear field through the corners of a piece.
     fn slope(&self, piece: &Piece, values: [f64; 3]) -> f64 {
         let [a, b, c] = piece.corners.map(|c| self.points[c.node as usize]);
         let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
@@ -256,7 +256,7 @@ impl<'a> Sampler<'a> {
     }
 }
 
-/// Cuts a piece at the middles of its edges, each that from a corner to the next one.
+/// Divides a piece at the midpoints of its edges, each given from a corner to the next one.
 fn cut(piece: &Piece, middles: [Option<Corner>; 3], pieces: &mut Vec<Piece>) {
     let mut push = |corners: [Corner; 3]| {
         pieces.push(Piece {
@@ -266,7 +266,7 @@ fn cut(piece: &Piece, middles: [Option<Corner>; 3], pieces: &mut Vec<Piece>) {
         });
     };
     let n = middles.iter().flatten().count();
-    // Turned so that the first edge is halved and, of two, the second
+    // Rotated to make the first edge a halved one and, of two, the second
     let turn = (0..3).find(|t| (0..n).all(|i| middles[(t + i) % 3].is_some()));
     let turn = turn.unwrap_or(0);
     let [a, b, c] = [0, 1, 2].map(|i| piece.corners[(turn + i) % 3]);

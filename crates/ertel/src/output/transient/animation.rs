@@ -1,4 +1,4 @@
-//! `animation.png`: the contact at the output times, one after the other.
+//! `animation.png`: the contact at the output times.
 
 use super::super::OutputError;
 use super::super::pictures::film_unit;
@@ -10,26 +10,26 @@ use ertel_plot::chart::{Chart, Look, PALETTE, Series, Side};
 use ertel_plot::drawing::{Drawing, DrawingError};
 use ertel_plot::png::animate;
 
-/// Output times that are shown at most; of more, every second one or third one.
+/// Maximum number of frames; of more output times, every second or third one is shown.
 const MOST_FRAMES: usize = 120;
-/// Pixels of a px.
+/// Image pixels per px.
 const SCALE: f64 = 1.25;
-/// How long all of it and each frame last, ms.
+/// Duration of the animation and limits of each frame, ms.
 const WHOLE: usize = 6000;
 const SHORTEST: usize = 50;
 const LONGEST: usize = 500;
 
-/// Half-widths about the centre that a centreline shows.
+/// Extent of a centreline about the centre, in half-widths.
 const REACH: f64 = 2.0;
 
 /// Width of the frame of a map and limits of its height, px.
 const WIDTH: f64 = 420.0;
 const HEIGHTS: [f64; 2] = [140.0, 640.0];
 
-/// The file; `None` without output times. Pressure and film on the centreline of a line contact, a map of the film of others.
+/// The file; `None` without output times. Pressure and film on the centreline of a line contact; a film map for others.
 ///
 /// # Errors
-/// When a picture cannot be encoded.
+/// If a picture cannot be encoded.
 pub fn animation(title: &str, found: &TransientSolution) -> Result<Option<Vec<u8>>, OutputError> {
     let fields = &found.fields;
     let n = fields.times.len();

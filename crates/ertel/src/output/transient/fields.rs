@@ -5,10 +5,10 @@ use super::super::folder::Part;
 use super::super::vtu::{write_collection, write_instant};
 use crate::run::transient::InstantFields;
 
-/// Names of the files begin and end with this; between them stands the number of the output time, from 1 on.
+/// Prefix and suffix of the file names; the number of the output time, from 1, is between them.
 const NAME: [&str; 2] = ["fields-", ".vtu"];
 
-/// Writes the fields of all output times and the collection that names them.
+/// Writes the fields of all output times and the collection that lists them.
 pub(super) fn write_fields(root: &Part, fields: &InstantFields) -> Result<(), OutputError> {
     let width = fields.times.len().to_string().len().max(3);
     let name = |number: usize| format!("{}{:0width$}{}", NAME[0], number + 1, NAME[1]);
@@ -21,7 +21,7 @@ pub(super) fn write_fields(root: &Part, fields: &InstantFields) -> Result<(), Ou
     })
 }
 
-/// Whether a file is called like the fields of an instant: `fields-001.vtu`.
+/// Whether a file has the name of an instant's fields: `fields-001.vtu`.
 pub(in crate::output) fn is_file_of_instant(name: &str) -> bool {
     name.strip_prefix(NAME[0])
         .and_then(|rest| rest.strip_suffix(NAME[1]))

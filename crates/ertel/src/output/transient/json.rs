@@ -1,4 +1,4 @@
-//! `transient.json`: the instants for programs.
+//! `transient.json`: the instants in machine-readable form.
 
 use serde_json::{Map, Value, json};
 
@@ -11,13 +11,13 @@ use crate::run::transient::TransientSolution;
 use crate::solution::Figure;
 use crate::warning::{codes, silenced, texts};
 
-/// Value of the key `format` by which the results of a case in time are recognised.
+/// Value of the key `format` that identifies the results of a transient case.
 pub const TRANSIENT_FORMAT: &str = "ertel-transient";
 
-/// Figures of a whole run by their names.
+/// Figures of a whole run by name.
 pub(in crate::output) fn over_time_json(figures: &[TimeFigure], is_line: bool) -> Value {
     let rows = figures.iter().map(|figure| {
-        let told = json!({
+        let json = json!({
             "value": figure.estimate.value,
             "error": figure.estimate.error,
             "time": figure.time,
@@ -25,12 +25,12 @@ pub(in crate::output) fn over_time_json(figures: &[TimeFigure], is_line: bool) -
             "unit": figure.kind.unit(is_line),
             "words": figure.words,
         });
-        (figure.name.to_owned(), told)
+        (figure.name.to_owned(), json)
     });
     Value::Object(rows.collect())
 }
 
-/// The document; SI throughout.
+/// The JSON document in SI units.
 pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json::Result<Value> {
     let is_line = case.contact.kind.is_line();
     let instants: Vec<Value> = (found.instants.iter().enumerate())
@@ -39,17 +39,17 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
             let figures: Map<String, Value> = (Figure::ALL.into_iter())
                 .filter_map(|figure| {
                     let reading = measured.figures.get(figure)?;
-                    let mut told = json!({ "value": reading.value });
+                    let mut json = json!({ "value": reading.value });
                     if let Some(bar) = measured.bars.get(figure) {
-                        told["error"] = json!(bar.value);
+                        json["error"] = json!(bar.value);
                     }
                     if let Some(place) = reading.place {
-                        told["place"] = json!(place);
+                        json["place"] = json!(place);
                     }
-                    Some((figure.name().to_owned(), told))
+                    Some((figure.name().to_owned(), json))
                 })
                 .collect();
-            let mut told = json!({
+            let mut row = json!({
                 "time": instant.time,
                 "entrainment_speed": 0.5 * (instant.speeds[0] + instant.speeds[1]),
                 "body_1_speed": instant.speeds[0],
@@ -70,9 +70,9 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
                 "mass_error": instant.mass_error,
             });
             if let Some(ratio) = found.amplitude_ratios.get(i) {
-                told["amplitude_ratio"] = json!(ratio);
+                row["amplitude_ratio"] = json!(ratio);
             }
-            told
+            row
         })
         .collect();
     let profiles: Vec<Value> = (found.profiles.iter())

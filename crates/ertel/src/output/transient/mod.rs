@@ -1,4 +1,4 @@
-//! Results of a case in time: `transient.csv`, `profiles.csv`, `transient.json`, fields, pictures, a report and its page.
+//! Results of a transient case: `transient.csv`, `profiles.csv`, `transient.json`, fields, pictures, a report and its page.
 
 mod animation;
 mod fields;
@@ -30,13 +30,13 @@ use crate::params::OutputParams;
 use crate::run::transient::TransientSolution;
 use crate::solution::Figure;
 
-/// What is called so: A_d/A_i.
+/// Words for A_d/A_i.
 const AMPLITUDE_RATIO: &str = "amplitude ratio of the waves";
 
-/// Writes the results of a case in time into one folder, as [`super::write`] does.
+/// Writes the results of a transient case into one folder, as [`super::write`] does.
 ///
 /// # Errors
-/// [`OutputError`]; the target is then as it was before.
+/// [`OutputError`]; the target is then unchanged.
 pub fn write_transient(
     case: &CaseEcho,
     found: &TransientSolution,
@@ -44,7 +44,7 @@ pub fn write_transient(
     params: &OutputParams,
 ) -> Result<(), OutputError> {
     check_finite(found)?;
-    let folder = NewFolder::beside(target)?;
+    let folder = NewFolder::next_to(target)?;
     write_files(folder.root(), case, found, params)?;
     folder.finish()
 }
@@ -64,7 +64,7 @@ pub fn transient_files(
     Ok(folder.into_files())
 }
 
-/// No number that is none gets into a file.
+/// Rejects non-finite numbers.
 pub(super) fn check_finite(found: &TransientSolution) -> Result<(), OutputError> {
     for instant in &found.instants {
         let figures = &instant.measured.figures;
@@ -90,7 +90,7 @@ pub(super) fn check_finite(found: &TransientSolution) -> Result<(), OutputError>
     Ok(())
 }
 
-/// The files of a case in time.
+/// The files of a transient case.
 pub(super) fn write_files(
     root: &Part,
     case: &CaseEcho,

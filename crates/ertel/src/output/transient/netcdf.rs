@@ -1,4 +1,4 @@
-//! `result.nc` of a case in time: figures at all instants, fields at the output times.
+//! `result.nc` of a transient case: figures at all instants, fields at the output times.
 
 use super::super::netcdf::classic::{Attribute, Dataset, Values, Variable};
 use super::AMPLITUDE_RATIO;
@@ -7,7 +7,7 @@ use crate::case::CaseEcho;
 use crate::run::transient::{InstantSolution, TransientSolution};
 use crate::solution::Field;
 
-/// The file. Dimensions: `time`, all instants, with conditions, figures and their error bars; `output_time`, `y` (not of line contacts) and `x` with the fields.
+/// The file. Dimensions: `time`, all instants, with conditions, figures and their error bars; `output_time`, `y` (not for line contacts) and `x` with the fields.
 pub fn transient_netcdf(case: &CaseEcho, found: &TransientSolution) -> Vec<u8> {
     let is_line = case.contact.kind.is_line();
     let fields = &found.fields;
@@ -132,7 +132,7 @@ fn text(text: &str) -> Attribute {
     Attribute::Text(ertel_input::escaped(text).into_owned())
 }
 
-/// What stands where there is no number, of the type of the values.
+/// Fill value for missing numbers, in the type of the values.
 fn fill(values: &Values) -> Attribute {
     match values {
         Values::Double(_) => Attribute::Number(f64::NAN),

@@ -1,4 +1,4 @@
-//! Films and conditions over time, and the film over place and time.
+//! Films and conditions over time, and the film over position and time.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -17,7 +17,7 @@ use ertel_plot::drawing::{
 use ertel_plot::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis};
 use ertel_plot::png::encode;
 
-/// Central and minimum film over time; on the right, dashed, entrainment speed and load where they change, over their largest where both do, or the force of the film where a body moves by its inertia.
+/// Central and minimum film over time. On the right, dashed: entrainment speed and load if they change, normalised by their maxima if both do, or the film force if a body moves by inertia.
 pub fn film_over_time(title: &str, found: &TransientSolution, is_line: bool) -> Chart {
     let instants = &found.instants;
     let film = |instant: &InstantSolution, figure| instant.measured.estimate(figure).value;
@@ -100,7 +100,7 @@ pub fn film_over_time(title: &str, found: &TransientSolution, is_line: bool) -> 
     chart
 }
 
-/// Values and room above them, so that a course that stays at its largest does not lie on the frame.
+/// Values and a margin above them, to keep a curve at its maximum off the frame.
 fn with_room(values: impl IntoIterator<Item = f64>) -> impl Iterator<Item = f64> {
     values.into_iter().map(|value| 1.05 * value)
 }
@@ -114,13 +114,13 @@ const HEIGHT: f64 = 330.0;
 const ROWS: usize = 330;
 const BAR: f64 = 16.0;
 
-/// Films beyond this multiple of the largest central film have the last colour.
+/// Films above this multiple of the largest central film have the last colour.
 const UP_TO: f64 = 1.5;
 
-/// The film on the centreline over place and time; `None` with a single instant.
+/// The film on the centreline over position and time; `None` with a single instant.
 ///
 /// # Errors
-/// When the image cannot be encoded.
+/// If the image cannot be encoded.
 pub fn map_of_film(title: &str, found: &TransientSolution) -> Result<Option<Drawing>, OutputError> {
     let (instants, map) = (&found.instants, &found.map);
     let last = instants.last().map_or(0.0, |instant| instant.time);
@@ -131,7 +131,7 @@ pub fn map_of_film(title: &str, found: &TransientSolution) -> Result<Option<Draw
     let [low, high] = film_range(found);
     let mut pixels = Vec::with_capacity(3 * n * ROWS);
     for row in 0..ROWS {
-        // Time rises upwards.
+        // Time increases upwards.
         let time = last * (ROWS - row) as f64 / ROWS as f64 - 0.5 * last / ROWS as f64;
         let after = instants
             .partition_point(|instant| instant.time < time)
@@ -161,18 +161,18 @@ pub fn map_of_film(title: &str, found: &TransientSolution) -> Result<Option<Draw
     Ok(Some(drawing))
 }
 
-/// Axes of a map and the films that its colours mean, m.
+/// Axes of a map and the film range of its colours, m.
 pub(super) struct Scales<'a> {
     pub x: Axis,
     pub y: Axis,
     pub film: [f64; 2],
     /// Height of the frame, px.
     pub height: f64,
-    /// Which film it is.
+    /// Label of the film.
     pub label: &'a str,
 }
 
-/// A map of films in colours, rows of pixels from the top, with axes and the bar of its colours.
+/// A film map in colours, rows of pixels from the top, with axes and a colour bar.
 pub(super) fn coloured(
     title: &str,
     [n, rows]: [usize; 2],
@@ -246,19 +246,19 @@ pub(super) fn coloured(
     Ok(drawing)
 }
 
-/// The colour of a film between the ends of the scale.
+/// Colour of a film within the scale.
 pub(super) fn colour_of(film: f64, [low, high]: [f64; 2]) -> [u8; 3] {
     let at = ((film - low) / (high - low)).clamp(0.0, 1.0);
     let colour = colorous::VIRIDIS.eval_continuous(at);
     [colour.r, colour.g, colour.b]
 }
 
-/// Ends of an axis of films on a centreline, m, from the range of all.
+/// Axis limits for films on a centreline, m, from the range of all.
 pub(in crate::output) fn film_axis([low, high]: [f64; 2]) -> [f64; 2] {
     [0.9 * low, high]
 }
 
-/// The films that colours tell apart, m: from the smallest one to a multiple of the largest central one.
+/// The film range of the colours, m: from the smallest film to a multiple of the largest central one.
 pub(in crate::output) fn film_range(found: &TransientSolution) -> [f64; 2] {
     let of = |figure| {
         (found.instants.iter()).map(move |instant| instant.measured.estimate(figure).value)

@@ -1,4 +1,4 @@
-//! What a user reads of a case in time.
+//! The report of a transient case.
 
 use std::path::Path;
 
@@ -14,7 +14,7 @@ use crate::solution::{Figure, Kind};
 use crate::transient::TransientError;
 use crate::words::{digits, force, length};
 
-/// Extremes over time, the instants of the output, warnings, effort.
+/// Extremes over time, the instants of the output, warnings, and effort.
 pub fn transient_report(
     case: &CaseEcho,
     found: &TransientSolution,
@@ -31,7 +31,7 @@ pub fn transient_report(
     out.text()
 }
 
-/// Figures of the whole run that are told first.
+/// Figures of the whole run that are listed first.
 const AT_INSTANTS: [&str; 8] = [
     "film_central_lowest",
     "film_central_highest",
@@ -43,7 +43,7 @@ const AT_INSTANTS: [&str; 8] = [
     "film_temperature_maximum_highest",
 ];
 
-/// The same without title and warnings.
+/// The report without title and warnings.
 pub(in crate::output) fn write_results(
     out: &mut Lines,
     found: &TransientSolution,
@@ -57,9 +57,9 @@ pub(in crate::output) fn write_results(
         return;
     };
     let time = time_unit(last.time);
-    let told = over_time(found);
+    let figures = over_time(found);
     for name in AT_INSTANTS {
-        let figure = told.iter().find(|figure| figure.name == name);
+        let figure = figures.iter().find(|figure| figure.name == name);
         if let Some(figure) = figure.filter(|figure| figure.estimate.value != 0.0) {
             let text = over_time_text(figure, kind.is_line());
             out.row(
@@ -152,12 +152,12 @@ pub(in crate::output) fn write_results(
         .map(|instant| instant.mass_error.abs())
         .fold(0.0, f64::max);
     let refused = match found.failure {
-        // Nothing tells how many.
+        // The number of refused steps is unknown.
         Some(TransientError::Interrupted) => String::new(),
         _ => format!(", {} refused", found.info.refused),
     };
     out.row(
-        "steps in time",
+        "time steps",
         format!(
             "{}{refused}, from {} to {}",
             found.info.steps,
@@ -179,7 +179,7 @@ pub(in crate::output) fn write_results(
     }
 }
 
-/// Unit in which times up to this one (s) are told, and its factor.
+/// Unit for times up to this one (s), and its factor.
 pub(super) fn time_unit(longest: f64) -> (f64, &'static str) {
     match longest {
         t if t < 2e-3 => (1e6, "µs"),
@@ -196,7 +196,7 @@ pub(super) fn at(time: f64, (factor, unit): (f64, &str)) -> String {
 pub(in crate::output) fn over_time_text(figure: &TimeFigure, is_line: bool) -> String {
     let value = figure.estimate.value;
     match figure.kind {
-        // Instants may have higher ones than their grids draw.
+        // Instants may have higher peaks than their grids resolve.
         Kind::PeakPressure => peak_of(figure.estimate, figure.resolved),
         _ if !figure.resolved => "not resolved".to_owned(),
         Kind::Temperature => temperature(figure.estimate, None),

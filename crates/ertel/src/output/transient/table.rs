@@ -6,9 +6,9 @@ use crate::run::transient::{InstantSolution, TransientSolution};
 use crate::solution::Figure;
 use crate::study::titled;
 
-/// A row for each instant: time, conditions, every figure of the registry with its error bar, what the film keeps of waves, and how the step went.
+/// A row for each instant: time, conditions, every figure of the registry with its error bar, the amplitude ratio of waves, and step statistics.
 pub fn transient_table(found: &TransientSolution, is_line: bool) -> String {
-    let told = figures(found);
+    let shown = figures(found);
     let load_unit = if is_line { "N/m" } else { "N" };
     let mut titles = vec![
         "instant".to_owned(),
@@ -26,7 +26,7 @@ pub fn transient_table(found: &TransientSolution, is_line: bool) -> String {
         "approach_velocity_m_per_s".to_owned(),
         titled("film_force", load_unit),
     ];
-    for figure in &told {
+    for figure in &shown {
         let (name, unit) = (figure.name(), figure.unit(is_line));
         titles.push(titled(name, unit));
         titles.push(titled(&format!("{name}_error"), unit));
@@ -54,7 +54,7 @@ pub fn transient_table(found: &TransientSolution, is_line: bool) -> String {
             instant.approach_velocity,
             instant.film_force
         );
-        for figure in &told {
+        for figure in &shown {
             let measured = &instant.measured;
             for value in [
                 measured.figures.value(*figure),
@@ -92,7 +92,7 @@ pub(super) fn figures(found: &TransientSolution) -> Vec<Figure> {
     Figure::ALL.into_iter().filter(is_there).collect()
 }
 
-/// Names of the figures whose error bars are wider than half of them.
+/// Names of the figures whose error bars are too wide.
 pub(super) fn unresolved(instant: &InstantSolution) -> Vec<&'static str> {
     let measured = &instant.measured;
     (Figure::ALL.into_iter())

@@ -1,4 +1,4 @@
-//! Fields of an instant, and the list of their files for ParaView.
+//! Fields of an instant, and their collection for ParaView.
 
 use std::io::{self, Write};
 
@@ -6,7 +6,7 @@ use super::{Array, Data, Grid};
 use crate::run::transient::InstantFields;
 use crate::solution::Field;
 
-/// Writes pressure and film of the output time with this number: quadrilaterals about the contact, or the segments of a centreline. Lengths in m, the time in s in the field data `TimeValue`.
+/// Writes pressure and film of the output time with this number: quadrilaterals around the contact, or the segments of a centreline. Lengths in m, the time in s in the field data `TimeValue`.
 ///
 /// # Errors
 /// Those of the writer.
@@ -53,7 +53,7 @@ pub fn write_instant(out: impl Write, fields: &InstantFields, number: usize) -> 
     grid.write(out)
 }
 
-/// Writes a collection of ParaView: times, s, and the names of their files.
+/// Writes a ParaView collection: times, s, and file names.
 ///
 /// # Errors
 /// Those of the writer.

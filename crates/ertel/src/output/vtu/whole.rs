@@ -1,22 +1,22 @@
-//! The whole of film and bodies where their half y ≤ 0 was solved.
+//! The whole film and bodies of a contact solved for y ≤ 0.
 
 use std::borrow::Cow;
 
 use crate::contact::Symmetry;
 use crate::solution::near_zero;
 
-/// Points and cells of a whole grid, and which of the solved points each one is or mirrors.
+/// Points and cells of a whole grid, and the solved point that each point is or mirrors.
 pub(super) struct Whole<'a> {
     pub points: Cow<'a, [[f64; 3]]>,
     pub cells: Cow<'a, [Vec<u32>]>,
-    /// Per point: its solved point.
+    /// Solved point of each point.
     sources: Vec<usize>,
-    /// Number of the points that were solved; the others are images.
+    /// Number of solved points; the others are mirror images.
     n_solved: usize,
 }
 
 impl<'a> Whole<'a> {
-    /// Of a contact that was solved as a whole: itself. Of a half: with its image, which shares the points on y = 0.
+    /// For a contact solved as a whole: unchanged. For a half: with its mirror image, which shares the points on y = 0.
     pub fn new(symmetry: Symmetry, points: &'a [[f64; 3]], cells: &'a [Vec<u32>]) -> Whole<'a> {
         let mut whole = Whole {
             points: Cow::Borrowed(points),
@@ -46,12 +46,12 @@ impl<'a> Whole<'a> {
         whole
     }
 
-    /// A scalar at the points of the whole.
+    /// A scalar at the points of the whole grid.
     pub fn scalar(&self, solved: &[f64]) -> Vec<f64> {
         self.sources.iter().map(|i| solved[*i]).collect()
     }
 
-    /// A vector at the points of the whole: its component across the motion has the other sign in the image.
+    /// A vector at the points of the whole grid: its component across the motion changes sign in the image.
     pub fn vector(&self, solved: &[[f64; 3]]) -> Vec<[f64; 3]> {
         let vectors = self.sources.iter().enumerate().map(|(point, source)| {
             let [x, y, z] = solved[*source];
@@ -74,8 +74,8 @@ impl<'a> Whole<'a> {
     }
 }
 
-/// Order in which the nodes of a cell make its mirror image a cell of the same orientation (nodes as VTK numbers them):
-/// corners 1 and 2 exchanged, and with them what stands between or above them.
+/// Node order that gives the mirror image of a cell the same orientation (VTK numbering):
+/// corners 1 and 2 are exchanged, with the nodes between or above them.
 fn reflected(n_nodes: usize) -> &'static [usize] {
     match n_nodes {
         // Tetrahedra; their edges are 01, 12, 20, 03, 13, 23.
@@ -104,8 +104,8 @@ mod tests {
         cross[0] * d[0] + cross[1] * d[1] + cross[2] * d[2]
     }
 
-    /// A tetrahedron of second order with a face on y = 0: its image has the same volume and sense, middles between its
-    /// own corners, six shared points, and a displacement that is odd across.
+    /// A second-order tetrahedron with a face on y = 0: its image has the same volume and orientation, midpoints between its
+    /// corners, six shared points, and a displacement that is odd across the motion.
     #[test]
     fn bodies_are_mirrored() {
         let corners = [
@@ -131,19 +131,19 @@ mod tests {
             let [a, b, m] = [cell[*a], cell[*b], cell[4 + k]].map(|i| whole.points[i as usize]);
             assert_eq!(m, mid(a, b), "edge {k}");
         }
-        // u = (x, y, z) is its own image.
+        // u = (x, y, z) equals its image.
         assert_eq!(whole.vector(&points), *whole.points);
         let one = |p: &[f64; 3]| p[0] - 3.0 * p[1].abs();
         let solved: Vec<f64> = points.iter().map(one).collect();
         let expected: Vec<f64> = whole.points.iter().map(one).collect();
         assert_eq!(whole.scalar(&solved), expected);
         assert_eq!(whole.per_cell(&[7_u8]), [7, 7]);
-        // What was solved as a whole stays as it is.
+        // A contact solved as a whole is unchanged.
         let same = Whole::new(Symmetry::Full, &points, &cells);
         assert_eq!((&*same.points, &*same.cells), (&*points, &*cells));
     }
 
-    /// The image of a wedge stands on a triangle of the same sense.
+    /// The image of a wedge has a base triangle of the same orientation.
     #[test]
     fn wedges_are_mirrored() {
         let flat = [[0.0, 0.0], [0.0, -1.0], [1.0, 0.0]];

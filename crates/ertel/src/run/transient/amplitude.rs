@@ -1,9 +1,9 @@
-//! What a film leaves of the waves that pass it.
+//! Amplitude reduction of waves that pass the film.
 //!
 //! ```text
 //!   A_d/A_i = ½ (max h_c − min h_c)/A_i    over the last passage of a wavelength
 //! ```
-//! A_i is the amplitude of the waves, A_d that of the film in the centre while one of them passes. Venner, Couhier, Lubrecht and Greenwood, Amplitude reduction of waviness in transient
+//! A_i is the amplitude of the waves, A_d that of the central film while one of them passes. Venner, Couhier, Lubrecht and Greenwood, Amplitude reduction of waviness in transient
 //! EHL line contacts, Elastohydrodynamics '96 (1997), 103-112.
 
 use super::InstantSolution;
@@ -11,7 +11,7 @@ use crate::case::{Case, SurfaceRelief};
 use crate::contact::gap::{Body, Form};
 use crate::solution::Figure;
 
-/// A_d/A_i at each instant at which a whole wave has passed the centre; nothing at all where none does, where the waves are not the only relief, or where surfaces slide across the motion or spin.
+/// A_d/A_i at each instant after a whole wave has passed the centre; empty without waves, with other reliefs, or with sliding or spin across the motion.
 pub(super) fn amplitude_ratios(case: &Case, instants: &[InstantSolution]) -> Vec<Option<f64>> {
     let moves_straight = (case.transient.as_ref()).is_some_and(|transient| transient.is_straight());
     let [
@@ -41,7 +41,7 @@ pub(super) fn amplitude_ratios(case: &Case, instants: &[InstantSolution]) -> Vec
             let mean = 0.5 * (before.speeds[which] + instant.speeds[which]);
             moved += mean * (instant.time - before.time);
         }
-        // How far the first crest is past the centre.
+        // Distance of the first crest past the centre.
         let past = (place[0] + moved) * along + place[1] * across;
         rows.push([past, instant.measured.estimate(Figure::FilmCentral).value]);
     }
@@ -52,7 +52,7 @@ pub(super) fn amplitude_ratios(case: &Case, instants: &[InstantSolution]) -> Vec
     }
 }
 
-/// Of rows of the distance of the first crest past the centre and the central film.
+/// From rows of the first crest's distance past the centre and the central film.
 fn ratios(rows: &[[f64; 2]], wavelength: f64, amplitude: f64) -> Vec<Option<f64>> {
     let of = |end: usize| {
         let [now, _] = rows[end];
@@ -76,9 +76,9 @@ mod tests {
     use super::*;
     use std::f64::consts::TAU;
 
-    /// A film that swings by 0.4 of the amplitude of waves of length 2 behind a crest at −1: known once a whole wave lies behind the centre, not while it stands still.
+    /// A film oscillating by 0.4 of the amplitude of waves of length 2 behind a crest at −1: known once a whole wave has passed the centre, not while it is at rest.
     #[test]
-    fn a_film_that_swings_has_its_share() {
+    fn an_oscillating_film_has_its_amplitude_ratio() {
         let film = |past: f64| {
             100.0
                 + if past < 0.0 {
@@ -99,7 +99,7 @@ mod tests {
         }
         let at_rest = vec![row(3.0); 10];
         assert!(ratios(&at_rest, 2.0, 5.0).iter().all(Option::is_none));
-        // Back to where no wave is, there is nothing to tell.
+        // Reversed to where there is no wave: no ratio.
         let back: Vec<[f64; 2]> = rows.iter().rev().copied().collect();
         assert_eq!(ratios(&back, 2.0, 5.0).last(), Some(&None));
     }

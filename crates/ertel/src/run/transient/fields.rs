@@ -1,4 +1,4 @@
-//! Pressure and film at the output times, on places that stay.
+//! Pressure and film at the output times, on fixed positions.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,37 +8,37 @@ use crate::volumes::film::PatchedFilm;
 
 /// Fields at the output times on a grid along and across the motion, SI, in single precision.
 ///
-/// Of line contacts it is the centreline. Of the others it is a regular grid about the contact: half-widths of the dry contact under the largest load, as far as grids go.
+/// Line contacts have the centreline. Others have a regular grid around the contact, as far as the solver grids extend.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct InstantFields {
     /// Output times, s.
     pub times: Vec<f64>,
-    /// Places along the motion, m.
+    /// Positions along the motion, m.
     pub x: Vec<f64>,
-    /// Places across it, m: 0 alone in line contacts.
+    /// Positions across it, m: only 0 for line contacts.
     pub y: Vec<f64>,
-    /// Pressure, Pa, for each time: rows along the motion, from the first place across it on.
+    /// Pressure, Pa, for each time: rows along the motion, from the first position across it.
     pub pressure: Vec<Vec<f32>>,
     /// Film thickness, m, likewise.
     pub film: Vec<Vec<f32>>,
 }
 
-/// Places of an instant at most: more than what pictures show.
+/// Maximum number of positions of an instant: more than pictures show.
 const MOST_PLACES: usize = 12_000;
-/// Values of a field that are kept at most, 64 MB: with more than 1398 output times places lie farther apart.
+/// Maximum number of stored values of a field, 64 MB: above 1398 output times the spacing increases.
 const MOST_VALUES: usize = 1 << 24;
-/// Least number of places along the motion in long contacts, if there are so many.
+/// Minimum number of positions along the motion in long contacts, if the grids have as many.
 const LEAST_ALONG: f64 = 64.0;
-/// What of the surroundings is kept, in the smaller half-axis of the dry contact: along the motion and across it.
+/// Stored extent in units of the smaller half-axis of the dry contact: along the motion and across it.
 const MARGINS: [f64; 2] = [1.0, 0.5];
 
 impl InstantFields {
-    /// Whether there is nothing across the motion.
+    /// Whether there is no extent across the motion.
     pub fn is_line(&self) -> bool {
         self.y.len() < 2
     }
 
-    /// Adds an instant of a film; `n_times` will come in all. Lengths, films and pressures have these scales.
+    /// Adds an instant of a film; `n_times` is the total number. Lengths, films and pressures have these scales.
     pub(super) fn push(
         &mut self,
         time: f64,
@@ -49,7 +49,7 @@ impl InstantFields {
         n_times: usize,
     ) {
         let most = (MOST_VALUES / n_times.max(1)).clamp(2, MOST_PLACES);
-        // The grids stay where they are, and so do the places.
+        // The grids are fixed, and so are the positions.
         if shape.is_line() {
             let stride = profile.x.len().div_ceil(most).max(1);
             let thinned = || profile.x.iter().zip(&profile.fields).step_by(stride);
@@ -91,7 +91,7 @@ impl InstantFields {
     }
 }
 
-/// Places at equal distances about the centre, among them the centre itself.
+/// Equally spaced positions about the centre, including the centre.
 fn places(half: [f64; 2], most: usize) -> [Vec<f64>; 2] {
     let smaller = half[0].min(half[1]);
     let reach = [0, 1].map(|d: usize| half[d] + MARGINS[d] * smaller);
@@ -110,9 +110,9 @@ fn places(half: [f64; 2], most: usize) -> [Vec<f64>; 2] {
 mod tests {
     use super::*;
 
-    /// The centre is a place, ends are the reach, no more places than allowed; a long contact has its share along the motion.
+    /// The centre is included, the ends are at the extent, and the limit is kept; a long contact has its minimum along the motion.
     #[test]
-    fn places_lie_about_the_centre() {
+    fn positions_are_about_the_centre() {
         for (half, most) in [
             ([1.0, 1.0], 12_000),
             ([1.0, 100.0], 12_000),

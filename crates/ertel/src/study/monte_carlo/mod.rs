@@ -1,6 +1,6 @@
-//! What the uncertainty of the inputs comes to, by sampling them: a study of as many points as wanted, and its statistics.
+//! Propagation of the uncertainty of the inputs by sampling: a study of any number of points, and its statistics.
 //!
-//! Where the derivatives at the values of the case tell enough, both agree ([`crate::solution::Uncertainties`]).
+//! Where the derivatives at the values of the case suffice, both agree ([`crate::solution::Uncertainties`]).
 
 mod sampling;
 mod statistics;

@@ -34,7 +34,7 @@ pub enum Sampled {
     Machine {
         /// Name in results.
         name: &'static str,
-        /// What it is, in words.
+        /// Description.
         words: &'static str,
         /// SI unit.
         unit: &'static str,
@@ -68,7 +68,7 @@ pub struct Distribution {
     pub mean: f64,
     /// Standard deviation, SI.
     pub standard: f64,
-    /// What the standard deviation errs by, one standard error, for a normal distribution: s/√(2(n − 1)).
+    /// Standard error of the standard deviation, for a normal distribution: s/√(2(n − 1)).
     pub standard_error: f64,
     /// Quantiles of the probabilities 2.5, 25, 50, 75 and 97.5 %, SI.
     pub quantiles: [f64; 5],

@@ -114,7 +114,7 @@ fn numbers(mut text: &str) -> Vec<Number> {
 /// The equations that a text names; of one without its source, that of `usual`.
 ///
 /// # Errors
-/// What is written in front of a number that has no source.
+/// Text in front of a number that has no source.
 pub fn named(text: &str, usual: Option<usize>) -> Result<Vec<Equation>, String> {
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let mut found = Vec::new();

@@ -1,11 +1,11 @@
-//! The program of a solve: up a path of stages from the dry contact, along other paths where that fails, then on finer and finer meshes.
+//! Sequence of a solve: a path of stages from the dry contact, other paths where that fails, then finer and finer meshes.
 //!
 //! ```text
 //!   for each path (the usual stages, then those of `paths`):
-//!       climb     a step that fails is halved, or goes on from what came near; the last may have its ridge diffused, or quadratic pressures
-//!       refine    where that led to the case: until the errors are small; a mesh that fails is tried in other ways, then given up
+//!       climb     a step that fails is halved, or continues from a nearly converged state; the last may have its ridge diffused, or quadratic pressures
+//!       refine    where that led to the case: until the errors are small; a mesh that fails is retried with other methods, then given up
 //! ```
-//! A start from another problem is a stage in place of the path. The driver knows neither meshes nor equations: a [`StageSolver`] solves a stage.
+//! A start from another problem is a stage instead of the path. The driver knows neither meshes nor equations: a [`StageSolver`] solves a stage.
 
 mod stage_solver;
 #[cfg(test)]
@@ -25,7 +25,7 @@ use crate::solve::tuning::continuation::{
 };
 use crate::solve::{Observer, SolveError};
 
-/// Where a solve stands.
+/// State of a solve.
 pub(super) struct Driver<'a, S: StageSolver> {
     solver: S,
     outline: Outline,
@@ -59,13 +59,13 @@ impl<'a, S: StageSolver> Driver<'a, S> {
     /// From the dry contact; returns the solution and the solver, which keeps the records.
     ///
     /// # Errors
-    /// That of the usual stages when all paths fail; [`SolveError::Interrupted`]; what keeps a stage from being begun.
+    /// That of the usual stages when all paths fail; [`SolveError::Interrupted`]; the reason why a stage cannot start.
     pub fn run(mut self) -> Result<(S::Solution, S), SolveError> {
         let Some(first) = self.climb(self.outline.usual.clone())? else {
             return self.refine();
         };
         self.falls_back = true;
-        // No time is lost on what goes on from a start that failed.
+        // Paths that continue from a failed start are skipped.
         let has_start = self.current.is_some();
         let mut tried = Vec::new();
         for path in paths(&self.outline) {
@@ -81,7 +81,7 @@ impl<'a, S: StageSolver> Driver<'a, S> {
         Err(SolveError::AllFailed { first, tried })
     }
 
-    /// One stage from the solution of a similar problem on its mesh, and refinements after it. There is nothing to go back to.
+    /// One stage from the solution of a similar problem on its mesh, and refinements after it. There is no fallback.
     ///
     /// # Errors
     /// As [`Self::run`].
@@ -97,7 +97,7 @@ impl<'a, S: StageSolver> Driver<'a, S> {
         self.refine()
     }
 
-    /// Solves a stage from where the solve stands.
+    /// Solves a stage from the present state.
     fn solve(
         &mut self,
         mut stage: Stage,
@@ -122,7 +122,7 @@ impl<'a, S: StageSolver> Driver<'a, S> {
         }
     }
 
-    /// Along a path to the case; returns why it does not lead there, if so.
+    /// Along a path to the case; returns the error if it fails.
     fn climb(&mut self, path: Vec<Stage>) -> Result<Option<SolveError>, SolveError> {
         let (mut queue, mut n_halved) = (VecDeque::from(path), 0);
         while let Some(stage) = queue.pop_front() {
@@ -146,14 +146,14 @@ impl<'a, S: StageSolver> Driver<'a, S> {
             } else if let Some(lower) = self.lower(&stage) {
                 queue = VecDeque::from([lower]);
             } else if stage.role != Role::Estimate && !stage.role.compares() {
-                // What is only compared can be done without.
+                // Comparisons are optional.
                 return Ok(Some(error));
             }
         }
         Ok(None)
     }
 
-    /// Diffusion at ridges of the pressure from now on; whether that is new.
+    /// Switches on diffusion at ridges of the pressure; returns whether it was off.
     fn diffuse_ridge(&mut self) -> bool {
         let is_new = self.ridge_diffusion < self.outline.ridge_diffusion;
         self.ridge_diffusion = self.ridge_diffusion.max(self.outline.ridge_diffusion);
@@ -183,8 +183,8 @@ impl<'a, S: StageSolver> Driver<'a, S> {
         lower.filter(|_| stage.role == Role::Final && (led || diffused))
     }
 
-    /// From a solution of the case on finer meshes until its errors are small. Where a mesh fails, once more, and that fails, too, the
-    /// solution on the mesh before stands, with an error bar that says what it is worth.
+    /// From a solution of the case on finer meshes until its errors are small. Where a mesh fails twice, the
+    /// solution on the previous mesh is the result, with its error bar.
     fn refine(mut self) -> Result<(S::Solution, S), SolveError> {
         while let Some(by) = self.refinement.take() {
             let for_films = by.aim == RefinementTarget::Films;
@@ -197,14 +197,14 @@ impl<'a, S: StageSolver> Driver<'a, S> {
             let stage = Stage {
                 refinements: at.refinements + 1,
                 undamped: false,
-                // Films that are about as accurate as asked for bear no long search, nor does what can be tried with a diffused ridge.
+                // No long search where films nearly meet their target, or where a diffused ridge can be tried.
                 given_up_early: self.outline.roller || !for_films || may_be_diffused,
                 ..at
             };
             if self.climb(vec![stage])?.is_none() {
                 continue;
             }
-            // Films that are as accurate as asked for need no second try.
+            // Films that meet their target need no second try.
             let good_enough = by.aim == RefinementTarget::Pressure
                 || self.ridge_diffusion > 0.0 && by.film_bar < GOOD_ENOUGH;
             let before = self.current.clone();

@@ -1,18 +1,18 @@
-//! What solves a stage, as the driver sees it.
+//! Solver of a stage: interface of the driver.
 
 use crate::solve::adapt::Refinement;
 use crate::solve::sequence::stage::Stage;
 use crate::solve::{Observer, SolveError};
 
-/// What solves a stage.
+/// Solver of a stage.
 pub(in super::super) trait StageSolver {
-    /// What a stage comes to.
+    /// Solution of a stage.
     type Solution: Trial;
 
     /// Solves a stage, and says how to refine its mesh if the errors are too large.
     ///
     /// # Errors
-    /// Where the stage cannot be begun. That Newton's method fails is an outcome.
+    /// Where the stage cannot start. Failure of Newton's method is an outcome, not an error.
     fn solve(
         &mut self,
         task: Task<Self::Solution>,
@@ -30,11 +30,11 @@ pub(in super::super) trait StageSolver {
     ) -> Result<(), SolveError>;
 }
 
-/// What the driver asks of the state a stage came to.
+/// Properties of a stage's solution that the driver uses.
 pub(in super::super) trait Trial: Clone {
     /// The stage.
     fn stage(&self) -> &Stage;
-    /// Whether it came to the tolerance of the stage.
+    /// Whether it reached the tolerance of the stage.
     fn converged(&self) -> bool;
     /// Whether an unconverged state is still near a contact.
     fn is_usable(&self) -> bool;

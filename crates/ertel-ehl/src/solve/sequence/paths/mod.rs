@@ -1,6 +1,6 @@
 //! Continuations: from a contact that is easily solved to the case's own, along one [`Parameter`] at a time.
 //!
-//! [`paths`] is the table of them, in the order in which they are tried; what each cures stands in docs/theory/isothermal-contact.md.
+//! [`paths`] is the table of them, in the order in which they are tried; docs/theory/isothermal-contact.md says which difficulty each overcomes.
 
 pub(super) mod parameter;
 #[cfg(test)]
@@ -11,7 +11,7 @@ use crate::solution::Role;
 use crate::solve::tuning::continuation::{EXPONENTS, MEDIUM_SOFTNESS, SLIDING, SPEEDS, THICKEST};
 use parameter::Parameter;
 
-/// What continuations know of a problem.
+/// Properties of a problem that continuations use.
 #[derive(Clone, Debug)]
 pub(super) struct Outline {
     /// The usual stages: start, comparisons, solution; never empty.
@@ -31,9 +31,9 @@ pub(super) struct Outline {
 /// A continuation laid out for a problem.
 #[derive(Clone, Debug)]
 pub(super) struct Path {
-    /// What it changes step by step, in words for users.
+    /// The quantity that it changes step by step, in words for users.
     pub name: &'static str,
-    /// Whether it goes on from the usual start, so that it is of no use where that has failed.
+    /// Whether it continues from the usual start, so that it is of no use where that has failed.
     pub needs_start: bool,
     /// Its stages; never empty.
     pub stages: Vec<Stage>,
@@ -50,8 +50,8 @@ impl Outline {
         &self.usual[self.usual.len() - 1]
     }
 
-    /// What a path ends with: the usual stages after the start that a rule names, none of them given up early, for what was is tried in
-    /// earnest; but an exponential seldom bears the overshoots of cubic pressures, and quadratic ones stand in for them.
+    /// Final stages of a path: the usual stages after the start that a rule names, with the full iteration budget; but exponential laws
+    /// seldom tolerate the overshoots of cubic pressures and use quadratic ones.
     fn ends(&self, rule: impl Fn(&Stage) -> bool) -> impl Iterator<Item = Stage> {
         let early = |stage: &Stage| self.exponential && stage.with_quadratic_pressures().is_some();
         let ends = self.usual[1..].iter().filter(move |stage| rule(stage));
@@ -90,7 +90,7 @@ pub(super) fn less_diffusion(from: &Stage, to: &Stage) -> Vec<Stage> {
     march(from, Parameter::Diffusion, |value| within.contains(&value))
 }
 
-/// What is tried, in turn, when the first start or the final stage does not converge. First what changes least: mesh and start stay
+/// Continuations that are tried, in turn, when the first start or the final stage does not converge. First those that change least: mesh and start stay
 /// while the difficulty itself (heat, shear law, spike) is led up to; then another start, then another mesh.
 pub(super) fn paths(outline: &Outline) -> Vec<Path> {
     let (start, last) = (*outline.start(), outline.last());

@@ -27,7 +27,7 @@ pub enum Parameter {
     Softness,
     /// Share of the sliding.
     Sliding,
-    /// Number λ of Reynolds' equation, and the film that goes with the speed.
+    /// Number λ of Reynolds' equation, and the film, which depends on the speed.
     Speed,
 }
 
@@ -88,7 +88,7 @@ impl Parameter {
         }
     }
 
-    /// Half of the way between two values.
+    /// Midway between two values.
     fn between(self, from: f64, to: f64) -> f64 {
         match self {
             Parameter::Exponent | Parameter::Sliding => 0.5 * (from + to),

@@ -65,7 +65,7 @@ pub(in super::super) fn outline(order: usize) -> Outline {
     }
 }
 
-/// The same, for each of the kinds of contact that paths tell apart.
+/// The same, for each kind of contact that paths distinguish.
 fn outlines() -> Vec<Outline> {
     let mut outlines = Vec::new();
     for (exponential, heated, slides, refined) in [
@@ -102,7 +102,7 @@ fn names(outline: &Outline) -> Vec<&'static str> {
 
 /// The order in which they are tried, as docs/theory/isothermal-contact.md has it.
 #[test]
-fn paths_stand_in_their_order() {
+fn paths_keep_their_order() {
     let outlines = outlines();
     let others = [
         "viscosity exponent",
@@ -126,8 +126,8 @@ fn paths_stand_in_their_order() {
     }
 }
 
-/// Each ends with the case itself, tried in earnest or in quadratic pressures next; what does not go on from the usual start has
-/// one of its own.
+/// Each ends with the case itself, with the full iteration budget or in quadratic pressures; paths that do not continue from the usual start have
+/// their own.
 #[test]
 fn paths_lead_to_the_case() {
     for outline in outlines() {

@@ -1,4 +1,4 @@
-//! What a cam leaves open: the digits of its table of lifts, and pressure angles at which followers jam.
+//! Warnings about cams: too few digits in a table of lifts, and pressure angles at which followers jam.
 
 use std::f64::consts::PI;
 
@@ -10,7 +10,7 @@ use crate::words::digits;
 
 /// Pressure angles, rad, above which designs avoid followers that move along a straight line, which jam in their guides, and arms: 30° and 45°. Sources: Norton, Cam
 /// Design and Manufacturing Handbook, 2002, chapter 7; VDI 2142.
-const STEEP: [f64; 2] = [30.0 * PI / 180.0, 45.0 * PI / 180.0];
+const MAX_PRESSURE_ANGLE: [f64; 2] = [30.0 * PI / 180.0, 45.0 * PI / 180.0];
 
 /// The share of a figure that its bar must not exceed.
 const RESOLVED: f64 = 0.5;
@@ -59,7 +59,7 @@ pub(super) fn steepest(turn: &[CamPoint]) -> (&'static str, String) {
     ("largest pressure angle", text)
 }
 
-/// Says where the pressure angle is steep for a follower that moves along a straight line (`is_straight`) or an arm, and where the digits of the table leave curvature or pressure open.
+/// Warns where the pressure angle is large for a follower that moves along a straight line (`is_straight`) or an arm, and where the digits of the table do not resolve curvature or pressure.
 pub(super) fn warnings(
     cam: &Cam,
     operation: &CamOperation,
@@ -71,8 +71,14 @@ pub(super) fn warnings(
     let size = |point: &CamPoint| point.pressure_angle.abs();
     let largest = points.iter().map(size).fold(0.0, f64::max);
     let (limit, effect) = match is_straight {
-        true => (STEEP[0], "a follower in a straight guide may jam"),
-        false => (STEEP[1], "the arm presses on its pivot rather than turns"),
+        true => (
+            MAX_PRESSURE_ANGLE[0],
+            "a follower in a straight guide may jam",
+        ),
+        false => (
+            MAX_PRESSURE_ANGLE[1],
+            "the arm presses on its pivot rather than turns",
+        ),
     };
     if largest > limit {
         let at = ranges(points, |point| size(point) > limit);

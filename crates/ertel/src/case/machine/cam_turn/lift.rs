@@ -1,4 +1,4 @@
-//! The law of lift of a cam: a disc beside its centre, lobes, a rise and a return, or a table.
+//! The law of lift of a cam: an eccentric disc, lobes, a rise and a return, or a table.
 
 use std::path::Path;
 
@@ -35,7 +35,7 @@ struct Part {
     name: &'static str,
 }
 
-/// Reads the law of lift, and what it is in words.
+/// Reads the law of lift, and its description.
 pub(super) fn read(table: &mut Table<'_>, folder: &Path) -> Result<(LiftLaw, String), InputError> {
     let eccentricity = table.optional_quantity("eccentricity", Dimension::LENGTH, ECCENTRICITY)?;
     let lift = table.optional_quantity("lift", Dimension::LENGTH, LIFT)?;
@@ -54,7 +54,7 @@ pub(super) fn read(table: &mut Table<'_>, folder: &Path) -> Result<(LiftLaw, Str
     let mut given = laws.iter().filter(|(_, is_given)| *is_given);
     let Some((law, _)) = given.next() else {
         return Err(table
-            .error_here("the lift of the cam is not said")
+            .error_here("the lift of the cam is missing")
             .with_help(
                 "give `lift` with `rise` (and `top_dwell`, `return`) or with `lobes`; or `lift_table = \"cam.csv\"`; or `eccentricity`",
             ));
@@ -62,7 +62,7 @@ pub(super) fn read(table: &mut Table<'_>, folder: &Path) -> Result<(LiftLaw, Str
     if let Some((other, _)) = given.next() {
         return Err(table.error(
             other,
-            format!("`{law}` and `{other}` both say the lift of the cam; keep one of them"),
+            format!("`{law}` and `{other}` both define the lift of the cam; keep one of them"),
         ));
     }
     let law = *law;
@@ -134,9 +134,7 @@ fn of_parts(
                     digits((TURN - rest).to_degrees(), 6)
                 ),
             )
-            .with_help(
-                "they must leave something of 360 deg, or nothing: the rest is the base circle",
-            ));
+            .with_help("together they take at most 360 deg: the rest is the base circle"));
     }
     let mut segments = vec![Segment::Move {
         angle: rise.angle,
@@ -168,7 +166,7 @@ fn of_parts(
     Ok((law, words))
 }
 
-/// A law of a table of angles and lifts, whose lifts have errors of the root mean square `tolerance` (m) or those of rounding; and what it is in words.
+/// A law of a table of angles and lifts, whose lifts have errors of the root mean square `tolerance` (m) or those of rounding; and its description.
 fn of_table(
     table: &Table<'_>,
     folder: &Path,
@@ -188,12 +186,12 @@ fn of_table(
         )
     })?;
     let law = LiftLaw::rounded_table(&angles, &lifts, digit, tolerance).map_err(|error| {
-        let told = table.error("lift_table", error.to_string());
+        let refused = table.error("lift_table", error.to_string());
         match error {
-            CamError::TableOrder { .. } => told.with_help(
-                "one turn, its first row not once more at 360 deg unless the lift is the same",
+            CamError::TableOrder { .. } => refused.with_help(
+                "give one turn; repeat its first row at 360 deg only with the same lift",
             ),
-            _ => told,
+            _ => refused,
         }
     })?;
     let smoothed = match &law {
@@ -219,7 +217,7 @@ struct Lifts {
     digit: f64,
 }
 
-/// The lifts of a CSV file. A last row one turn behind the first, with its lift, is the first once more.
+/// The lifts of a CSV file. A last row one turn after the first, with the same lift, repeats the first.
 fn rows(file: &str, text: &str) -> Result<Lifts, CsvError> {
     let of_angle = Wanted {
         names: &["angle"],
@@ -258,10 +256,10 @@ fn rows(file: &str, text: &str) -> Result<Lifts, CsvError> {
     })
 }
 
-/// Steps of a table beyond which rows count as left out.
+/// Steps of a table beyond which rows count as omitted.
 const GAP: f64 = 4.0;
 
-/// Adds the rows that tables leave out where the lift stays the same within a `digit` (m), as on the base circle: a spline would wander there.
+/// Adds the rows that tables omit where the lift is constant within a `digit` (m), as on the base circle: a spline would oscillate there.
 fn fill(angles: &mut Vec<f64>, lifts: &mut Vec<f64>, digit: f64) {
     let n = angles.len();
     let widths: Vec<f64> = (0..n)

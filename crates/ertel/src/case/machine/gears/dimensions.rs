@@ -28,7 +28,7 @@ const RELIEF: Bounds = Bounds::closed(0.0, 1e-2);
 #[derive(Clone, Copy)]
 pub(super) struct Template {
     pub gears: Gears,
-    /// What it is, and what of it is an estimate.
+    /// Description, with the values that are estimates.
     pub words: &'static str,
     teeth: Teeth,
     /// Whether the tip diameters are an estimate.
@@ -124,7 +124,7 @@ pub(super) fn read(table: &mut Table<'_>, kind: Teeth) -> Result<Gearing, InputE
     let template = table.optional_choice("template", &TEMPLATES)?;
     if template.is_some_and(|template| template.teeth != kind) {
         return Err(table
-            .error("template", "the teeth of this template run otherwise")
+            .error("template", "this template has the other kind of teeth")
             .with_help("FZG-H501 and FZG-H701 are helical gears, the others spur gears"));
     }
     let base = template.map(|template| template.gears.dimensions());
@@ -180,7 +180,7 @@ pub(super) fn read(table: &mut Table<'_>, kind: Teeth) -> Result<Gearing, InputE
     };
     let pair =
         GearPair::new(&dimensions).map_err(|error| refused(table, kind, &dimensions, &error))?;
-    let warnings = pair.warnings.iter().map(told).collect();
+    let warnings = pair.warnings.iter().map(warning_of).collect();
     Ok(Gearing {
         tips_estimated: template.is_some_and(|t| t.tips_estimated)
             && own_tips.iter().any(Option::is_none),
@@ -190,7 +190,7 @@ pub(super) fn read(table: &mut Table<'_>, kind: Teeth) -> Result<Gearing, InputE
     })
 }
 
-/// A quantity, which a template may give in its place.
+/// A quantity, which a template may give instead.
 fn or_template(
     table: &mut Table<'_>,
     key: &str,
@@ -229,7 +229,7 @@ fn tip(
         (Some(_), Some(_)) => Err(table.error(
             TIPS[gear],
             format!(
-                "`{}` and `{}` say the same thing twice; keep one of them",
+                "`{}` and `{}` give the same quantity; keep one of them",
                 ADDENDA[gear], TIPS[gear]
             ),
         )),
@@ -238,7 +238,7 @@ fn tip(
     }
 }
 
-/// Profile shifts and the centre distance. What the file says takes the place of what a template says, and what then disagrees with it follows from
+/// Profile shifts and the centre distance. Values of the file replace those of a template; values of the template that then disagree follow from
 /// it.
 fn shifts(
     table: &mut Table<'_>,
@@ -332,14 +332,14 @@ pub(super) fn torque(
         let torque =
             table.required_quantity("pinion_torque", Dimension::ENERGY, Bounds::POSITIVE)?;
         return match arm {
-            Some(_) => Err(table.error("lever_arm", "this is that of a `load_stage`")),
+            Some(_) => Err(table.error("lever_arm", "`lever_arm` belongs to a `load_stage`")),
             None => Ok((torque, None)),
         };
     };
     if table.contains("pinion_torque") {
         return Err(table.error(
             "load_stage",
-            "`pinion_torque` and `load_stage` say the same thing twice; keep one of them",
+            "`pinion_torque` and `load_stage` give the same quantity; keep one of them",
         ));
     }
     if template.is_none() {
@@ -381,7 +381,7 @@ fn refused(
             table
                 .error(
                     key,
-                    format!("the teeth of the {member} are pointed before {tip}: no tip is left"),
+                    format!("the teeth of the {member} are pointed before {tip}: no tip remains"),
                 )
                 .with_help("addenda are about the module")
         }
@@ -399,7 +399,7 @@ fn refused(
             table.error(
                 key,
                 format!(
-                    "the tip circle of the {member}, {}, leaves no involute: the base circle is {}",
+                    "the tip circle of the {member}, {}, is inside the base circle, {}, where there is no involute",
                     length(*diameter),
                     length(*base)
                 ),
@@ -415,7 +415,7 @@ fn refused(
                 ),
             )
             .with_help(
-                "leave out `centre_distance`, or `wheel_profile_shift`, which then follows from it",
+                "remove `centre_distance`, or `wheel_profile_shift`, which then follows from it",
             ),
         GearError::CentreDistance {
             centre_distance,
@@ -436,15 +436,15 @@ fn refused(
     }
 }
 
-/// What is worth knowing, in words.
-fn told(warning: &GearWarning) -> Warning {
+/// A warning, in words.
+fn warning_of(warning: &GearWarning) -> Warning {
     let text = match warning {
         GearWarning::BelowForm {
             member,
             form_diameter,
             contact_diameter,
         } => format!(
-            "the {member} is touched down to the diameter {:.4} mm, but a rack cutter leaves no involute below {:.4} mm",
+            "the {member} makes contact down to the diameter {:.4} mm, but a rack cutter makes no involute below {:.4} mm",
             1e3 * contact_diameter,
             1e3 * form_diameter
         ),

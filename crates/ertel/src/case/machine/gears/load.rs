@@ -46,19 +46,19 @@ pub(super) fn read(table: &mut Table<'_>) -> Result<Option<LoadSharing>, InputEr
         ("blank_factor", blank.is_some()),
     ] {
         if given && !by_stiffness {
-            return Err(table.error(key, "only `load_sharing = \"stiffness\"` asks for this"));
+            return Err(table.error(key, "only `load_sharing = \"stiffness\"` uses this"));
         }
     }
     if stiffness.is_some() && blank.is_some() {
         return Err(table.error(
             "blank_factor",
-            "this is a factor of the stiffness of ISO 6336-1, in the place of which `tooth_stiffness` is given",
+            "this factor belongs to the stiffness of ISO 6336-1, but `tooth_stiffness` is given",
         ));
     }
     let is_by_beams = matches!(law, Some(Law::Beams));
     if bores.iter().any(Option::is_some) && !is_by_beams {
         let key = ["pinion_bore_diameter", "wheel_bore_diameter"][usize::from(bores[0].is_none())];
-        return Err(table.error(key, "only `load_sharing = \"beams\"` asks for this"));
+        return Err(table.error(key, "only `load_sharing = \"beams\"` uses this"));
     }
     Ok(match law {
         None => None,
@@ -77,7 +77,7 @@ pub(super) fn read(table: &mut Table<'_>) -> Result<Option<LoadSharing>, InputEr
                     [usize::from(bores[0].is_some())];
                 return Err(table
                     .missing(key)
-                    .with_help("teeth rest on rings, whose bores count in their stiffness"));
+                    .with_help("the stiffness of the gear bodies depends on their bores"));
             };
             Some(LoadSharing::Stiffness(ToothStiffness::Beams {
                 bore_radii: [0.5 * pinion, 0.5 * wheel],
@@ -86,7 +86,7 @@ pub(super) fn read(table: &mut Table<'_>) -> Result<Option<LoadSharing>, InputEr
     })
 }
 
-/// What a law is, in words.
+/// Description of a law.
 pub(super) fn name(law: LoadSharing) -> &'static str {
     match law {
         LoadSharing::Uniform => "even over all contact lines of the moment",
@@ -116,7 +116,7 @@ pub(super) fn share(
     match (given, law) {
         (Some(_), Some(_)) => Err(table.error(
             "load_share",
-            "`load_share` and `load_sharing` both say what this pair of teeth carries; keep one of them",
+            "`load_share` and `load_sharing` both define the load of this pair of teeth; keep one of them",
         )),
         (Some(share), None) => Ok(share),
         (None, Some(law)) => {
@@ -140,7 +140,7 @@ pub(super) fn refused(table: &Table<'_>, error: &GearError) -> InputError {
     table.error("load_sharing", error.to_string())
 }
 
-/// What to know of a law beside a pair: relief counts only where stiffness does.
+/// Warns about a relief that the law of a pair ignores: only stiffness includes it.
 pub(super) fn warnings(pair: &GearPair, law: Option<LoadSharing>) -> Option<Warning> {
     let relief = pair.dimensions.reliefs.iter().flatten().next()?;
     if matches!(law, Some(LoadSharing::Stiffness(_))) || relief.amount == 0.0 {
@@ -149,7 +149,7 @@ pub(super) fn warnings(pair: &GearPair, law: Option<LoadSharing>) -> Option<Warn
     Some(Warning::new(
         WarningKind::Gears,
         format!(
-            "the tip relief of {} has no effect: only load sharing by stiffness knows of it",
+            "the tip relief of {} has no effect: only load sharing by stiffness includes it",
             length(relief.amount)
         ),
     ))

@@ -21,7 +21,7 @@ const POSITION: Bounds = Bounds::closed(-1e3, 1e3);
 const PINION_SPEED: Bounds = Bounds::above_to(0.0, 1e6);
 /// Points along the path of contact.
 const POINTS: std::ops::RangeInclusive<i64> = 2..=1000;
-/// How many there are if the file does not say.
+/// Default number of them.
 const USUAL_POINTS: i64 = 30;
 
 /// How the teeth run across the face.
@@ -52,7 +52,7 @@ impl Teeth {
         }
     }
 
-    /// Names for a pair; where the pitch circles at work are not the reference circles, they say so.
+    /// Names for a pair; they distinguish working pitch circles from the reference circles.
     fn names(self, pair: &GearPair) -> Names {
         let is_shifted = is_shifted(pair);
         match self {
@@ -97,7 +97,7 @@ impl Teeth {
 /// l = b ε_α/cos β_b,  w = (F_bt/cos β_b)/l = F_bt/(b ε_α), that is X = 1/ε_α
 ///
 /// Along the contact line both surfaces move at ω_1 r_b1 sin β_b: they do not slide there, and a film that does not change along the line
-/// is not fed from its ends, so this speed does not count.
+/// is not fed from its ends, so this speed has no effect.
 /// Other laws of load sharing, and profile shifts, are those of [`ertel_machines::gear`].
 /// Sources: Stachowiak and Batchelor, Engineering Tribology, chapter 7 (gear teeth); ISO/TR 15144-1 (local radii, speeds, load);
 /// ISO 21771:2007 (helical geometry); ISO 6336-2 (1/ε_α, from an overlap of 1 on).
@@ -158,8 +158,8 @@ pub(super) fn read(
     let [pinion, wheel] = operation.surface_speeds(pair, position);
     let motion = super::motion(table, "pinion_speed", pinion, wheel)?;
     let mut rows = Rows::default();
-    tell(&mut rows, kind, &gearing, stage, &operation);
-    tell_contact(&mut rows, kind, pair, &operation, (position, line_load));
+    add_rows(&mut rows, kind, &gearing, stage, &operation);
+    add_contact_rows(&mut rows, kind, pair, &operation, (position, line_load));
     let mut warnings = gearing.warnings.clone();
     warnings.extend(load::warnings(pair, sharing));
     Ok(Machine {
@@ -189,7 +189,7 @@ fn is_shifted(pair: &GearPair) -> bool {
 }
 
 /// Rows of the report about the pair.
-fn tell(
+fn add_rows(
     rows: &mut Rows,
     kind: Teeth,
     gearing: &Gearing,
@@ -205,7 +205,7 @@ fn tell(
     if gearing.tips_estimated {
         rows.text(
             "estimated",
-            "the tip diameters of the template: figures in common use, of which no standard has been read",
+            "the tip diameters of the template: values in common use, not verified against a standard",
         );
     }
     if let Some(stage) = stage {
@@ -236,7 +236,7 @@ fn tell(
 }
 
 /// Rows about one contact at the position (m), under the load (N/m).
-fn tell_contact(
+fn add_contact_rows(
     rows: &mut Rows,
     kind: Teeth,
     pair: &GearPair,

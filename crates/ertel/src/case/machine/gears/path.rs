@@ -35,11 +35,11 @@ pub struct GearMechanics {
     pub sharing: LoadSharing,
     /// The contacts, in the order of those of the machine.
     pub path: Vec<PathPoint>,
-    /// What else the file says.
+    /// Further input.
     pub limits: GearLimits,
 }
 
-/// What friction and safety of gears are judged by.
+/// Inputs of friction and safety of gears.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GearLimits {
     /// Temperature of the teeth, K; that of the lubricant if absent.
@@ -86,7 +86,7 @@ pub(super) fn limits(table: &mut Table<'_>) -> Result<GearLimits, InputError> {
     })
 }
 
-/// What the file says of the pair and its path.
+/// Input for the pair and its path.
 pub(super) struct Given<'a> {
     pub kind: Teeth,
     pub gearing: &'a Gearing,
@@ -103,7 +103,7 @@ pub(super) fn read(table: &mut Table<'_>, given: Given<'_>) -> Result<Machine, I
     if table.contains("load_share") {
         return Err(table
             .error("load_share", "this is the load of a single contact")
-            .with_help("`load_sharing` says how pairs of teeth share the load along the path"));
+            .with_help("`load_sharing` sets how pairs of teeth share the load along the path"));
     }
     let Given {
         kind,
@@ -132,11 +132,11 @@ pub(super) fn read(table: &mut Table<'_>, given: Given<'_>) -> Result<Machine, I
     super::super::check_radii(table, &contact)?;
     let motion = super::super::motion(table, "pinion_speed", point.u_2, point.u_1)?;
     let mut rows = Rows::default();
-    super::tell(&mut rows, kind, gearing, given.stage, &operation);
+    super::add_rows(&mut rows, kind, gearing, given.stage, &operation);
     rows.text("load sharing", load::name(sharing));
     rows.text("most loaded contact", contacts[governing].name.clone());
     let place = (point.position, point.load_per_length);
-    super::tell_contact(&mut rows, kind, pair, &operation, place);
+    super::add_contact_rows(&mut rows, kind, pair, &operation, place);
     let mut warnings = gearing.warnings.clone();
     warnings.extend(load::warnings(pair, Some(sharing)));
     warnings.extend(unsolved(&path, &contacts));
@@ -183,7 +183,7 @@ pub(super) fn read(table: &mut Table<'_>, given: Given<'_>) -> Result<Machine, I
 fn governing(path: &[PathPoint], contacts: &[MachineContact]) -> Option<usize> {
     let solved = (0..path.len()).filter(|i| contacts[*i].like == Some(*i));
     solved.reduce(|best, i| {
-        // A hair more, so that rounding does not choose among equal ones.
+        // Slightly more, as rounding must not choose among equal ones.
         match path[i].hertz_pressure > path[best].hertz_pressure * (1.0 + 1e-9) {
             true => i,
             false => best,
@@ -237,7 +237,7 @@ fn can_be_solved(point: &PathPoint) -> bool {
         && point.half_width < point.reduced_radius
 }
 
-/// What a point is called.
+/// Name of a point.
 fn name(point: &PathPoint) -> String {
     let Some(label) = point.label else {
         return format!("s = {:.3} mm", 1e3 * point.position);
@@ -252,7 +252,7 @@ fn name(point: &PathPoint) -> String {
     format!("{label}, {words}")
 }
 
-/// Says which points under load are not solved.
+/// Lists the loaded points that are not solved.
 fn unsolved(path: &[PathPoint], contacts: &[MachineContact]) -> Option<Warning> {
     let of = path.iter().zip(contacts);
     let names: Vec<&str> = of

@@ -1,4 +1,4 @@
-//! What lies inside a bearing: from its designation, with every value open to be replaced, or from dimensions.
+//! Internal geometry of a bearing: from its designation, of which every value can be replaced, or from dimensions.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -32,7 +32,7 @@ pub(in crate::case::machine) enum Elements {
 }
 
 impl Elements {
-    /// What one of them is called.
+    /// Name of one of them.
     pub fn word(self) -> &'static str {
         match self {
             Elements::Balls => "ball",
@@ -40,7 +40,7 @@ impl Elements {
         }
     }
 
-    /// The kind of machine that has them, and what they are.
+    /// The kind of machine that has them, and their type.
     fn names(self) -> [&'static str; 2] {
         match self {
             Elements::Balls => ["ball-bearing", "balls"],
@@ -79,7 +79,7 @@ impl Elements {
 /// Where load ratings come from that the file does not give.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RatingBasis {
-    /// C and C_0 of the catalogue, N: inside, the bearing is estimated, and the file replaces nothing that ratings take.
+    /// C and C_0 of the catalogue, N: the internal geometry is estimated, and the file replaces no input of the ratings.
     Catalogue([f64; 2]),
     /// Dimensions of which some are estimated; relative error of C and C_0.
     Estimated(f64),
@@ -88,7 +88,7 @@ pub enum RatingBasis {
 }
 
 impl RatingBasis {
-    /// By how the size and number of elements are known, and the other dimensions that ratings take.
+    /// From the origin of size and number of elements, and of the other dimensions that ratings need.
     pub(super) fn of(entry: Option<&Entry>, sizes: &[Origin], others: &[Origin]) -> RatingBasis {
         let is_estimated = sizes.iter().any(|how| matches!(how, Origin::Estimated(_)));
         let is_replaced = sizes.iter().chain(others).any(|how| *how == Origin::Given);
@@ -108,9 +108,9 @@ pub(super) struct Inside {
     pub geometry: Geometry,
     /// Where its load ratings come from.
     pub ratings: RatingBasis,
-    /// What the catalogue says of it, if it has a designation.
+    /// Its catalogue entry, if it has a designation.
     pub entry: Option<Entry>,
-    /// Rows of the report: values, and how they are known.
+    /// Rows of the report: values and their origins.
     pub rows: Vec<(String, String)>,
 }
 
@@ -198,7 +198,7 @@ fn find(table: &Table<'_>, given: &str, elements: Elements) -> Result<Entry, Inp
     })
 }
 
-/// How a value is known, in words.
+/// Origin of a value, in words.
 pub(super) fn origin(origin: Origin) -> String {
     match origin {
         Origin::Published(source) => format!("published: {source}"),
@@ -273,19 +273,22 @@ fn balls(
         curvature(1, "outer_groove_curvature")?,
     ];
     let play = read_play(table, play)?;
-    let told = |value: String, how: Origin| format!("{value} ({})", origin(how));
+    let with_origin = |value: String, how: Origin| format!("{value} ({})", origin(how));
     rows.text(
         "ball diameter D",
-        told(length(ball_diameter.value), ball_diameter.origin),
+        with_origin(length(ball_diameter.value), ball_diameter.origin),
     );
     rows.text(
         "pitch diameter d_m",
-        told(length(pitch_diameter.value), pitch_diameter.origin),
+        with_origin(length(pitch_diameter.value), pitch_diameter.origin),
     );
-    rows.text("balls Z", told(number.value.to_string(), number.origin));
+    rows.text(
+        "balls Z",
+        with_origin(number.value.to_string(), number.origin),
+    );
     for (name, f) in ["inner", "outer"].iter().zip(&grooves) {
         let name = format!("{name} groove radius over D");
-        rows.text(&name, told(digits(f.value, 4), f.origin));
+        rows.text(&name, with_origin(digits(f.value, 4), f.origin));
     }
     let geometry = BallGeometry {
         ball_diameter: ball_diameter.value,
@@ -297,10 +300,10 @@ fn balls(
     let clearance = format!("{} µm", digits(1e6 * geometry.clearance(), 4));
     let angle = format!("{} deg", digits(geometry.free_angle().to_degrees(), 4));
     let [of_clearance, of_angle] = match play.value {
-        Play::Clearance(_) => [told(clearance, play.origin), angle],
+        Play::Clearance(_) => [with_origin(clearance, play.origin), angle],
         Play::FreeAngle(_) => [
             format!("{clearance} (by the contact angle)"),
-            told(angle, play.origin),
+            with_origin(angle, play.origin),
         ],
     };
     rows.text("radial clearance", of_clearance);
@@ -323,7 +326,7 @@ fn read_play(
     match (angle, clearance, known) {
         (Some(_), Some(_), _) => Err(table.error(
             "radial_clearance",
-            "`contact_angle` and `radial_clearance` say the same thing twice; keep one of them",
+            "`contact_angle` and `radial_clearance` give the same quantity; keep one of them",
         )),
         (Some(angle), None, _) => Ok(Sourced::given(Play::FreeAngle(angle))),
         (None, Some(clearance), _) => Ok(Sourced::given(Play::Clearance(clearance))),

@@ -1,4 +1,4 @@
-//! What a rating life needs beside loads and speeds: ratings, cleanliness, reliability, and how the oil comes to the bearing.
+//! Inputs of a rating life other than loads and speeds: ratings, cleanliness, reliability, and how the oil comes to the bearing.
 
 use ertel_input::{Bounds, InputError, Table};
 use ertel_machines::bearing::life::{Cleanliness, GuideCleanliness};
@@ -22,16 +22,16 @@ pub enum Contamination {
     Guide(GuideCleanliness),
 }
 
-/// What the file says of ratings, cleanliness and heat.
+/// Input for ratings, cleanliness and heat.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LifeInputs {
-    /// C, N, in place of the computed one.
+    /// C, N, instead of the computed one.
     pub dynamic_rating: Option<f64>,
     /// C_0, N, likewise.
     pub static_rating: Option<f64>,
     /// C_u, N, likewise.
     pub fatigue_limit: Option<f64>,
-    /// Contamination; `None` leaves the modified life out.
+    /// Contamination; without it the modified life is omitted.
     pub contamination: Option<Contamination>,
     /// Reliability, per cent; 90 where absent.
     pub reliability: Option<f64>,
@@ -82,7 +82,7 @@ pub(super) fn read(table: &mut Table<'_>) -> Result<LifeInputs, InputError> {
     if let (Some((first, _)), Some((second, _))) = (contamination, given.next()) {
         return Err(table.error(
             first,
-            format!("`{first}` and `{second}` say the same thing twice; keep one of them"),
+            format!("`{first}` and `{second}` give the same quantity; keep one of them"),
         ));
     }
     let contamination = contamination.map(|(_, contamination)| contamination);

@@ -38,12 +38,12 @@ const TILT: Bounds = Bounds::closed(-0.1, 0.1);
 /// Axial shifts, m.
 const SHIFT: Bounds = Bounds::closed(0.0, 1e-2);
 
-/// A bearing, what acts on it, and how its elements share that.
+/// A bearing, its loads, and how its elements share them.
 #[derive(Clone, Debug)]
 pub struct BearingMechanics {
     /// The bearing.
     pub bearing: Bearing,
-    /// What the catalogue says of it, if it has a designation.
+    /// Its catalogue entry, if it has a designation.
     pub entry: Option<Entry>,
     /// Radial and axial force on the inner ring that are in balance with the elements, N.
     pub loads: [f64; 2],
@@ -83,7 +83,7 @@ const ROUNDING: f64 = 1e-8;
 /// An element, by its number from the load on, and a ring.
 type Place = (usize, Ring);
 
-/// Reads the keys of a bearing under its loads; `steel` is what rings and elements are made of.
+/// Reads the keys of a bearing under its loads; `steel` is the material of rings and elements.
 pub(super) fn read(
     table: &mut Table<'_>,
     elements: Elements,
@@ -120,7 +120,7 @@ pub(super) fn read(
     if steel.density.is_none() {
         warnings.push(Warning::new(
             WarningKind::MissingData,
-            "the centrifugal force of the elements is left out: [bodies] gives no density of body_2",
+            "the centrifugal force of the elements is neglected: [bodies] gives no density of body_2",
         ));
     }
     let left_out = inside
@@ -154,7 +154,7 @@ pub(super) fn read(
         format!("bearing: {word}s (body 2) on the rings (body 1)"),
     );
     rows.0.extend(inside.rows.clone());
-    tell(&mut rows, &inside, &distribution, (governing, word));
+    add_rows(&mut rows, &inside, &distribution, (governing, word));
     let [x, y, axial] = distribution.force;
     let whole = chosen.is_none().then(|| {
         let contacts = contacts(&inside.geometry, kind, &distribution, word);
@@ -200,7 +200,7 @@ pub(super) fn read(
     })
 }
 
-/// Tells of a speed beyond what makers recommend.
+/// Warns of a speed above that which makers recommend.
 fn too_fast(geometry: &Geometry, speeds: Speeds) -> Option<Warning> {
     let [factor, most] = [
         speed_factor(speeds, geometry.pitch_diameter()),
@@ -236,7 +236,7 @@ fn contact_kind(
         true => Err(table
             .error(
                 "roller_contacts",
-                "rollers without relief press with sharp ends, at which the pressure of elastic bodies has no bound",
+                "rollers without relief have sharp ends, where the elastic pressure is unbounded",
             )
             .with_help("give `roller_profile = \"logarithmic\"`, or solve them as \"lines\"")),
         false => Ok(kind),
@@ -268,7 +268,7 @@ fn params(table: &mut Table<'_>, elements: Elements) -> Result<Params, InputErro
     })
 }
 
-/// What acts on the inner ring.
+/// Loads on the inner ring.
 fn loads(table: &mut Table<'_>, elements: Elements) -> Result<Loads, InputError> {
     let radial = table
         .optional_quantity("radial_load", Dimension::FORCE, LOAD)?
@@ -290,7 +290,7 @@ fn loads(table: &mut Table<'_>, elements: Elements) -> Result<Loads, InputError>
         (Some(_), Some(_)) => {
             return Err(table.error(
                 "axial_preload",
-                "`axial_load` and `axial_preload` both say how the rings are pressed together along the axis; keep one of them",
+                "`axial_load` and `axial_preload` both define the axial load of the rings; keep one of them",
             ));
         }
         (None, Some(shift)) => Given::Shift(shift),
@@ -302,7 +302,7 @@ fn loads(table: &mut Table<'_>, elements: Elements) -> Result<Loads, InputError>
         (Some(_), Some(_)) => {
             return Err(table.error(
                 "misalignment",
-                "`moment` and `misalignment` both say how the inner ring tilts; keep one of them",
+                "`moment` and `misalignment` both define the tilt of the inner ring; keep one of them",
             ));
         }
         (_, Some(moment)) => Given::Load(moment),
@@ -315,7 +315,7 @@ fn loads(table: &mut Table<'_>, elements: Elements) -> Result<Loads, InputError>
     })
 }
 
-/// The single contact that the file asks for.
+/// The single contact that the file selects.
 fn chosen(table: &mut Table<'_>, n: usize, word: &str) -> Result<Option<Place>, InputError> {
     let most = i64::try_from(n).unwrap_or(i64::MAX) - 1;
     let element = table.optional_integer("element", 0..=most)?;
@@ -324,8 +324,8 @@ fn chosen(table: &mut Table<'_>, n: usize, word: &str) -> Result<Option<Place>, 
         (Some(element), Some(ring)) => Ok(Some((element as usize, ring))),
         (None, None) => Ok(None),
         (Some(_), None) => Err(table.missing("ring")),
-        (None, Some(_)) => Err(table.error("ring", format!("which {word} is not said")).with_help(
-            "a bearing under its loads has a contact of each element with both rings: give `element`, its number, or leave `ring` out",
+        (None, Some(_)) => Err(table.error("ring", format!("`element`, the number of the {word}, is missing")).with_help(
+            "a bearing under its loads has a contact of each element with both rings: give `element`, its number, or remove `ring`",
         )),
     }
 }
@@ -334,7 +334,7 @@ fn at(distribution: &Distribution, (element, ring): Place) -> &RingContact {
     &distribution.elements[element].contacts[ring.index()]
 }
 
-/// What a contact is called.
+/// Name of a contact.
 fn name((element, ring): Place, word: &str) -> String {
     format!("{word} {element}, {} ring", ring.name())
 }
@@ -354,7 +354,7 @@ fn contact(geometry: &Geometry, kind: ContactKind, found: &RingContact) -> Optio
             let roller = Roller {
                 length,
                 profile,
-                // Nothing of less than a picoradian: rounding, which would tell rollers apart that are alike.
+                // Angles below a picoradian are rounding, and would make equal rollers differ.
                 misalignment: if found.tilt.abs() < 1e-12 {
                     0.0
                 } else {
@@ -372,7 +372,7 @@ fn heaviest(distribution: &Distribution) -> Place {
     let mut best = (0, Ring::Inner);
     for element in 0..distribution.elements.len() {
         for ring in Ring::BOTH {
-            // A hair more, so that of equal ones the first is taken.
+            // Slightly more, to select the first of equal ones.
             let pressure = |place| at(distribution, place).pressure;
             if pressure((element, ring)) > pressure(best) * (1.0 + 1e-9) {
                 best = (element, ring);
@@ -382,7 +382,7 @@ fn heaviest(distribution: &Distribution) -> Place {
     best
 }
 
-/// Every element at both rings. An element that the inner ring does not touch is pressed by its inertia alone: such contacts are told, not solved.
+/// Every element at both rings. An element that the inner ring does not touch is pressed by its inertia alone: such contacts are listed, not solved.
 fn contacts(
     geometry: &Geometry,
     kind: ContactKind,
@@ -449,18 +449,23 @@ fn motion(
 }
 
 /// Rows of the report: how the elements share the load.
-fn tell(rows: &mut Rows, inside: &Inside, found: &Distribution, (governing, word): (Place, &str)) {
+fn add_rows(
+    rows: &mut Rows,
+    inside: &Inside,
+    found: &Distribution,
+    (governing, word): (Place, &str),
+) {
     let geometry = &inside.geometry;
     let is_one_sided = ratings::is_one_sided(geometry, inside.series());
     let [x, y, z] = found.shift;
     let (z, from) = match geometry {
-        // Both shoulders: the middle of the play stands out, not the touch of one of them.
+        // With both shoulders the shift is measured from the middle of the play, not from contact with one of them.
         Geometry::Ball(ball) if !is_one_sided => {
             (z + 0.5 * ball.axial_play(), " from the middle of the play")
         }
         _ => (z, ""),
     };
-    // Nothing of less than a picometre: rounding.
+    // Shifts below a picometre are rounding.
     let [x, y, z] =
         [x, y, z].map(|shift| digits(1e6 * if shift.abs() < 1e-12 { 0.0 } else { shift }, 4));
     rows.text(

@@ -87,19 +87,17 @@ pub(super) fn not_distributed(
     loads: &Loads,
     (bearing, speeds): (&Bearing, Speeds),
 ) -> InputError {
-    let told = table.error_here(error.to_string());
+    let refused = table.error_here(error.to_string());
     match error {
         Error::Unloaded => {
-            told.with_help("give `radial_load`, `axial_load` or `axial_preload` other than zero")
+            refused.with_help("give `radial_load`, `axial_load` or `axial_preload` other than zero")
         }
         Error::NoConvergence { .. } | Error::Element { .. } => overload(table, inside, loads)
             .or_else(|| overspeed(table, loads, bearing, speeds))
             .unwrap_or_else(|| {
-                told.with_help(
-                    "check loads, speeds and dimensions: such a bearing has no equilibrium that was found",
-                )
+                refused.with_help("check loads, speeds and dimensions: no equilibrium was found")
             }),
-        _ => told,
+        _ => refused,
     }
 }
 
@@ -119,12 +117,12 @@ fn overload(table: &Table<'_>, inside: &Inside, loads: &Loads) -> Option<InputEr
             digits(1e-3 * rating, 4),
         );
         table.error(key, why).with_help(
-            "the raceways are dented for good from about the static rating on: give a smaller load, or a larger bearing",
+            "above about the static rating the raceways dent permanently: use a smaller load, or a larger bearing",
         )
     })
 }
 
-/// A speed beyond what makers recommend.
+/// A speed above that which makers recommend.
 fn overspeed(
     table: &Table<'_>,
     loads: &Loads,
@@ -148,7 +146,7 @@ fn overspeed(
     })
 }
 
-/// C_0, N, as far as catalogue or geometry tell.
+/// C_0, N, from the catalogue or the geometry, where known.
 fn static_rating(inside: &Inside) -> Option<f64> {
     if let RatingBasis::Catalogue([_, rating]) = inside.ratings {
         return Some(rating);

@@ -1,4 +1,4 @@
-//! What lies inside roller bearings.
+//! Internal geometry of roller bearings.
 
 use ertel_input::{InputError, Table};
 use ertel_machines::bearing::catalogue::{Entry, Internal, Origin, Sourced};
@@ -9,7 +9,7 @@ use super::super::Rows;
 use super::geometry::{ANGLE, CLEARANCE, RatingBasis, length_or, number_or, origin};
 use crate::words::{digits, length};
 
-/// What both kinds of rollers have.
+/// Data of both kinds of rollers.
 struct Common {
     diameter: Sourced<f64>,
     length: Sourced<f64>,
@@ -21,8 +21,8 @@ struct Common {
 /// The same of the catalogue.
 type Known = Option<Common>;
 
-/// A value and how it is known, in words.
-fn told(value: String, how: Origin) -> String {
+/// A value with its origin, in words.
+fn with_origin(value: String, how: Origin) -> String {
     format!("{value} ({})", origin(how))
 }
 
@@ -51,10 +51,13 @@ impl Common {
             ("roller length L", &found.length),
             ("pitch diameter d_m", &found.pitch_diameter),
         ] {
-            rows.text(name, told(length(value.value), value.origin));
+            rows.text(name, with_origin(length(value.value), value.origin));
         }
         let number = found.number;
-        rows.text("rollers Z", told(number.value.to_string(), number.origin));
+        rows.text(
+            "rollers Z",
+            with_origin(number.value.to_string(), number.origin),
+        );
         Ok(found)
     }
 
@@ -68,13 +71,13 @@ impl Common {
         )
     }
 
-    fn tell_profile(&self, rows: &mut Rows) {
+    fn add_profile_rows(&self, rows: &mut Rows) {
         let shape = match self.profile.value {
             RollerProfile::Cylinder => "none",
             RollerProfile::Crown(_) => "crowned",
             RollerProfile::Logarithmic => "logarithmic (ISO/TS 16281)",
         };
-        rows.text("relief", told(shape.to_owned(), self.profile.origin));
+        rows.text("relief", with_origin(shape.to_owned(), self.profile.origin));
     }
 }
 
@@ -111,8 +114,8 @@ pub(super) fn read(
         (None, None) => return Err(table.missing("radial_clearance")),
     };
     let gap = format!("{} µm", digits(1e6 * clearance.value, 4));
-    rows.text("radial clearance", told(gap, clearance.origin));
-    common.tell_profile(rows);
+    rows.text("radial clearance", with_origin(gap, clearance.origin));
+    common.add_profile_rows(rows);
     let ratings = common.ratings(entry, &[]);
     let geometry = RollerGeometry {
         roller_diameter: common.diameter.value,
@@ -125,7 +128,7 @@ pub(super) fn read(
     Ok((geometry, ratings))
 }
 
-/// Tapered rollers, whose play is a matter of how the bearing is set.
+/// Tapered rollers, whose play depends on the adjustment of the bearing.
 pub(super) fn read_tapered(
     table: &mut Table<'_>,
     entry: Option<&Entry>,
@@ -154,7 +157,7 @@ pub(super) fn read_tapered(
         return Err(table
             .error(
                 "radial_clearance",
-                "the play of tapered rollers is a matter of how the bearing is set",
+                "the play of tapered rollers depends on the adjustment of the bearing",
             )
             .with_help("give `axial_load` or `axial_preload`, which press its rings together"));
     }
@@ -176,12 +179,12 @@ pub(super) fn read_tapered(
     let degrees = |angle: f64| format!("{} deg", digits(angle.to_degrees(), 4));
     rows.text(
         "contact angle α of the cup",
-        told(degrees(contact_angle.value), contact_angle.origin),
+        with_origin(degrees(contact_angle.value), contact_angle.origin),
     );
     rows.text(
         "contact angle of the cone",
         degrees(geometry.angle(Ring::Inner)),
     );
-    common.tell_profile(rows);
+    common.add_profile_rows(rows);
     Ok((geometry, common.ratings(entry, &[contact_angle.origin])))
 }

@@ -28,7 +28,7 @@ fn bad_machines_are_refused_with_their_reason() {
             DISC,
             "load = ",
             "ball_radius = \"9 mm\"\nload = ",
-            &["say the same thing twice"],
+            &["give the same quantity"],
         ),
         (
             DISC,
@@ -192,7 +192,7 @@ fn the_path_ends_at_the_base_circle() {
 }
 
 /// Teeth of 20 with α = 20° are pointed at inv α_a = π/40 + inv 20° = 0.093444, α_a = 35.471°: an addendum of 40 cos 20°/cos 35.471° − 40 =
-/// 6.153 mm. Addenda of 1.5 mm leave a contact ratio below 1. The small pinion's undercut is told, and 20 teeth have none.
+/// 6.153 mm. Addenda of 1.5 mm leave a contact ratio below 1. The undercut of the small pinion is reported, and 20 teeth have none.
 #[test]
 fn teeth_that_do_not_mesh() {
     let addendum = |mm: f64| format!("module = \"4 mm\"\naddendum_pinion = \"{mm} mm\"");
@@ -215,16 +215,16 @@ fn teeth_that_do_not_mesh() {
             "do not take over",
         ],
     );
-    let told = |machine: &str| {
+    let warned = |machine: &str| {
         let case = read(machine).unwrap();
         case.warnings.iter().any(|w| w.kind == WarningKind::Gears)
     };
-    assert!(!told(GEAR));
+    assert!(!warned(GEAR));
     let small = GEAR
         .replace("pinion_teeth = 20", "pinion_teeth = 10")
         .replace("= 40", "= 100")
         .replace("100 N.m", "1 N.m");
-    assert!(told(&small));
+    assert!(warned(&small));
 }
 
 #[test]
@@ -243,7 +243,7 @@ fn a_machine_stands_alone() {
     let nothing = Case::from_document(&Document::parse("case.toml", REST).unwrap(), Path::new(""));
     let message = nothing.unwrap_err().to_string();
     assert!(
-        message.contains("or [machine] in place of both"),
+        message.contains("or [machine] instead of both"),
         "{message}"
     );
 }

@@ -248,7 +248,7 @@ fn contact_lines_carry_the_torque() {
             max_relative = 1e-5
         );
     }
-    // A share of one's own: X T_1/(r_b1 b), 0.5 · 100/(44.135117 mm · cos 21.8802° · 40 mm).
+    // A given share: X T_1/(r_b1 b), 0.5 · 100/(44.135117 mm · cos 21.8802° · 40 mm).
     let case = with(HELICAL, "position", "load_share = 0.5\nposition").unwrap();
     let [beta, alpha, _] = angles(25.0);
     let base = 0.04 / beta.cos() * alpha.cos();
@@ -290,7 +290,7 @@ fn straight_teeth_are_a_spur_gear() {
 }
 
 /// α_t = atan(tan 20°/cos 25°) = 21.8802°; r_1 = 40 mm/cos 25° = 44.135117 mm; β_b = asin(sin 25° cos 20°) = 23.3990°;
-/// R_1 = r_1 sin α_t + 5 = 21.447730 mm, R_2 = 27.895461 mm, R = 12.125206/cos β_b = 13.211668 mm; ε_α = 1.431921, so that w is
+/// R_1 = r_1 sin α_t + 5 = 21.447730 mm, R_2 = 27.895461 mm, R = 12.125206/cos β_b = 13.211668 mm; ε_α = 1.431921, and w is
 /// 100/(44.135117 mm · cos α_t · 40 mm · ε_α) = 42,629.00 N/m; u_1 = 157.0796 · 0.02144773 = 3.369002 m/s, u_2 = 2.190904 m/s.
 #[test]
 fn by_hand() {

@@ -91,11 +91,11 @@ fn induced_axial_loads() {
 
 /// Without a density of the elements there is no centrifugal force: loads are those of a bearing at rest, and the report says so.
 #[test]
-fn elements_without_density_are_told() {
+fn missing_density_of_elements_is_reported() {
     let without = read_of(NAMED, "");
     let said = |case: &Case| {
         (case.warnings.iter())
-            .any(|warning| warning.contains("the centrifugal force of the elements is left out"))
+            .any(|warning| warning.contains("the centrifugal force of the elements is neglected"))
     };
     assert!(said(&without) && !said(&read(NAMED)));
     let slow = read(&NAMED.replace("3000 rpm", "1 rpm"));
@@ -154,7 +154,7 @@ fn contacts_that_are_solved() {
     let rings = |ball: usize| ["inner", "outer"].map(|ring| format!("ball {ball}, {ring} ring"));
     let expected: Vec<String> = (0..3).flat_map(rings).collect();
     assert_eq!(names, expected);
-    // One of them alone, by the keys that ask for it.
+    // One of them alone, by its keys.
     let alone = read(&format!("{LOADED}element = 2\nring = \"outer\"\n"));
     assert!(alone.whole.is_none() && alone.contacts.is_none());
     let of_study = &contacts.study.points[5].case;
@@ -345,7 +345,7 @@ fn bad_bearings_are_refused_with_their_reason() {
             TAPERED,
             "radial_load",
             "radial_clearance = \"5 um\"\nradial_load",
-            &["how the bearing is set"],
+            &["adjustment of the bearing"],
         ),
         (
             NAMED,
@@ -363,7 +363,7 @@ fn bad_bearings_are_refused_with_their_reason() {
             NAMED,
             "radial_load",
             "contamination_factor = 0.5\ncleanliness = \"high\"\nradial_load",
-            &["say the same thing twice"],
+            &["give the same quantity"],
         ),
         (
             NAMED,
@@ -376,7 +376,7 @@ fn bad_bearings_are_refused_with_their_reason() {
             NAMED,
             "radial_load",
             "ring = \"inner\"\nradial_load",
-            &["which ball is not said"],
+            &["the number of the ball, is missing"],
         ),
         (
             NAMED,
@@ -394,7 +394,7 @@ fn bad_bearings_are_refused_with_their_reason() {
             NAMED,
             "radial_load",
             "contact_angle = \"0 deg\"\nradial_clearance = \"5 um\"\nradial_load",
-            &["say the same thing twice"],
+            &["give the same quantity"],
         ),
         (
             NAMED,

@@ -96,7 +96,7 @@ fn against_a_separate_program() {
     assert_relative_eq!(gears.pair.contact_ratio, 1.437536954, max_relative = 1e-8);
 }
 
-/// At B and D the load jumps; what is read for one contact is what the machine says of it.
+/// At B and D the load jumps; a contact read alone is that of the machine.
 #[test]
 fn each_contact_alone_is_that_of_the_machine() {
     for sharing in ["load_sharing = \"thirds\"\n", ""] {
@@ -133,17 +133,17 @@ fn gears_c14() {
     assert!((1e-6 * pitch.hertz_pressure - 1347.3).abs() < 0.1);
     assert!(row(&case, "contact ratio").starts_with("1.4"));
     // The tips of type C and A are an estimate, unless they are given.
-    let told = |text: &str| {
+    let estimated = |text: &str| {
         let case = fzg(text).unwrap();
         let rows = &case.machine.as_ref().unwrap().rows;
         rows.iter().any(|(name, _)| name == "estimated")
     };
-    assert!(!told(&text) && told(FZG));
+    assert!(!estimated(&text) && estimated(FZG));
     let tips = "pinion_tip_diameter = \"82.46 mm\"\nwheel_tip_diameter = \"118.36 mm\"\npoints";
-    assert!(!told(&FZG.replace("points", tips)));
+    assert!(!estimated(&FZG.replace("points", tips)));
 }
 
-/// Load stage 5 with the long lever arm is 94.1 N m. Keys take the place of dimensions of a template, and what disagrees with them follows from them.
+/// Load stage 5 with the long lever arm is 94.1 N m. Keys replace dimensions of a template, and dimensions that disagree with them follow from them.
 #[test]
 fn templates_and_load_stages() {
     let torque = |text: &str| {
@@ -209,7 +209,7 @@ fn curvatures_are_those_of_their_bodies() {
 
 /// d = 80 mm: an addendum of 6 mm is a tip diameter of 92 mm.
 #[test]
-fn tip_diameters_in_place_of_addenda() {
+fn tip_diameters_replace_addenda() {
     let of = |key: &str| with(GEAR, "position =", &format!("{key}\nposition =")).unwrap();
     let addendum = of("addendum_pinion = \"6 mm\"");
     let diameter = of("pinion_tip_diameter = \"92 mm\"");
@@ -249,15 +249,16 @@ fn relief_takes_the_load_off_the_ends() {
     assert!(pitch.load > 0.0 && pitch.like == Some(i));
     let contacts = case.contacts.as_ref().unwrap();
     assert!(contacts.study.points.len() < whole(&case).contacts.len());
-    // Only stiffness knows of relief.
+    // Only stiffness includes relief.
     let even = text.replace("\"stiffness\"", "\"uniform\"");
     let warned = read(&even).unwrap();
-    let told = warned
+    let warned = warned
         .warnings
         .iter()
         .filter(|w| w.kind == WarningKind::Gears);
     assert!(
-        told.map(|w| w.text.clone())
+        warned
+            .map(|w| w.text.clone())
             .any(|text| text.contains("no effect"))
     );
 }
@@ -279,7 +280,7 @@ fn bad_gears_are_refused() {
         ),
         (
             "addendum_pinion = \"4 mm\"\npinion_tip_diameter = \"88 mm\"",
-            &["say the same thing twice"],
+            &["give the same quantity"],
         ),
         (
             "pinion_tip_diameter = \"70 mm\"",
@@ -292,7 +293,7 @@ fn bad_gears_are_refused() {
         ("load_sharing = \"half\"", &["`load_sharing` is one of"]),
         ("points = -3", &["points", "2 to 1000"]),
         ("load_share = 0.5", &["load of a single contact"]),
-        ("load_stage = 5", &["say the same thing twice"]),
+        ("load_stage = 5", &["give the same quantity"]),
         ("tip_relief = \"20 um\"", &["tip_relief_length"]),
         ("tooth_stiffness = \"14 GPa\"", &["\"stiffness\""]),
         ("load_sharing = \"beams\"", &["pinion_bore_diameter"]),
@@ -402,34 +403,34 @@ fn films_are_those_at_the_temperature_of_the_teeth() {
     assert_eq!(plain.lubricant.supply_temperature, None);
 }
 
-/// A law without temperature cannot follow the teeth, and the temperature of the oil changes nothing beside them: both are reported.
+/// A law without temperature cannot follow the teeth, and the temperature of the oil then changes nothing: both are reported.
 #[test]
 fn temperatures_of_oil_and_teeth_without_effect_are_reported() {
     let with_bulk = FZG.replace("kind =", "bulk_temperature = \"110 degC\"\nkind =");
-    let told = |warnings: &[crate::warning::Warning], words: &str| {
+    let warned = |warnings: &[crate::warning::Warning], words: &str| {
         warnings.iter().any(|w| w.contains(words))
     };
     let case = fzg(&with_bulk).unwrap();
     assert!(
-        told(&case.warnings, "does not depend on temperature")
-            || told(&case.warnings, "depends on temperature")
+        warned(&case.warnings, "does not depend on temperature")
+            || warned(&case.warnings, "depends on temperature")
     );
     let text = format!(
         "[machine]{with_bulk}\n[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n[lubricant]\ntemperature = \"90 degC\"\niso_vg = 100\nbase_oil = \"mineral\"\n"
     );
     let set = ["lubricant.temperature=70 degC".to_owned()];
     let case = Case::from_text_with("machine.toml", &text, Path::new(""), &set).unwrap();
-    assert!(told(&case.warnings, "machine.bulk_temperature"));
+    assert!(warned(&case.warnings, "machine.bulk_temperature"));
 }
 
-/// What is not computed of a machine is not left out silently.
+/// Results that a machine does not have are reported.
 #[test]
-fn uncertainties_of_a_machine_are_told_to_have_no_effect() {
-    let told = |machine: &str| {
+fn uncertainties_of_a_machine_are_reported_without_effect() {
+    let warned = |machine: &str| {
         let case = fzg(machine).unwrap();
         let text = "the uncertainty of machine.pinion_torque has no effect";
         case.warnings.iter().any(|w| w.contains(text))
     };
-    assert!(!told(FZG));
-    assert!(told(&FZG.replace("94.1 N.m", "94.1 N.m ± 5 %")));
+    assert!(!warned(FZG));
+    assert!(warned(&FZG.replace("94.1 N.m", "94.1 N.m ± 5 %")));
 }

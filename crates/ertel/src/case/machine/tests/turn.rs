@@ -188,7 +188,7 @@ fn tables_of_lifts() {
         let lift = 2.0 * (1.0 - (2.0 * f64::from(degrees).to_radians()).cos());
         table += &format!("{degrees},{lift}\n");
     }
-    // The last row is the first once more.
+    // The last row repeats the first.
     std::fs::write(folder.join("cam.csv"), table).unwrap();
     std::fs::write(folder.join("short.csv"), "angle [deg],lift [mm]\n0,0\n").unwrap();
     std::fs::write(folder.join("plain.csv"), "angle,lift\n0,0\n").unwrap();
@@ -289,10 +289,10 @@ fn steep_pressure_angles_are_reported() {
             );
         read(&text).unwrap()
     };
-    let told = |case: &Case, words: &str| case.warnings.iter().any(|w| w.contains(words));
+    let warned = |case: &Case, words: &str| case.warnings.iter().any(|w| w.contains(words));
     let steep = of("27 mm");
     assert!(
-        told(&steep, "the pressure angle reaches 75.4 deg"),
+        warned(&steep, "the pressure angle reaches 75.4 deg"),
         "{:?}",
         steep.warnings
     );
@@ -302,7 +302,7 @@ fn steep_pressure_angles_are_reported() {
         .find(|(name, _)| name == "largest pressure angle")
         .unwrap();
     assert!(angle.starts_with("75.38"), "{angle}");
-    assert!(!told(&of("0 mm"), "the pressure angle reaches"));
+    assert!(!warned(&of("0 mm"), "the pressure angle reaches"));
 }
 
 #[test]
@@ -310,12 +310,12 @@ fn bad_cams_are_refused() {
     for (old, new, words) in [
         ("\"flat\"", "\"flatt\"", &["`follower` is one of"][..]),
         ("\"flat\"", "\"roller\"", &["missing key `follower_radius`"]),
-        ("lobes = 2\n", "", &["the lift of the cam is not said"]),
+        ("lobes = 2\n", "", &["the lift of the cam is missing"]),
         ("lift = \"4 mm\"\n", "", &["missing key `lift`"]),
         (
             "lobes = 2",
             "lobes = 2\neccentricity = \"2 mm\"",
-            &["both say the lift"],
+            &["both define the lift"],
         ),
         ("lobes", "top_dwell = \"3 deg\"\nlobes", &["no such key"]),
         ("preload", "load = \"300 N\"\npreload", &["give it alone"]),

@@ -17,16 +17,16 @@ pub const LEAST_POINTS: usize = 4;
 /// Points of a map at most: 2048 by 2048.
 pub const MOST_POINTS: usize = 4_194_304;
 
-/// What a file may leave open.
+/// Data of a map that a file may lack.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Told {
+pub struct Layout {
     /// Distance of points in a row, m.
     pub spacing: Option<f64>,
     /// Distance of rows, m.
     pub row_spacing: Option<f64>,
-    /// What the heights are in, m.
+    /// Unit of the heights, m.
     pub height_unit: Option<f64>,
-    /// What places are in, m.
+    /// Unit of the places, m.
     pub length_unit: Option<f64>,
     /// Whether a text has a point in each line, and not a row.
     pub has_points: bool,
@@ -48,7 +48,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// What it is called.
+    /// Its name.
     pub fn words(self) -> &'static str {
         match self {
             Format::Rows => "rows of heights",
@@ -59,7 +59,7 @@ impl Format {
         }
     }
 
-    /// What says how large its heights are.
+    /// The input that scales its heights.
     pub fn heights_by(self) -> &'static str {
         match self {
             Format::Rows | Format::Points => "`height_unit`",
@@ -75,7 +75,7 @@ impl Format {
 pub struct Heights {
     /// The points.
     pub map: Topography,
-    /// What kind of file it was.
+    /// Format of the file.
     pub format: Format,
     /// xxh3 of its bytes.
     pub hash: u64,
@@ -91,19 +91,19 @@ pub enum MapError {
     #[error("{0}")]
     Csv(#[from] CsvError),
     /// A key that the case has to give.
-    #[error("the file does not say {what}: give `{key}`, such as {key} = \"{example}\"")]
-    Untold {
-        /// What is missing.
+    #[error("the file does not give {what}: set `{key}`, such as {key} = \"{example}\"")]
+    Missing {
+        /// The missing data.
         what: &'static str,
         /// Where it is given.
         key: &'static str,
         /// An example.
         example: &'static str,
     },
-    /// A key that the file leaves no room for.
-    #[error("the file says {what} itself: leave `{key}` out")]
-    ToldTwice {
-        /// What it tells.
+    /// A key for data that the file gives.
+    #[error("the file gives {what}: remove `{key}`")]
+    Redundant {
+        /// The data in the file.
         what: &'static str,
         /// The key.
         key: &'static str,
@@ -113,7 +113,7 @@ pub enum MapError {
     Line {
         /// From 1.
         line: usize,
-        /// What is wrong.
+        /// The error.
         problem: String,
     },
     /// Anything else.
@@ -137,50 +137,54 @@ impl MapError {
 /// Reads a file.
 ///
 /// # Errors
-/// [`MapError`]: no such file, content that is none of the formats, too many points, and what the case must tell but does not.
-pub fn read(path: &Path, told: &Told) -> Result<Heights, MapError> {
+/// [`MapError`]: no such file, content that is none of the formats, too many points, and data that the case lacks.
+pub fn read(path: &Path, layout: &Layout) -> Result<Heights, MapError> {
     let bytes = read_bytes(path, LARGEST_TABLE)?;
     let hash = xxhash_rust::xxh3::xxh3_64(&bytes);
     let (map, format) = match bytes.as_slice() {
         [b'P', b'K', 3, 4, ..] => {
-            told.nothing_of_the_file(true)?;
+            layout.check_redundant(true)?;
             (x3p::parse(&bytes)?, Format::X3p)
         }
         _ if sdf::is_binary(&bytes) => {
-            told.nothing_of_the_file(true)?;
+            layout.check_redundant(true)?;
             (sdf::binary::parse(&bytes)?, Format::Sdf)
         }
         _ => {
             let text = read_table(path)?;
             match () {
                 () if sdf::is_ascii(&text) => {
-                    told.nothing_of_the_file(true)?;
+                    layout.check_redundant(true)?;
                     (sdf::parse(&text)?, Format::Sdf)
                 }
                 () if text::has_header(&text) => {
-                    told.nothing_of_the_file(true)?;
+                    layout.check_redundant(true)?;
                     let file = path.file_name().unwrap_or_default().to_string_lossy();
                     (text::parse_csv(&file, &text)?, Format::Csv)
                 }
-                () if told.has_points => {
-                    told.nothing_of_the_file(false)?;
-                    (text::parse_points(&text, told)?, Format::Points)
+                () if layout.has_points => {
+                    layout.check_redundant(false)?;
+                    (text::parse_points(&text, layout)?, Format::Points)
                 }
-                () => (text::parse_rows(&text, told)?, Format::Rows),
+                () => (text::parse_rows(&text, layout)?, Format::Rows),
             }
         }
     };
     Ok(Heights { map, format, hash })
 }
 
-impl Told {
-    /// Refuses what the file tells itself: distances, and perhaps units.
-    fn nothing_of_the_file(&self, units: bool) -> Result<(), MapError> {
+impl Layout {
+    /// Refuses keys for data that the file gives: distances, and perhaps units.
+    fn check_redundant(&self, units: bool) -> Result<(), MapError> {
         let twice = [
-            (self.spacing.is_some(), "where its points lie", "spacing"),
+            (
+                self.spacing.is_some(),
+                "the places of its points",
+                "spacing",
+            ),
             (
                 self.row_spacing.is_some(),
-                "where its points lie",
+                "the places of its points",
                 "row_spacing",
             ),
             (
@@ -196,7 +200,7 @@ impl Told {
         ];
         match twice.iter().find(|(is_given, ..)| *is_given) {
             None => Ok(()),
-            Some((_, what, key)) => Err(MapError::ToldTwice { what, key }),
+            Some((_, what, key)) => Err(MapError::Redundant { what, key }),
         }
     }
 }

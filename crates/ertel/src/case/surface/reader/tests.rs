@@ -15,7 +15,7 @@ fn written(folder: &tempfile::TempDir, name: &str, bytes: &[u8]) -> PathBuf {
     path
 }
 
-const ROWS: Told = Told {
+const ROWS: Layout = Layout {
     spacing: Some(2e-6),
     row_spacing: Some(3e-6),
     height_unit: Some(1e-9),
@@ -23,7 +23,7 @@ const ROWS: Told = Told {
     has_points: false,
 };
 
-const POINTS: Told = Told {
+const POINTS: Layout = Layout {
     spacing: None,
     row_spacing: None,
     height_unit: Some(1e-9),
@@ -87,7 +87,7 @@ fn points(separator: &str, with_hole: bool) -> String {
 fn texts_in_all_forms() {
     let folder = folder();
     let comment = |text: String| format!("# made by hand\n\n{text}");
-    for (i, (text, told, format)) in [
+    for (i, (text, layout, format)) in [
         (comment(rows(" ", "nan")), &ROWS, Format::Rows),
         (rows("\t", "-"), &ROWS, Format::Rows),
         (rows(", ", ""), &ROWS, Format::Rows),
@@ -97,7 +97,7 @@ fn texts_in_all_forms() {
         (points(";", false), &POINTS, Format::Points),
         (
             format!("x (um),y (um),z (nm)\n{}", points(",", false)),
-            &Told::default(),
+            &Layout::default(),
             Format::Csv,
         ),
     ]
@@ -105,14 +105,14 @@ fn texts_in_all_forms() {
     .enumerate()
     {
         let path = written(&folder, &format!("{i}.txt"), text.as_bytes());
-        assert_is_expected(&read(&path, told).unwrap(), format);
+        assert_is_expected(&read(&path, layout).unwrap(), format);
     }
     let profile = written(&folder, "profile", b"1.0\n2.0\n4.0\n3.0\n");
-    let told = Told {
+    let layout = Layout {
         row_spacing: None,
         ..ROWS
     };
-    let profile = read(&profile, &told).unwrap().map;
+    let profile = read(&profile, &layout).unwrap().map;
     assert_eq!(profile.counts, [4, 1]);
     assert!(profile.is_profile());
 }
@@ -124,10 +124,10 @@ fn sdf() {
     let folder = folder();
     let text = format!("{header}{}*\nComment = made by hand\n*\n", rows(" ", "BAD"));
     let path = written(&folder, "a.sdf", text.as_bytes());
-    assert_is_expected(&read(&path, &Told::default()).unwrap(), Format::Sdf);
+    assert_is_expected(&read(&path, &Layout::default()).unwrap(), Format::Sdf);
     let error = |text: &str| {
         let path = written(&folder, "b.sdf", text.as_bytes());
-        read(&path, &Told::default()).unwrap_err().to_string()
+        read(&path, &Layout::default()).unwrap_err().to_string()
     };
     for (from, to, says) in [
         ("NumPoints = 5", "NumPoints = 6", "20 heights"),
@@ -212,13 +212,13 @@ fn binary_sdf() {
         ] {
             let bytes = [&header(magic, *kind, *unit), added, data, trailer].concat();
             let path = written(&folder, "a.sdf", &bytes);
-            assert_is_expected(&read(&path, &Told::default()).unwrap(), Format::Sdf);
+            assert_is_expected(&read(&path, &Layout::default()).unwrap(), Format::Sdf);
         }
     }
     // Bytes have no number for a point without height.
     for kind in [0, 4] {
         let bytes = [header("bISO-1.0", kind, 1e-9), (0..20).collect()].concat();
-        let map = read(&written(&folder, "b.sdf", &bytes), &Told::default())
+        let map = read(&written(&folder, "b.sdf", &bytes), &Layout::default())
             .unwrap()
             .map;
         assert_relative_eq!(map.heights[7], 7e-9, max_relative = 1e-12);
@@ -229,7 +229,7 @@ fn binary_sdf() {
         let mut bytes = whole.clone();
         change(&mut bytes);
         let path = written(&folder, "c.sdf", &bytes);
-        read(&path, &Told::default()).unwrap_err().to_string()
+        read(&path, &Layout::default()).unwrap_err().to_string()
     };
     let cases: [(Change, &str); 6] = [
         (|b| b.truncate(80), "80 bytes"),
@@ -337,13 +337,13 @@ fn x3p() {
     ];
     for (name, bytes) in &cases {
         let path = written(&folder, name, bytes);
-        assert_is_expected(&read(&path, &Told::default()).unwrap(), Format::X3p);
+        assert_is_expected(&read(&path, &Layout::default()).unwrap(), Format::X3p);
     }
     let mut damaged = cases[1].1.clone();
     damaged[60] ^= 1;
     let error = |bytes: &[u8]| {
         let path = written(&folder, "x.x3p", bytes);
-        read(&path, &Told::default()).unwrap_err().to_string()
+        read(&path, &Layout::default()).unwrap_err().to_string()
     };
     let no_data = zipped(&[("main.xml", description("D", "", link).as_bytes(), true)]);
     let short = zipped(&[
@@ -378,7 +378,7 @@ fn x3p_heights_are_offset_and_increments() {
             ("main.xml", description.as_bytes(), true),
             ("data.bin", bytes, true),
         ]);
-        read(&written(&folder, "z.x3p", &archive), &Told::default()).map(|read| read.map.heights)
+        read(&written(&folder, "z.x3p", &archive), &Layout::default()).map(|read| read.map.heights)
     };
     let numbers: Vec<i16> = (0..20).map(|k| 7 * k - 50).collect();
     let shorts: Vec<u8> = numbers.iter().flat_map(|n| n.to_le_bytes()).collect();
@@ -445,7 +445,7 @@ fn x3p_in_a_folder_and_with_checksums() {
             (a, main.as_bytes(), true),
             (c, sums.as_bytes(), false),
         ]);
-        read(&written(&folder, "sums.x3p", &archive), &Told::default())
+        read(&written(&folder, "sums.x3p", &archive), &Layout::default())
     };
     let plain = ["main.xml", "bindata/data.bin", "md5checksum.hex"];
     let main = described(&sum);
@@ -486,7 +486,7 @@ fn x3p_in_a_folder_and_with_checksums() {
         assert!(said.contains(says) && said.contains(other), "{said}");
     }
     let two = zipped(&[("a/main.xml", b"<a/>", true), ("b/main.xml", b"<a/>", true)]);
-    let said = super::read(&written(&folder, "two.x3p", &two), &Told::default());
+    let said = super::read(&written(&folder, "two.x3p", &two), &Layout::default());
     assert!(said.unwrap_err().to_string().contains("2 folders"));
 }
 
@@ -520,7 +520,7 @@ fn x3p_bombs_are_refused() {
         let archive = zipped(&[("main.xml", text.as_bytes(), true)]);
         let path = written(&folder, "bomb.x3p", &archive);
         let clock = std::time::Instant::now();
-        let said = read(&path, &Told::default()).unwrap_err().to_string();
+        let said = read(&path, &Layout::default()).unwrap_err().to_string();
         assert!(said.contains(says), "{said}");
         assert!(
             clock.elapsed().as_secs_f64() < 1.0,
@@ -536,7 +536,7 @@ fn tables_with_other_titles_and_points_without_data() {
     let folder = folder();
     let profile = |text: &str| {
         let path = written(&folder, "profile.csv", text.as_bytes());
-        read(&path, &Told::default()).unwrap()
+        read(&path, &Layout::default()).unwrap()
     };
     for head in [
         "Length (mm),Height (um)",
@@ -579,23 +579,23 @@ fn tables_with_other_titles_and_points_without_data() {
 fn one_line_of_megabytes_is_refused() {
     let folder = folder();
     let long = |head: &str, cell: &str| format!("{head}{}", cell.repeat(6_000_000));
-    for (text, told, says) in [
+    for (text, layout, says) in [
         (long("", "1 "), ROWS, "more than 4194304 points"),
         (long("", "1;"), ROWS, "more than 4194304 points"),
         (long("1 2 ", "3 "), POINTS, "numbers, where a point has"),
         (
             long("x (um),z (um)\n", "1,"),
-            Told::default(),
+            Layout::default(),
             "more than 32768 bytes",
         ),
     ] {
         let path = written(&folder, "long.txt", text.as_bytes());
-        let said = read(&path, &told).unwrap_err().to_string();
+        let said = read(&path, &layout).unwrap_err().to_string();
         assert!(said.contains(says), "{said}");
     }
 }
 
-/// Places of their own: both of them in a matrix, in a list in another order, y alone, and as texts.
+/// Given places: both of them in a matrix, in a list in another order, y alone, and as texts.
 #[test]
 fn x3p_with_places() {
     let folder = folder();
@@ -681,11 +681,11 @@ fn x3p_with_places() {
             ("data.bin", &data, true),
         ]);
         let path = written(&folder, name, &bytes);
-        assert_is_expected(&read(&path, &Told::default()).unwrap(), Format::X3p);
+        assert_is_expected(&read(&path, &Layout::default()).unwrap(), Format::X3p);
     }
     let said = |xml: String, data: &[u8]| {
         let bytes = zipped(&[("main.xml", xml.as_bytes(), true), ("data.bin", data, true)]);
-        read(&written(&folder, "bad", &bytes), &Told::default())
+        read(&written(&folder, "bad", &bytes), &Layout::default())
             .unwrap_err()
             .to_string()
     };
@@ -739,14 +739,14 @@ fn x3p_with_places() {
 }
 
 #[test]
-fn what_is_no_map_is_told() {
+fn invalid_maps_are_refused() {
     let folder = folder();
-    let said = |text: &str, told: &Told| {
+    let said = |text: &str, layout: &Layout| {
         let path = written(&folder, "a.txt", text.as_bytes());
-        read(&path, told).unwrap_err().to_string()
+        read(&path, layout).unwrap_err().to_string()
     };
-    let one = |told: Told| told;
-    for (text, told, says) in [
+    let one = |layout: Layout| layout;
+    for (text, layout, says) in [
         ("", ROWS, "no heights"),
         ("1 2 3 4\n1 2 3\n", ROWS, "line 2: 3 heights"),
         ("1 2 3 4\n1 2 x 4\n", ROWS, "\"x\" is no number"),
@@ -754,7 +754,7 @@ fn what_is_no_map_is_told() {
         ("1 2 3 4\n1 2 3 4\n", ROWS, "too few"),
         (
             "1 2 3 4\n",
-            one(Told {
+            one(Layout {
                 height_unit: None,
                 ..ROWS
             }),
@@ -762,7 +762,7 @@ fn what_is_no_map_is_told() {
         ),
         (
             "1 2 3 4\n",
-            one(Told {
+            one(Layout {
                 spacing: None,
                 ..ROWS
             }),
@@ -776,9 +776,9 @@ fn what_is_no_map_is_told() {
         ),
         ("0 0 1\n1 0 1\n1 0 1\n2 0 1\n3 0 0", POINTS, "two points"),
         ("nan 0 1\n", POINTS, "without a place"),
-        ("x,y,z (nm)\n1,2,3\n", Told::default(), "unit"),
+        ("x,y,z (nm)\n1,2,3\n", Layout::default(), "unit"),
     ] {
-        let said = said(text, &told);
+        let said = said(text, &layout);
         assert!(said.contains(says), "{text:?}: {said}");
     }
     let missing = read(&folder.path().join("none.txt"), &ROWS).unwrap_err();

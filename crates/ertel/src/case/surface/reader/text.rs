@@ -3,12 +3,12 @@
 use ertel_input::csv::{CsvParams, CsvTable, Vocabulary, is_missing};
 use ertel_quantity::Dimension;
 
-use super::{LEAST_POINTS, MOST_POINTS, MapError, Told, checked};
+use super::{LEAST_POINTS, Layout, MOST_POINTS, MapError, checked};
 use crate::contact::topography::Topography;
 
 /// How a point without a height is written.
 const NO_HEIGHT: &str = "nan";
-/// Distances of points that count as equal, over each other.
+/// Relative difference of distances of points that count as equal.
 const EQUAL: f64 = 0.01;
 
 /// Places and heights, as the program calls them.
@@ -25,7 +25,7 @@ pub(super) fn has_header(text: &str) -> bool {
         Some(head) => head.iter().rposition(|b| *b == b'\n').unwrap_or(0),
         None => text.len(),
     };
-    // What is wrong further down is said by the reader of the table.
+    // Errors further down are reported by the reader of the table.
     let first = || text[..end].lines().find(|line| !is_left_out(line));
     names_columns(&text[..end])
         .or_else(|| names_columns(first()?))
@@ -118,19 +118,19 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
 }
 
 /// Rows of heights, the first one at the lowest y; one number a line is a profile.
-pub(super) fn parse_rows(text: &str, told: &Told) -> Result<Topography, MapError> {
-    if told.length_unit.is_some() {
-        return Err(MapError::ToldTwice {
-            what: "no places, which rows of heights do not have: `spacing` has a unit of its own",
+pub(super) fn parse_rows(text: &str, layout: &Layout) -> Result<Topography, MapError> {
+    if layout.length_unit.is_some() {
+        return Err(MapError::Redundant {
+            what: "rows of heights without places (`spacing` includes its unit)",
             key: "length_unit",
         });
     }
-    let unit = told.height_unit.ok_or(MapError::Untold {
-        what: "what its heights are in",
+    let unit = layout.height_unit.ok_or(MapError::Missing {
+        what: "the unit of its heights",
         key: "height_unit",
         example: "um",
     })?;
-    let spacing = told.spacing.ok_or(MapError::Untold {
+    let spacing = layout.spacing.ok_or(MapError::Missing {
         what: "the distance of its points",
         key: "spacing",
         example: "1 um",
@@ -167,19 +167,19 @@ pub(super) fn parse_rows(text: &str, told: &Told) -> Result<Topography, MapError
     };
     Ok(Topography {
         counts: checked(counts)?,
-        spacing: [spacing, told.row_spacing.unwrap_or(spacing)],
+        spacing: [spacing, layout.row_spacing.unwrap_or(spacing)],
         heights,
     })
 }
 
 /// Lines of x, y and z, in any order.
-pub(super) fn parse_points(text: &str, told: &Told) -> Result<Topography, MapError> {
+pub(super) fn parse_points(text: &str, layout: &Layout) -> Result<Topography, MapError> {
     let [length, height] = [
-        (told.length_unit, "what its places are in", "length_unit"),
-        (told.height_unit, "what its heights are in", "height_unit"),
+        (layout.length_unit, "the unit of its places", "length_unit"),
+        (layout.height_unit, "the unit of its heights", "height_unit"),
     ]
     .map(|(unit, what, key)| {
-        unit.ok_or(MapError::Untold {
+        unit.ok_or(MapError::Missing {
             what,
             key,
             example: "um",

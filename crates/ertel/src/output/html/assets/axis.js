@@ -1,11 +1,11 @@
-// Axes of plots and maps: ends that any data give, round ticks between them, and labels that say exactly where a tick is.
+// Axes of plots and maps: drawable limits for any data, round ticks, and exact tick labels.
 
-// Most ticks that an axis has, however long it is.
+// Maximum number of ticks of an axis.
 const MOST_TICKS = 12;
-// Ends of what an axis can show, and its least length over the size of its ends: beyond them no ticks can be told apart.
+// Largest drawable magnitude, and the smallest axis length relative to the magnitude of its limits: beyond these, ticks cannot be distinguished.
 const [SMALLEST, LARGEST, LEAST_LENGTH] = [1e-280, 1e280, 1e-11];
 
-// Ends that can be drawn, from any two numbers: in order, apart, and above zero on a logarithmic axis.
+// Drawable limits from any two numbers: in order, distinct, and positive on a logarithmic axis.
 function axisEnds(low, high, log = false) {
   const clamp = (v) => Math.max(-LARGEST, Math.min(LARGEST, v));
   const usable = (v) => typeof v === "number" && !Number.isNaN(v) && (!log || v > 0);
@@ -21,7 +21,7 @@ function axisEnds(low, high, log = false) {
   return q - p > LEAST_LENGTH * size ? [p, q] : [p - 0.5 * size, q + 0.5 * size];
 }
 
-// A little room beyond the values, none beyond zero; an end that is round-off beside the other one is zero.
+// Adds a margin beyond the values, but not beyond zero; a limit that is round-off compared with the other one becomes zero.
 function withRoom(low, high, log = false, share = 0.05) {
   const [p, q] = axisEnds(low, high, log);
   if (log) {
@@ -33,7 +33,7 @@ function withRoom(low, high, log = false, share = 0.05) {
   return [p > -tiny && p < room ? 0 : p - room, q < tiny && q > -room ? 0 : q + room];
 }
 
-// A tick is a whole number times a power of ten: the nearest number to it, and its digits.
+// A tick is an integer times a power of ten: the nearest number, and its digits.
 function tick(whole, power) { return { value: Number(`${whole}e${power}`) || 0, whole, power }; }
 
 // Multiples of `lead` times a power of ten.
@@ -49,13 +49,13 @@ function multiples(low, high, lead, power) {
   return ticks;
 }
 
-// Lists of ticks of an axis of equal steps, from dense to sparse.
+// Tick lists of a linear axis, from dense to sparse.
 function* linearLists(low, high) {
   const power = Math.floor(Math.log10((high - low) / MOST_TICKS)) - 1;
   for (let i = 0; i < 9; i++) yield multiples(low, high, [1, 2, 5][i % 3], power + Math.floor(i / 3));
 }
 
-// Lists of ticks of an axis of equal ratios, from dense to sparse.
+// Tick lists of a logarithmic axis, from dense to sparse.
 function* logLists(low, high) {
   const [first, last] = [low, high].map((v) => Math.floor(Math.log10(v)));
   const of = (leads, every) => {
@@ -75,13 +75,13 @@ const isPlain = ({ value, power }, from = -4, to = 5) => {
   return value === 0 || (power >= -6 && size <= to && size >= from);
 };
 
-// The number that a tick is, with all its digits; beyond plain numbers by a power of ten.
+// The number of a tick with all its digits; very large and small ones with a power of ten.
 function tickLabel(tick, plain) {
   const { value, whole, power } = tick;
   if (value === 0) return "0";
   const minus = value < 0 ? "−" : "";
   if (plain) return minus + Math.abs(value).toFixed(Math.max(0, -power));
-  // Digits of the whole number as d.ddd
+  // Digits of the integer as d.ddd
   const all = String(Math.abs(whole));
   const digits = all.replace(/0+$/, "");
   const lead = digits.length > 1 ? `${digits[0]}.${digits.slice(1)}` : digits;
@@ -89,13 +89,13 @@ function tickLabel(tick, plain) {
   return `${minus}${lead === "1" ? "" : `${lead}·`}10${raised}`;
 }
 
-// Labels of the ticks of an axis; where some need powers of ten, there are few plain numbers among them.
+// Labels of the ticks of an axis; where some need powers of ten, few are plain numbers.
 function tickLabels(ticks) {
   const all = ticks.every((t) => isPlain(t));
   return ticks.map((t) => tickLabel(t, all || isPlain(t, -1, 1)));
 }
 
-// Values and labels of the ticks between two ends: the most that are not more than `most` and for whose labels there is room
+// Values and labels of the ticks between two limits: the largest number up to `most` whose labels fit
 // (`fits` takes both lists), but at least two.
 function axisTicks(low, high, { log = false, most = MOST_TICKS, fits = () => true } = {}) {
   const [p, q] = axisEnds(low, high, log);
@@ -106,16 +106,16 @@ function axisTicks(low, high, { log = false, most = MOST_TICKS, fits = () => tru
     if (ticks.length <= most && fits(found.values, found.labels)) return found;
     least = [ticks[0], ticks[ticks.length - 1]];
   }
-  // No room: the ends of the sparsest list.
+  // No list fits: the ends of the sparsest one.
   return { values: least.map((t) => t.value), labels: tickLabels(least) };
 }
 
-// Whether labels along a line of so many pixels keep apart, given their sizes along it.
+// Whether labels along a line of this many pixels do not overlap, given their sizes along it.
 function keepApart(place, sizes, gap) {
   return sizes.every((size, i) => i === 0 || Math.abs(place[i] - place[i - 1]) >= (size + sizes[i - 1]) / 2 + gap);
 }
 
-// Ticks of an axis of so many pixels, whose labels stand side by side (`across`) or one above the other.
+// Ticks of an axis of this many pixels with labels in a row (`across`) or in a column.
 function ticksOver(low, high, pixels, { log = false, across = true } = {}) {
   const [p, q] = axisEnds(low, high, log);
   const at = log ? (v) => pixels * Math.log(v / p) / Math.log(q / p) : (v) => pixels * ((v - p) / (q - p));

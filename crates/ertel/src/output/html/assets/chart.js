@@ -1,4 +1,4 @@
-// Lines by uPlot, in the colours of the page.
+// Line charts with uPlot in the colours of the page.
 
 const charts = new Map();
 
@@ -6,7 +6,7 @@ function colour(name) { return getComputedStyle(document.documentElement).getPro
 
 function colours() { return [0, 1, 2, 3, 4, 5].map((i) => colour(`--c${i}`)); }
 
-// What uPlot asks of an axis: where its ticks are, and what stands there. `long` is the length of the axis in pixels.
+// Ticks and labels of an axis for uPlot. `long` is the length of the axis in pixels.
 function ticksFor(log, across, long) {
   let drawn = { values: [], labels: [] };
   return {
@@ -15,9 +15,9 @@ function ticksFor(log, across, long) {
       return drawn.values;
     },
     values: () => drawn.labels,
-    // For those who ask what the axis says: a program cannot read it from the picture.
+    // For programs, which cannot read the axis from the picture.
     drawn: () => drawn,
-    // uPlot's own filter of logarithmic axes would leave out some.
+    // uPlot's own filter of logarithmic axes would drop some labels.
     filter: (u, splits) => splits,
   };
 }
@@ -54,8 +54,8 @@ function errorBars(spec) {
   };
 }
 
-// Ends of an axis that hold all values, and their error bars unless these would stretch it: a bar counts to half its value or half the range of
-// all values, on a logarithmic axis to a third and to three times its value, and not below zero where all values are above.
+// Limits of an axis that cover all values, and their error bars within limits: a bar counts up to half its value or half the range of
+// all values, on a logarithmic axis from a third to three times its value, and not below zero if all values are positive.
 function endsOf(spec, scale, log) {
   const points = spec.series.filter((s) => (s.scale ?? "y") === scale).flatMap((s) => Array.from(s.data, (v, i) => [v, s.errors?.[i] > 0 ? s.errors[i] : 0]));
   const known = points.filter(([v]) => Number.isFinite(v) && !(log && v <= 0));
@@ -83,9 +83,9 @@ function cursorLine(spec) {
   };
 }
 
-// Draws a chart into the element of an id, in place of what it holds. `spec`: x {label, data, log, range}, y and right {label, log, range},
-// series [{label, data, errors, colour, scale, dash, points}], mark, describe, onPoint, height. `range` of an axis, from the ends of the
-// values, replaces what holds them.
+// Draws a chart into the element with this id and replaces its content. `spec`: x {label, data, log, range}, y and right {label, log, range},
+// series [{label, data, errors, colour, scale, dash, points}], mark, describe, onPoint, height. `range` of an axis is a function of the
+// limits of the values and replaces the automatic limits.
 function lineChart(id, spec) {
   const host = document.getElementById(id);
   charts.get(id)?.chart.destroy();
@@ -105,7 +105,7 @@ function lineChart(id, spec) {
     axis(spec.y.label, { scale: "y", ...upright(spec.y) }),
   ];
   if (spec.right) axes.push(axis(spec.right.label, { scale: "right", side: 1, ...upright(spec.right) }, { show: false }));
-  // Whatever the data are, the ends of each axis can be drawn.
+  // Limits are drawable for any data.
   const scaled = (log, range) => ({ ...(log ? { distr: 3, log: 10 } : {}), range: (u, low, high) => axisEnds(...range(low, high), log) });
   const fit = (scale, about) => {
     const log = Boolean(about?.log);
@@ -133,7 +133,7 @@ function lineChart(id, spec) {
       setCursor: spec.onPoint ? [(u) => spec.onPoint(u.cursor.idx)] : [],
     },
   };
-  // A logarithmic axis has no place for what is not positive.
+  // A logarithmic axis omits values that are not positive.
   const shown = (log) => (v) => (v === undefined || (Number.isFinite(v) && !(log && v <= 0)) ? v : null);
   const logOf = (s) => (s.scale === "right" ? spec.right : spec.y)?.log;
   const data = [Array.from(spec.x.data), ...spec.series.map((s) => Array.from(s.data, shown(logOf(s))))];

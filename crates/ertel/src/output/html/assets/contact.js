@@ -1,12 +1,12 @@
-// The contact area of one or several results: maps, the cursor, profiles through it.
+// The contact area of one or several results: maps, cursor, and profiles through it.
 
 const SAMPLES = 801;
 
-// What counts as within the dry contact, as a share of its size; the largest film there times the margin is the end of the colours.
+// Share of the dry contact's size that counts as inside; the largest film there times the margin is the end of the colour scale.
 const WITHIN = 0.9;
 const FILM_MARGIN = 1.3;
 
-// Whether a point lies inside a closed polygon: a ray from it crosses an odd number of edges.
+// Whether a point is inside a closed polygon: a ray from it crosses an odd number of edges.
 function isInside(polygon, x, y) {
   let inside = false;
   for (let i = 0, j = polygon.length - 1; i < polygon.length; j = i++) {
@@ -35,9 +35,9 @@ class ContactView {
     }
     this.jumps();
     const { left_out: missing, off_by: offBy } = results[0].data.mesh;
-    const gone = missing.length ? ` Not kept in this page for its size: ${missing.join(", ")}; surface.vtu has them.` : "";
-    const fewer = offBy ? ` For its size this page keeps fewer nodes than were solved: beside the figures, values are within ${100 * offBy} % (the film of itself, others of their range).` : "";
-    document.getElementById("left-out").textContent = gone + fewer;
+    const omitted = missing.length ? ` Omitted from this page to limit its size: ${missing.join(", ")}; surface.vtu has them.` : "";
+    const fewer = offBy ? ` To limit its size, this page has fewer nodes than the solution: except for the figures, values are within ${100 * offBy} % (relative for the film, of the range for other fields).` : "";
+    document.getElementById("left-out").textContent = omitted + fewer;
     this.build();
   }
 
@@ -88,16 +88,16 @@ class ContactView {
       this.maps.push({ map, of });
     };
     const single = this.results.length === 1;
-    // One map and the profiles through it stand side by side, unless the map is as wide as the page.
+    // A single map is next to its profiles, unless it is as wide as the page.
     const [[x0, x1], [y0, y1]] = window;
-    document.getElementById("area").classList.toggle("beside", single && !isSlender(window) && x1 - x0 < 1.6 * (y1 - y0));
+    document.getElementById("area").classList.toggle("paired", single && !isSlender(window) && x1 - x0 < 1.6 * (y1 - y0));
     host.classList.toggle("wide", single || isSlender(window));
     this.results.forEach((r, i) => add(single ? "" : `${i + 1}: ${r.name}`, r, { result: r }));
     this.results.slice(1).forEach((r, i) => add(`Difference, ${i + 2} − 1`, r, { result: r, minus: this.results[0] }));
     this.show();
   }
 
-  // The chosen field: how it is shown. Lengths and pressures take the unit of their size in the dry contact.
+  // Display of the chosen field. Lengths and pressures take the unit of their magnitude in the dry contact.
   look() {
     const name = document.getElementById("field").value;
     const fields = this.results.map((r) => r.field(name));
@@ -120,7 +120,7 @@ class ContactView {
       const [xs, ys] = w.map((ends) => ends.map((v) => v * r.a));
       return r.raster(look.name, xs, ys, width, height).map(look.unit.show);
     };
-    // Far from the contact the gap is wide: the colours belong to the film within the dry contact.
+    // The gap is wide far from the contact: the colours cover the film within the dry contact.
     const top = look.name === "film_thickness" && look.within > 0 ? FILM_MARGIN * look.unit.show(look.within) : Infinity;
     const ends = (raster) => {
       let [low, high] = [Infinity, -Infinity];
@@ -173,7 +173,7 @@ class ContactView {
     this.frame = requestAnimationFrame(() => this.profiles());
   }
 
-  // Values under the cursor, in SI for programs and in words for people.
+  // Values under the cursor, in SI units for programs and as text for users.
   values() {
     return this.results.map((r) => Object.fromEntries(r.fields.map((f) => [f.name, r.value(f.name, this.cursor[0] * r.a, this.cursor[1] * r.a)])));
   }
@@ -264,7 +264,7 @@ class CentrelineView {
       const pressure = series[0];
       series.splice(1, 0, { ...pressure, label: "dry contact (Hertz)", data: hertz.values, dash: [6, 5], ink: 4 });
     }
-    // Results of several meshes share an axis: each point of any of them, the others between their neighbours.
+    // Results of several meshes share an axis: it has the points of all of them, with the other results interpolated.
     const all = [...new Set(this.results.flatMap((r) => Array.from(r.line.x, (x) => x / r.a)))].sort((p, q) => p - q);
     for (const s of series) {
       const xs = Array.from(s.x, (x) => x / s.a);
@@ -278,7 +278,7 @@ class CentrelineView {
         return v;
       });
     }
-    // All is seen from where the pressure begins to where it ends; what is beyond stays in the copied points.
+    // The view covers the pressure field; the copied points cover the whole centreline.
     const [first, last] = this.ends();
     const x = { label: "x/a", data: all, range: (low, high) => [Math.max(low, first), Math.min(high, last)] };
     lineChart("profile", {
@@ -287,7 +287,7 @@ class CentrelineView {
     });
   }
 
-  // Where the pressure is to be seen, in half-widths: beyond a hundredth of its maximum, and a margin.
+  // Range of the pressure, in half-widths: above a hundredth of its maximum, plus a margin.
   ends() {
     let [first, last] = [Infinity, -Infinity];
     for (const r of this.results) {

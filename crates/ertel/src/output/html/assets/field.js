@@ -59,7 +59,7 @@ class Mesh {
     return sum;
   }
 
-  // The area coordinates of a point in an element, by functions that grow linearly.
+  // Area coordinates of a point in an element, from its linear functions.
   linear(element) {
     const [a, b, c] = this.corners(element);
     const [x, y] = [this.x, this.y];
@@ -94,7 +94,7 @@ class Mesh {
     return (x, y) => lists[row(y) * n + column(x)];
   }
 
-  // Value at a point, m; not a number outside the mesh.
+  // Value at a point, m; NaN outside the mesh.
   value(values, x, y) {
     if (this.mirrored) y = -Math.abs(y);
     this.buckets ??= this.bucket();
@@ -106,7 +106,7 @@ class Mesh {
     return NaN;
   }
 
-  // Values at the centres of the pixels of a window, row by row from the top.
+  // Values at the pixel centres of a window, row by row from the top.
   raster(values, [x0, x1], [y0, y1], width, height) {
     const out = new Float32Array(width * height).fill(NaN);
     const [dx, dy] = [(x1 - x0) / width, (y1 - y0) / height];
@@ -136,7 +136,7 @@ class Mesh {
   }
 }
 
-// A field over many decades, such as the viscosity, is a polynomial in its logarithm: in itself it would swing below zero.
+// A field over many decades, such as the viscosity, is interpolated in its logarithm: the polynomial itself would become negative.
 function spread(field) {
   let [low, high] = [Infinity, 0];
   for (const v of field.values) { low = Math.min(low, v); high = Math.max(high, v); }

@@ -1,9 +1,9 @@
-// A case in time, instant by instant: a slider over the times, the centreline, and of point contacts the map of the film.
+// A transient case, instant by instant: a time slider, the centreline, and the film map of point contacts.
 
-// Milliseconds that all instants take when they are played, and the shortest and longest of one.
+// Duration of the whole animation in milliseconds, and the shortest and longest frame.
 const PLAY = { whole: 8000, shortest: 40, longest: 600 };
 
-// A map of which nothing is read but its colours.
+// A map without a cursor.
 class InstantMap extends FieldMap {
   constructor(host, caption, window, isRolling) {
     super(host, { caption, window, zone: [], onCursor: () => {}, describe: caption });
@@ -18,7 +18,7 @@ class InstantMap extends FieldMap {
     this.canvas.setAttribute("aria-label", caption);
   }
 
-  // Surfaces at rest have no direction.
+  // Surfaces at rest have no direction of motion.
   paintMotion(ctx) { if (this.isRolling) super.paintMotion(ctx); }
 
   paintZone() {}
@@ -54,7 +54,7 @@ class InstantsView {
 
   text(i) { return `${digits(this.time.show(this.data.times[i]), 4)} ${this.time.name}`; }
 
-  // Values along the centreline at an instant, in the shown unit.
+  // Values along the centreline at an instant, in the display unit.
   line({ low, high, values, unit }, i) {
     const n = this.x.length;
     return Array.from(values.subarray(i * n, (i + 1) * n), (v) => unit.show(low + v / 65535 * (high - low)));
@@ -101,7 +101,7 @@ class InstantsView {
       const out = new Float32Array(width * height);
       const across = Array.from({ length: width }, (_, k) => Math.max(0, Math.min(nx - 1.001, (k + 0.5) / width * (nx - 1))));
       for (let row = 0; row < height; row++) {
-        // Rows of the picture come from the top, those of the field from the least y.
+        // Picture rows start at the top, field rows at the smallest y.
         const v = Math.max(0, Math.min(ny - 1.001, (1 - (row + 0.5) / height) * (ny - 1)));
         const j = Math.floor(v);
         const t = v - j;

@@ -1,6 +1,6 @@
 // A map of a field: colours, contours, the edge of the dry contact, and a cursor.
 
-// Stops of the colour scale viridis (Smith and van der Walt 2015, CC0), and of one that diverges from white.
+// Stops of the colour scale viridis (Smith and van der Walt 2015, CC0), and of a scale diverging from white.
 const VIRIDIS = ["440154", "481a6c", "472f7d", "414487", "39568c", "31688e", "2a788e", "23888e", "1f988b", "22a884", "35b779", "54c568", "7ad151", "a5db36", "d2e21b", "fde725"];
 const DIVERGING = ["053061", "2166ac", "4393c3", "92c5de", "d1e5f0", "f7f7f7", "fddbc7", "f4a582", "d6604d", "b2182b", "67001f"];
 
@@ -18,7 +18,7 @@ function ramp(stops) {
 
 const RAMPS = { viridis: ramp(VIRIDIS), diverging: ramp(DIVERGING) };
 
-// Segments of the contour at a level through the pixels of a raster (marching squares).
+// Contour segments at a level through the pixels of a raster (marching squares).
 function contour(raster, width, height, level, segment) {
   for (let j = 0; j + 1 < height; j++) {
     for (let i = 0; i + 1 < width; i++) {
@@ -42,8 +42,8 @@ function contour(raster, width, height, level, segment) {
 function isSlender([[x0, x1], [y0, y1]]) { return y1 - y0 > 1.6 * (x1 - x0); }
 
 class FieldMap {
-  // `sample(window, width, height)` gives values in the shown unit; `window` in half-widths. A contact that is much longer across the
-  // motion than along it lies on its side where there is room: y to the right, x downwards.
+  // `sample(window, width, height)` returns values in the display unit; `window` is in half-widths. A contact that is much longer across the
+  // motion than along it is rotated if there is room: y to the right, x downwards.
   constructor(host, { caption, window, zone, onCursor, describe }) {
     this.window = window;
     this.zone = zone;
@@ -86,7 +86,7 @@ class FieldMap {
     this.turned = isSlender(this.window) && width > 620;
     this.shown = this.turned ? [[y0, y1], [-x1, -x0]] : this.window;
     const [[u0, u1], [v0, v1]] = this.shown;
-    // Equal scales, unless one side would be too narrow to see anything.
+    // Equal scales, unless one side would become too narrow.
     const [tallest, least] = [560, Math.min(200, inner)];
     const scale = Math.min(inner / (u1 - u0), tallest / (v1 - v0));
     const [wide, high] = [scale * (u1 - u0), scale * (v1 - v0)];
@@ -103,7 +103,7 @@ class FieldMap {
   // Values at the pixels of the frame, row by row from the top.
   sampled(sample, [width, height]) {
     if (!this.turned) return sample(this.window, width, height);
-    // Rows run along x from the largest y: the pixel at (column, row) is at y of the column and x of the row.
+    // Rows run along x from the largest y: the pixel at (column, row) has the y of the column and the x of the row.
     const raster = sample(this.window, height, width);
     const out = new Float32Array(width * height);
     for (let row = 0; row < height; row++) {

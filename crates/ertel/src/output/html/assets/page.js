@@ -1,4 +1,4 @@
-// Puts the page together.
+// Assembles the page.
 
 const data = JSON.parse(document.getElementById("ertel-data").textContent);
 const element = (id) => document.getElementById(id);
@@ -22,7 +22,7 @@ function makeCard(title, value, more) {
   return card;
 }
 
-// Where a figure is: of a line contact along the motion alone; where both halves are alike, on either side.
+// Place of a figure: along the motion for a line contact; on either side for symmetric halves.
 function placeText({ a, data, mesh }, { x, y }) {
   const at = (v) => (v / a).toFixed(3).replace(/^-0\.0*$/, "0.000").replace("-", "−");
   if (data.kind === "line") return `at x/a ${at(x)}`;
@@ -32,7 +32,7 @@ function placeText({ a, data, mesh }, { x, y }) {
 function showCards(results) {
   const host = element("cards");
   const first = results[0];
-  // Those with a symbol are shown large; the report below and the table to copy have all.
+  // Figures with a symbol are shown large; the report below and the table to copy have all figures.
   for (const figure of first.figures.filter((f) => f.symbol)) {
     const more = [];
     if (figure.uncertainty != null) more.push(`inputs: ± ${digits(100 * figure.uncertainty / Math.abs(figure.value), 2)} % (95 %)`);
@@ -62,7 +62,7 @@ function figuresCsv(results) {
   return [head, ...rows].map((r) => r.join(",")).join("\n") + "\n";
 }
 
-// Largest residual that the plot of iterations shows.
+// Largest residual in the plot of iterations.
 const LARGEST_RESIDUAL = 1e12;
 
 function showIterations(result) {
@@ -70,7 +70,7 @@ function showIterations(result) {
   if (!history.length) return;
   reveal("convergence");
   const stages = [...new Set(history.map((r) => r.stage))];
-  // A step that went astray would leave no room for the others.
+  // A diverged step would hide the others.
   const isShown = (residual) => residual > 0 && residual < LARGEST_RESIDUAL;
   const count = history.map((_, i) => i + 1);
   const series = stages.map((stage, k) => ({
@@ -79,11 +79,11 @@ function showIterations(result) {
   }));
   const { tolerance, heat_tolerance: heatTolerance } = result.data;
   if (heatTolerance) {
-    // Film and heat are solved in turn, each only to a share of what the other still changes: that change is what converges.
-    series.push({ label: "change from round to round of film and heat", ink: 5, points: true, data: history.map((r) => r.heat_change ?? NaN) });
+    // Film and heat are solved in turn, each only to a fraction of the other's change: the change per round is what converges.
+    series.push({ label: "film and heat, change per round", ink: 5, points: true, data: history.map((r) => r.heat_change ?? NaN) });
   }
   const end = heatTolerance ?? tolerance;
-  // Finite volumes end by what a step would change: no residual has to come below a tolerance.
+  // Finite volumes stop at a tolerance of the step, not of the residual.
   if (end) series.push({ label: heatTolerance ? "tolerance of that change" : "tolerance", ink: 4, dash: [6, 4], data: history.map(() => end) });
   lineChart("iterations", {
     x: { label: "Newton iteration", data: count }, y: { label: "Residual", log: true }, series, height: 280,
@@ -144,7 +144,7 @@ function setUp() {
   for (const button of document.querySelectorAll("button[data-copy]")) button.addEventListener("click", () => copy(texts[button.dataset.copy](), button));
 }
 
-// Width from which on a picture has several panels, pixels.
+// Minimum width of a picture with several panels, pixels.
 const WIDE_PICTURE = 700;
 
 for (const image of document.querySelectorAll(".picture img")) image.decode().then(() => image.closest(".picture").classList.toggle("wide", image.naturalWidth > WIDE_PICTURE), () => {});

@@ -1,9 +1,9 @@
-// The points of a curve or a study: a table that sorts, and two plots linked with it.
+// The points of a curve or study: a sortable table, and two plots linked to it.
 
-// Rows of the table that are printed: more than that are for a screen, or for the table of values beside the page.
+// Maximum number of printed rows: larger tables are for the screen or for the CSV file next to the page.
 const PRINTED_ROWS = 25;
 
-// A table of comma-separated values; quotes as in RFC 4180.
+// A table of comma-separated values, quoted as in RFC 4180.
 function parseCsv(text) {
   const rows = [];
   let [row, cell, quoted] = [[], "", false];
@@ -18,13 +18,13 @@ function parseCsv(text) {
 }
 
 const SUFFIXES = [["_kg_per_m3", "kg/m^3"], ["_m_per_s", "m/s"], ["_N_per_m", "N/m"], ["_W_per_m", "W/m"], ["_N_m", "N m"], ["_million_revolutions", "million revolutions"], ["_Pa_s", "Pa.s"], ["_rad_per_s", "rad/s"], ["_1_per_s", "1/s"], ["_per_s", "1/s"], ["_1_per_Pa", "1/Pa"], ["_1_per_K", "1/K"], ["_W_per_(m_K)", "W/(m K)"], ["_J_per_(kg_K)", "J/(kg K)"], ["_J", "N m"], ["_degC", "°C"], ["_Pa", "Pa"], ["_rad", "rad"], ["_m", "m"], ["_N", "N"], ["_W", "W"], ["_K", "K"], ["_s", "s"]];
-// Figures of whole runs in time.
+// Figures of transient runs.
 const OVER_TIME = ["film_central_lowest_m", "film_minimum_lowest_m", "amplitude_ratio_last", "traction_coefficient_highest", "traction_coefficient_mean", "pressure_maximum_highest_Pa", "film_temperature_maximum_highest_K"];
 const PLAIN = [...OVER_TIME, "film_central_m", "film_minimum_m", "pressure_central_Pa", "traction_coefficient", "friction_total", "lambda_minimum", "film_temperature_maximum_K", "friction_torque_N_m", "friction_power_W", "friction_power_W_per_m", "mesh_loss", "scuffing_safety", "micropitting_safety", "static_safety_factor", "modified_rating_life_million_revolutions", "converged"];
-// What is shown first of the contacts of a machine.
+// Figures shown first for the contacts of a machine.
 const OF_MACHINES = ["name", "load_N", "load_N_per_m", "hertz_pressure_Pa", "entrainment_speed_m_per_s", "slide_to_roll_ratio", "film_central_m", "film_minimum_m", "lambda_minimum", "traction_coefficient", "friction_total", "friction_power_W", "friction_power_W_per_m", "film_temperature_maximum_K"];
 
-// What is drawn first of whole machines over what varies.
+// Figures drawn first for whole machines.
 const OF_WHOLE_MACHINES = ["friction_torque_N_m", "mesh_loss", "friction_power_W"];
 
 const WORDS = {
@@ -43,8 +43,8 @@ function describeColumn(title) {
   return { title, name, unit: found ? found[1] : "", words: WORDS[name] ?? name.replaceAll("_", " ").replace("slide to roll", "slide-to-roll"), isError: name.endsWith("_error") };
 }
 
-// Several tables as one, whose first column after the number of the point says which result a point is of. Columns are joined by
-// their titles; an axis of any of them is one of the whole.
+// Merges several tables; the first column after the point number names the result. Columns are matched by
+// their titles; an axis of any table is an axis of the merged one.
 function joinTables(tables) {
   const parsed = tables.map((t) => parseCsv(t.csv));
   const axes = [...new Set(tables.flatMap((t, i) => parsed[i][0].slice(1, 1 + t.n_axes)))];
@@ -71,11 +71,11 @@ class TableView {
       column.shown = column.isNumber ? unitOf(column.unit, Math.max(...known.map(Math.abs))) : null;
       column.errors = head.indexOf(this.errorTitle(column));
     });
-    // Both films of a point compare in one unit.
+    // Both films of a point have the same unit.
     const films = this.columns.filter((c) => ["film_central", "film_minimum"].includes(c.name) && c.isNumber);
     const thickest = Math.max(...films.flatMap((c) => c.numbers.filter(Number.isFinite).map(Math.abs)));
     for (const film of films) film.shown = unitOf(film.unit, thickest);
-    if (leftOut) document.getElementById("rows-left-out").textContent = ` The table of this page ends here for its size; ${leftOut} more points are in the table beside it.`;
+    if (leftOut) document.getElementById("rows-left-out").textContent = ` To limit its size, the table of this page ends here; the CSV file next to this page has ${leftOut} more points.`;
     this.sort = { column: 0, down: false };
     this.setUp();
     this.showTable();
@@ -117,12 +117,12 @@ class TableView {
 
   shownColumns() {
     const all = document.getElementById("all-columns").checked;
-    // What all points have in common is in the case.
+    // Values common to all points are in the case.
     const varies = (i) => this.rows.length < 2 || new Set(this.rows.map((r) => r.cells[i])).size > 1;
     return this.columns.map((c, i) => [c, i]).filter(([c, i]) => all || (i <= this.nAxes && varies(i)) || (this.plain.includes(c.title) && this.rows.some((r) => this.says(c, r.cells[i]))));
   }
 
-  // Whether a cell is worth a column: zeros, and that points converged, go without saying.
+  // Whether a cell needs a column: zeros and converged flags do not.
   says(column, text) { return column.title === "converged" ? text === "false" : text !== "" && Number(text) !== 0; }
 
   cell(column, row) {
@@ -131,7 +131,7 @@ class TableView {
     const uncertain = this.columns.findIndex((c) => c.title === "uncertain_figures");
     if (uncertain >= 0 && column.name !== "" && row.cells[uncertain].split(" ").includes(column.name) && !document.getElementById("all-columns").checked) return "not resolved";
     const value = column.shown.show(Number(text));
-    // What was varied is known exactly.
+    // Varied inputs have no error bar.
     if (this.columns.indexOf(column) <= this.nAxes) return exactly(value);
     const error = column.errors >= 0 ? Number(row.cells[column.errors]) * column.shown.factor : NaN;
     return error > 0 && !document.getElementById("all-columns").checked ? withBar(value, error, "") : digits(value, 5);
@@ -171,7 +171,7 @@ class TableView {
         const td = document.createElement(k === 0 ? "th" : "td");
         if (k === 0) td.scope = "row";
         td.textContent = this.cell(c, row);
-        // Where rows stand one below the other, each cell says what it is.
+        // In the stacked layout, each cell has a label.
         td.dataset.label = `${capital(c.words)}${c.shown?.name ? ` (${c.shown.name})` : ""}`;
         tr.append(td);
       });
@@ -182,7 +182,7 @@ class TableView {
     thead.append(head);
     table.replaceChildren(thead, body);
     for (const tr of [...body.children].slice(PRINTED_ROWS)) tr.classList.add("unprinted");
-    document.getElementById("rows-printed").textContent = this.sorted.length > PRINTED_ROWS ? `The first ${PRINTED_ROWS} of ${this.sorted.length} rows are printed; the CSV file beside this page has all of them.` : "";
+    document.getElementById("rows-printed").textContent = this.sorted.length > PRINTED_ROWS ? `The first ${PRINTED_ROWS} of ${this.sorted.length} rows are printed; the CSV file next to this page has all of them.` : "";
   }
 
   showPlots() {
@@ -191,10 +191,10 @@ class TableView {
     const by = chosen("table-by") === "" ? null : Number(chosen("table-by"));
     const log = document.getElementById("table-log").checked;
     const groups = by == null ? [null] : [...new Set(this.rows.map((r) => r.cells[by]))];
-    // Points that differ in more than what is drawn, such as random samples, are not joined by lines.
+    // Points that differ in more than the drawn quantities, such as random samples, are not joined by lines.
     const distinct = (of) => new Set(this.rows.map(of)).size;
     const xs = this.columns.indexOf(x);
-    // Of a grid, an axis that changes with the one drawn is no further one.
+    // In a grid, an axis that changes with the drawn one is not a separate axis.
     const goesAlong = (i) => 2 * distinct((r) => r.cells[xs]) <= this.rows.length && [(r) => r.cells[i], (r) => `${r.cells[i]}|${r.cells[xs]}`].every((of) => distinct(of) === distinct((r) => r.cells[xs]));
     const varied = this.columns.filter((c, i) => i >= 1 && i <= this.nAxes && i !== by && c !== x && distinct((r) => r.cells[i]) > 1 && !goesAlong(i));
     const label = (c) => `${capital(c.words)}${c.shown.name ? ` (${c.shown.name})` : ""}`;
@@ -205,7 +205,7 @@ class TableView {
       const unit = names[0].shown;
       const series = [];
       groups.forEach((g, k) => names.forEach((c, n) => {
-        // uPlot joins points over `undefined` and leaves a gap at `null`: a curve's gap is where a point of its own failed.
+        // uPlot joins points over `undefined` and leaves a gap at `null`: a gap marks a failed point of the same curve.
         const of = (list, show) => order.map((r) => (g === null || r.cells[by] === g ? show(list[r.i]) : undefined));
         const errors = c.errors >= 0 ? of(this.columns[c.errors].numbers, (e) => e * unit.factor) : null;
         const group = g === null ? "" : this.groupText(by, g);

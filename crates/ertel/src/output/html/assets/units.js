@@ -1,4 +1,4 @@
-// Units in which numbers are shown, and their digits.
+// Units and digits of displayed numbers.
 
 const CELSIUS = 273.15;
 
@@ -29,10 +29,10 @@ function digits(value, n = 4) {
   return value.toFixed(Math.max(0, n - 1 - exponent));
 }
 
-// A value that was given: without digits that nobody wrote.
+// An input value, without added digits.
 function exactly(value) { return String(Number(value.toPrecision(6))); }
 
-// Value and error bar with the digits that the bar leaves certain.
+// Value and error bar with the certain digits.
 function withBar(value, error, unit) {
   const space = unit ? " " : "";
   if (!(error > 0) || !Number.isFinite(error)) return `${digits(value, 5)}${space}${unit}`;
@@ -40,7 +40,7 @@ function withBar(value, error, unit) {
   const two = Math.round(error * 10 ** (2 - first)) <= 354;
   const places = two ? 1 - first : -first;
   if (places > 12) return `${value.toExponential(4)} ± ${error.toExponential(1)}${space}${unit}`;
-  // Digits before the point that are not certain become zeros.
+  // Uncertain digits before the point become zeros.
   if (places < 0) {
     const round = (v) => (Math.round(v * 10 ** places) / 10 ** places).toFixed(0);
     return `${round(value)} ± ${round(error)}${space}${unit}`;

@@ -1,4 +1,4 @@
-//! Fields whose contours are known by hand, on meshes much coarser than the picture.
+//! Fields with known contours, on meshes much coarser than the picture.
 
 use ertel_fem::mesh::{SurfaceParams, surface_mesh};
 use ertel_fem::space::Space;
@@ -11,7 +11,7 @@ use ertel_plot::contour::Triangulation;
 /// Size of a pixel: 330 px over [−1, 1].
 const PIXEL: f64 = 2.0 / 330.0;
 
-/// A function on n × n squares over [−1, 1]², each cut in two, as polynomials of an order.
+/// A function on n × n squares over [−1, 1]², each divided in two, as polynomials of an order.
 fn elements(n: usize, order: usize, f: impl Fn([f64; 2]) -> f64) -> (ElementFields, Polynomials) {
     let at = |i: usize| 2.0 * i as f64 / n as f64 - 1.0;
     let vertices: Vec<[f64; 2]> = (0..=n)
@@ -55,7 +55,7 @@ fn view(levels: &[f64]) -> View<'_> {
     }
 }
 
-/// The lines of a level, as they are drawn.
+/// The contour lines of a level, as drawn.
 fn level_lines(elements: &ElementFields, field: &Polynomials, level: f64) -> Vec<Vec<[f64; 2]>> {
     let sampling = Sampling::new(elements, field, &view(&[level]));
     let mesh = Triangulation::new(&sampling.points, &sampling.triangles);
@@ -64,7 +64,7 @@ fn level_lines(elements: &ElementFields, field: &Polynomials, level: f64) -> Vec
         .level_lines
 }
 
-/// Largest distance, px, of a line from the circle of a radius about the origin, between its points, too.
+/// Largest distance, px, of a line, including points between its vertices, from a circle about the origin.
 fn off_the_circle(line: &[[f64; 2]], radius: f64) -> f64 {
     let off = |[x, y]: [f64; 2]| (x.hypot(y) - radius).abs() / PIXEL;
     let between = line.windows(2).map(|w| {
@@ -75,7 +75,7 @@ fn off_the_circle(line: &[[f64; 2]], radius: f64) -> f64 {
 }
 
 /// {r⁴ = 0.7⁴} on 18 elements: a closed circle within 0.2 px. Straight lines between the nodes of the same elements
-/// miss it by more than a pixel.
+/// deviate by more than a pixel.
 #[test]
 fn circle_on_a_coarse_mesh_is_round() {
     let quartic = |[x, y]: [f64; 2]| (x * x + y * y).powi(2);
@@ -131,12 +131,12 @@ fn ridges_between_nodes_are_seen() {
     assert_eq!(found.len(), 5);
 }
 
-/// Pieces of very different sizes: what is not shared by two of them is the boundary of the square, of length 8; they
+/// Pieces of very different sizes: edges not shared by two of them form the boundary of the square, of length 8; the pieces
 /// cover it, and edges are at most 3 px long.
 #[test]
 fn fine_and_coarse_pieces_fit_together() {
     let (fields, polynomials) = elements(2, 5, |[x, y]| (x + 0.3 * y).powi(5));
-    // The smallest are where the field is flat: contours are hard to place there
+    // The smallest are where the field is flat: contours are sensitive there
     let levels = [1e-7, 1e-6, 1e-5, 0.1, 0.2, 0.3];
     let sampling = Sampling::new(&fields, &polynomials, &view(&levels));
     let area: f64 = (sampling.triangles.iter())
@@ -165,9 +165,9 @@ fn fine_and_coarse_pieces_fit_together() {
     );
 }
 
-/// Elements out of sight are left out, and those beside the window are cut only within it.
+/// Elements outside the window are omitted, and adjacent ones are divided only within it.
 #[test]
-fn effort_is_spent_where_it_is_seen() {
+fn elements_outside_the_window_are_not_divided() {
     let (fields, polynomials) = elements(4, 3, |[x, y]| x * x + y * y);
     let near = View {
         window: [[0.1, 0.4], [0.1, 0.4]],
@@ -184,8 +184,8 @@ fn effort_is_spent_where_it_is_seen() {
     assert!(most.triangles.len() <= MOST);
 }
 
-/// {exp(−r²) = exp(−0.7²)} of linear elements at most a quarter as long as its radius: within 0.1 px by recovered
-/// gradients; as the elements are, a polygon that misses it by more than 0.3 px.
+/// {exp(−r²) = exp(−0.7²)} of linear elements at most a quarter as long as its radius: within 0.1 px with recovered
+/// gradients; without them, a polygon that deviates by more than 0.3 px.
 #[test]
 fn recovered_gradients_round_a_polygon() {
     let patch = SurfaceParams {

@@ -1,4 +1,4 @@
-//! The transitions of the driver, with a solver that does as it is told.
+//! The transitions of the driver, with a scripted solver.
 
 mod scripted;
 
@@ -39,7 +39,7 @@ fn a_failed_solution_is_led_up_to_by_diminishing_diffusion() {
     let (end, trace) = run(outline(3), |n, _| if n == 1 { Diverged } else { Solved });
     assert_eq!(end.unwrap().stage.role, Role::Final);
     assert_eq!(diffusions(&trace), [2.0, 0.0, 1.0, 0.25, 0.06, 0.015, 0.0]);
-    // What failed is no start.
+    // A failed stage is no start.
     assert_eq!(trace[2].1, Some(trace[0].0));
 }
 
@@ -64,7 +64,7 @@ fn a_step_that_is_too_long_is_halved() {
     assert_eq!(diffusions(&trace), expected);
 }
 
-/// Six times in one continuation; then what came near is gone on from.
+/// Six times in one continuation; then it continues from a nearly converged state.
 #[test]
 fn halving_has_an_end() {
     let (_, trace) = run(outline(2), |n, stage| match n {
@@ -76,7 +76,7 @@ fn halving_has_an_end() {
     let first: Vec<f64> = first
         .map(|(s, _)| s.constants.isotropic_diffusion)
         .collect();
-    // The four steps, and twice six: the half, and the step once more.
+    // The four steps, and twice six: the half step, and the step again.
     assert_eq!(first.len(), 4 + 2 * 6);
     assert_eq!(first[first.len() - 1], 0.015);
 }
@@ -92,7 +92,7 @@ fn the_first_failure_is_reported_when_all_strategies_fail() {
 }
 
 #[test]
-fn what_is_only_compared_may_fail() {
+fn comparisons_may_fail() {
     for role in [Role::Estimate, Role::Comparison, Role::Isothermal] {
         let mut outline = outline(3);
         let compared = Stage {
@@ -116,7 +116,7 @@ fn meshes_are_refined_until_errors_are_small() {
 
 /// In steps of diminishing diffusion on the same mesh, from the solution on the mesh before.
 #[test]
-fn a_refined_mesh_that_fails_is_tried_once_more() {
+fn a_failed_refined_mesh_is_retried() {
     let (end, trace) = run(outline(3), |n, _| match n {
         1 => COARSE,
         2 => Diverged,
@@ -137,7 +137,7 @@ fn a_refined_mesh_that_fails_is_tried_once_more() {
 
 /// It was only measured, and is brought to the end.
 #[test]
-fn the_mesh_before_stands_where_the_refined_one_fails_again() {
+fn the_previous_mesh_is_kept_where_the_refined_one_fails_again() {
     for (fails, stages) in [(3, 4), (5, 6), (8, 9)] {
         let (end, trace) = run(outline(3), |n, _| match n {
             1 => COARSE,
@@ -166,7 +166,7 @@ fn a_mesh_for_the_pressure_alone_is_tried_once() {
 
 /// Where a contact has it: the same stage with diffusion at ridges of the pressure, which all later ones keep; a refined mesh that fails with it is given up.
 #[test]
-fn what_fails_is_tried_with_a_diffused_ridge() {
+fn failures_are_retried_with_a_diffused_ridge() {
     let diffused = |trace: &Trace| -> Vec<(Role, f64)> {
         let stages = trace.iter();
         stages
@@ -214,7 +214,7 @@ fn what_fails_is_tried_with_a_diffused_ridge() {
 
 /// On a refined mesh where cubic pressures fail with a diffused ridge, too; those that follow are quadratic, and cubic ones are not tried again.
 #[test]
-fn refined_meshes_go_on_with_quadratic_pressures() {
+fn refined_meshes_continue_with_quadratic_pressures() {
     let outline = Outline {
         ridge_diffusion: 1.0,
         ..outline(3)
@@ -283,7 +283,7 @@ impl Observer for Cancelled {
 }
 
 #[test]
-fn nothing_is_begun_after_a_cancellation() {
+fn nothing_starts_after_a_cancellation() {
     let mut trace = Vec::new();
     let solver = Scripted {
         rule: |_, _: &Stage| Solved,

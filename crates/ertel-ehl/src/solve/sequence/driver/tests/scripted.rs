@@ -1,4 +1,4 @@
-//! A solver that ends stages as it is told, for tests of the driver.
+//! A solver whose stages end as scripted, for tests of the driver.
 
 use crate::solve::sequence::driver::*;
 
@@ -24,7 +24,7 @@ pub const COARSE: Ending = Ending::Inaccurate {
     aim: RefinementTarget::Films,
 };
 
-/// What a stage came to.
+/// Solution of a stage.
 #[derive(Clone, Debug)]
 pub struct Point {
     pub stage: Stage,

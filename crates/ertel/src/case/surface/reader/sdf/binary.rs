@@ -29,7 +29,7 @@ enum Kind {
 }
 
 impl Kind {
-    /// In the order of the numbers that stand for them.
+    /// In the order of their numbers.
     const ALL: [Kind; 8] = [
         Kind::U8,
         Kind::U16,

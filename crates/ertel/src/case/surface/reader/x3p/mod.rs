@@ -1,4 +1,4 @@
-//! X3P (ISO 25178-72): an archive with a description, `main.xml`, and the heights of a grid beside it or in it. Lengths are in metres.
+//! X3P (ISO 25178-72): an archive with a description, `main.xml`, and the heights of a grid in another file or in it. Lengths are in metres.
 
 mod archive;
 mod description;
@@ -97,7 +97,7 @@ fn grid<'a>(archive: &Archive<'_>, root: Node<'a, 'a>) -> Result<Topography, Map
     })
 }
 
-/// The text of an element beside the links to files of points.
+/// The text of an element of `DataLink`, which names the files of points.
 fn of_link<'a>(root: Node<'a, '_>, key: &str) -> Option<&'a str> {
     at(root, &["Record3", "DataLink", key])
 }

@@ -1,4 +1,4 @@
-//! What is told of an instant.
+//! The figures reported at an instant.
 
 use super::body::Start;
 use super::levels::Levels;
@@ -9,34 +9,34 @@ use crate::engine::figures::sizes;
 use crate::solution::{Bar, Figure, Figures, Measured, OPEN_MASS_BALANCE};
 use crate::volumes::Plan;
 use crate::volumes::ending::balance_error;
-use crate::volumes::engine::{TOLD, least_shares};
+use crate::volumes::engine::{BAR_GRIDS, least_shares};
 use crate::volumes::figures::{bars, figures};
 
 /// Distance between the bodies, in a²/R, that is rounding.
 const ROUNDING: f64 = 1e-13;
 
-/// What an instant is told with.
+/// Time, step and effort of an instant.
 #[derive(Clone, Copy, Default)]
-pub(super) struct At {
+pub(super) struct InstantMeta {
     pub time: f64,
     pub step: f64,
     pub newton_iterations: usize,
     pub is_asked: bool,
 }
 
-/// The newest instant.
-pub(super) fn instant<'a>(
+/// Measures the newest instant.
+pub(super) fn measure<'a>(
     levels: &'a Levels,
     problem: &'a Problem<Plan>,
     present: &Present<'_>,
     params: &Params,
-    at: At,
+    at: InstantMeta,
 ) -> Instant<'a> {
     let conditions = present.conditions;
     let load = present.load * conditions.load.at(at.time);
     let film_force = levels.force(load) / present.load;
     let [approach, velocity] = levels.approached();
-    // Beside what rounding makes of distances over a step there is none.
+    // A velocity below the rounding of distances over a step counts as zero.
     let approach_velocity = match (velocity * at.step).abs() > ROUNDING {
         true => velocity,
         false if at.step == 0.0 => velocity + 0.0,
@@ -44,11 +44,11 @@ pub(super) fn instant<'a>(
     };
     let levels = levels.levels();
     let n = levels.len();
-    let of_grids: Vec<Figures> = (n.saturating_sub(TOLD)..n)
+    let of_grids: Vec<Figures> = (n.saturating_sub(BAR_GRIDS)..n)
         .map(|l| figures(problem, &levels[..=l]))
         .collect();
     let mut newest = of_grids.iter().rev();
-    let of_grids = [(); TOLD].map(|()| newest.next());
+    let of_grids = [(); BAR_GRIDS].map(|()| newest.next());
     let cell = levels
         .last()
         .map_or(0.0, |level| level.system.grid.spacing[0]);
@@ -62,7 +62,7 @@ pub(super) fn instant<'a>(
         }),
     };
     let mut bars = bars(of_grids, cell * length, least_shares(problem, cell, false));
-    // What the steps err by adds to what the grids do.
+    // The error of the steps adds to that of the grids.
     for figure in Figure::ALL {
         if let (Some(bar), Some(reading)) = (bars.get(figure), figures.get(figure)) {
             let size = reading.size.abs();

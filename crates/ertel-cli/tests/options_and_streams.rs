@@ -53,7 +53,7 @@ fn code(output: &Output, expected: i32) {
     );
 }
 
-/// The film of a case changed on the command line is that of the file with the change in it, and that file stands with the results.
+/// The film of a case changed on the command line is that of the file with the change in it, and that file is written with the results.
 #[test]
 fn values_are_set_on_the_command_line() {
     let folder = workplace();
@@ -213,7 +213,7 @@ fn a_case_is_read_from_standard_input() {
 
 /// One of three does not converge: the others are solved, and the code is its own.
 #[test]
-fn several_cases_go_into_folders_of_their_own() {
+fn several_cases_have_separate_folders() {
     let folder = workplace();
     let hard = format!("{QUICK}\n[solver]\nmax_iterations = 1\ntolerance = 1e-11\n");
     std::fs::write(folder.path().join("hard.toml"), hard).unwrap();
@@ -326,7 +326,7 @@ fn names(events: &[Value], name: &str) -> usize {
 }
 
 #[test]
-fn a_solve_tells_programs_what_happens() {
+fn a_solve_reports_its_events_to_programs() {
     let folder = workplace();
     let output = ertel(
         &folder,
@@ -353,7 +353,7 @@ fn a_solve_tells_programs_what_happens() {
 }
 
 #[test]
-fn a_curve_tells_programs_its_points() {
+fn a_curve_reports_its_points_to_programs() {
     let folder = workplace();
     let curve = "\n[curve]\nquantity = \"contact.load\"\nvalues = [\"20 kN/m\", \"25 kN/m\"]\n";
     std::fs::write(folder.path().join("curve.toml"), format!("{QUICK}{curve}")).unwrap();
@@ -411,7 +411,7 @@ fn a_curve_tells_programs_its_points() {
 }
 
 #[test]
-fn failures_are_told_to_programs() {
+fn failures_are_reported_to_programs() {
     let folder = workplace();
     let output = ertel(
         &folder,
@@ -484,7 +484,7 @@ fn a_check_says_what_it_checked() {
 }
 
 #[test]
-fn verbose_tells_files_and_meshes() {
+fn verbose_shows_files_and_meshes() {
     let folder = workplace();
     let output = ertel(&folder, &["solve", "quick.toml", "-v"]);
     code(&output, 0);
@@ -531,7 +531,7 @@ fn colours_are_for_terminals() {
     assert!(run(&bad, Some(("NO_COLOR", "1"))).starts_with("error:"));
     let never = ["solve", "no.toml", "--color", "never"];
     assert!(run(&never, Some(("CLICOLOR_FORCE", "1"))).starts_with("error:"));
-    // What a file says is shown, not obeyed, in colour as well.
+    // Control characters of a file are shown, not obeyed, in colour as well.
     std::fs::write(
         folder.path().join("esc.toml"),
         QUICK.replace("line", "\\u001b[2J"),
@@ -589,8 +589,8 @@ fn init_writes_templates_that_pass_the_check() {
             }
             _ => false,
         };
-        let told = stderr(&check);
-        assert!(told.lines().all(is_known), "{name}: {told}");
+        let shown = stderr(&check);
+        assert!(shown.lines().all(is_known), "{name}: {shown}");
     }
     let again = ertel(&folder, &["init", "gear", "-o", "rig.toml"]);
     code(&again, 2);
@@ -659,7 +659,7 @@ fn completions_and_manual_pages() {
     assert_eq!(read(&folder, "man/ertel-solve.1"), "mine");
 }
 
-/// What is far from usual brings a question, and nothing in the published cases does.
+/// Unusual values bring a question, and the published cases have none.
 #[test]
 fn published_cases_raise_no_questions() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -683,7 +683,7 @@ fn published_cases_raise_no_questions() {
             let asked = case
                 .warnings
                 .iter()
-                .find(|w| w.text.contains("far from what is usual"));
+                .find(|w| w.text.contains("far from the usual range"));
             assert_eq!(asked, None, "{}", path.display());
         }
     }

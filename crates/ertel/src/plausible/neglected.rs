@@ -1,4 +1,4 @@
-//! The table of checks on what a model leaves out, and the line that tells it.
+//! Checks of the effects that a model neglects, and their line in the report.
 
 use super::heat::{LARGEST_RISE, SMALLEST_FACTOR, inlet_heat, rise};
 use super::inertia::{FilmReynolds, film_reynolds, squeeze_reynolds};
@@ -7,7 +7,7 @@ use crate::solution::{Neglected, NeglectedHeat};
 use crate::warning::{Warning, WarningKind};
 use crate::words::digits;
 
-/// What is known of a contact when it is asked what its model leaves out.
+/// Figures of a contact from which neglected effects are estimated.
 pub struct Known {
     /// Central film, m.
     pub film_central: f64,
@@ -44,8 +44,8 @@ pub fn squeeze(case: &Case) -> Option<[f64; 2]> {
     transient.squeeze(case)
 }
 
-/// Estimates of what is left out.
-pub fn left_out(case: &Case, known: &Known) -> Neglected {
+/// Estimates of neglected effects.
+pub fn neglected(case: &Case, known: &Known) -> Neglected {
     let heat = case.thermal().is_none().then(|| {
         let inlet = inlet_heat(case);
         let rise = rise(case, known.friction_power, known.film_central);
@@ -64,11 +64,11 @@ pub fn left_out(case: &Case, known: &Known) -> Neglected {
     }
 }
 
-/// Warnings where what is left out matters.
-pub fn warnings(case: &Case, film_central: f64, left_out: &Neglected) -> Vec<Warning> {
+/// Warnings where neglected effects matter.
+pub fn warnings(case: &Case, film_central: f64, neglected: &Neglected) -> Vec<Warning> {
     // Without motion there is no inlet to heat.
     let heat = match squeeze(case) {
-        None => left_out.heat.as_ref().and_then(heat_warning),
+        None => neglected.heat.as_ref().and_then(heat_warning),
         Some(_) => None,
     };
     let reynolds = reynolds(case, film_central);
@@ -76,7 +76,7 @@ pub fn warnings(case: &Case, film_central: f64, left_out: &Neglected) -> Vec<War
     heat.into_iter().chain(inertia).collect()
 }
 
-/// Says so if an isothermal contact makes so much heat that films or friction are others.
+/// Warns if an isothermal contact generates enough heat to change films or friction.
 pub fn heat_warning(heat: &NeglectedHeat) -> Option<Warning> {
     let factor = heat.film_factor.unwrap_or(1.0);
     let mut parts = Vec::new();
@@ -109,7 +109,7 @@ fn about(heat: &NeglectedHeat) -> &'static str {
     }
 }
 
-/// Says so if inertia or turbulence may count.
+/// Warns if inertia or turbulence may count.
 pub fn inertia_warning(reynolds: &FilmReynolds) -> Option<Warning> {
     let text = format!(
         "inertia may matter (Reynolds number of the film {:.3e}, reduced {:.3e}): Reynolds' equation has none",
@@ -120,15 +120,15 @@ pub fn inertia_warning(reynolds: &FilmReynolds) -> Option<Warning> {
 }
 
 /// The line of a report.
-pub fn words(left_out: &Neglected) -> String {
+pub fn words(neglected: &Neglected) -> String {
     let mut parts = Vec::new();
-    if let Some(heat) = &left_out.heat {
+    if let Some(heat) = &neglected.heat {
         let film = match (heat.film_factor, heat.film_factor_missing) {
             (Some(factor), _) => format!(
-                "that of the inlet thins the film by about {} %",
+                "inlet heating thins the film by about {} %",
                 digits(100.0 * (1.0 - factor), 2)
             ),
-            (None, Some(reason)) => format!("effect on the film not known: {reason}"),
+            (None, Some(reason)) => format!("effect on the film unknown: {reason}"),
             (None, None) => "effect on the film beyond the formula".to_owned(),
         };
         let rise = match heat.temperature_rise > 0.0 {
@@ -143,13 +143,13 @@ pub fn words(left_out: &Neglected) -> String {
     }
     parts.push(format!(
         "inertia ({} of viscous forces)",
-        percent(left_out.inertia)
+        percent(neglected.inertia)
     ));
     parts.push(format!(
-        "plasticity (p_h is {} of what the bodies bear)",
-        digits(left_out.plasticity, 2)
+        "plasticity (p_h is {} of the limit of the bodies)",
+        digits(neglected.plasticity, 2)
     ));
-    parts.push(match left_out.lambda {
+    parts.push(match neglected.lambda {
         Some(lambda) => format!(
             "roughness in the film (h_min is {} times the rms height)",
             digits(lambda, 3)
@@ -201,8 +201,8 @@ mod tests {
         };
         assert_eq!(
             words(&known),
-            "heat (that of the inlet thins the film by about 3 %; friction warms the film by about 2 K); inertia (below 0.01 % of viscous \
-             forces); plasticity (p_h is 0.24 of what the bodies bear); roughness (none given)"
+            "heat (inlet heating thins the film by about 3 %; friction warms the film by about 2 K); inertia (below 0.01 % of viscous \
+             forces); plasticity (p_h is 0.24 of the limit of the bodies); roughness (none given)"
         );
     }
 }

@@ -1,4 +1,4 @@
-//! Points that another file than a study gives, such as a table of measurements.
+//! Points from a file other than a study, such as a table of measurements.
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -18,7 +18,7 @@ pub struct PointColumn {
     pub key: String,
     /// Bytes of its title in the file of the points, where errors about the key point.
     pub span: Range<usize>,
-    /// The values, as they would stand in a case file, each with its bytes in the file of the points.
+    /// The values as in a case file, each with its bytes in the file of the points.
     pub values: Vec<(Range<usize>, Value)>,
 }
 
@@ -37,7 +37,7 @@ impl PointColumn {
 }
 
 impl Study {
-    /// A study of the case in the file `base` without the keys `replaced`, whose points stand side by side in `columns`; these
+    /// A study of the case in the file `base` without the keys `replaced`, whose points are the rows of `columns`; these
     /// come from the file `path` with this text, to which errors point.
     ///
     /// # Errors
@@ -55,8 +55,7 @@ impl Study {
         let mut case = Document::read(base)?;
         replaced.iter().for_each(|key| case.remove(key));
         if let Some(curve) = case.tree().entry("curve") {
-            let message =
-                format!("the points come from {file}, but the case has a [curve] of its own");
+            let message = format!("the points come from {file}, but the case has a [curve]");
             let error = case.error_at(curve.key_span.clone(), "curve", message);
             return Err(
                 error.with_help("take [curve] out of the case, or compare with a copy without it")
@@ -70,7 +69,7 @@ impl Study {
         }
         let title = case.root().optional_str("title")?.unwrap_or_default();
         let title = title.to_owned();
-        let (case, offset) = case.beside(&file, text);
+        let (case, offset) = case.with_file(&file, text);
         let moved = |span: Range<usize>| span.start + offset..span.end + offset;
         let error = |message: String| case.error_at(moved(0..0), "", message);
         let n_points = columns.first().map_or(0, |column| column.values.len());

@@ -1,13 +1,13 @@
-//! What rows tell people.
+//! Descriptions of keys for the reference, the schema and the page.
 
 use std::fmt::Write;
 
 use super::{Kind, Laws, Row};
 
 impl Row {
-    /// What the keys mean, as Markdown on one line: the words, with choices at the end where the words do not have them, and bounds and
+    /// Meaning of the keys as one line of Markdown: the words, with choices at the end where the words do not list them, and bounds and
     /// default at the braces `{}` in the words, or else at the end.
-    pub fn told(&self) -> String {
+    pub fn description(&self) -> String {
         let words: Vec<&str> = self.words.split_whitespace().collect();
         let mut text = words.join(" ");
         if let Kind::Choice(choices) | Kind::AnyCase(choices) = self.kind {
@@ -86,7 +86,7 @@ pub fn table(rows: &[Row]) -> String {
             text,
             "| {} | {} |",
             keys.join(", "),
-            row.told().replace('|', "\\|")
+            row.description().replace('|', "\\|")
         );
     }
     text
@@ -106,7 +106,7 @@ pub fn table_of_laws(laws: &Laws) -> String {
     text
 }
 
-/// Markdown without its signs: links as their words, no backquotes.
+/// Plain text of Markdown: links as their words, no backquotes.
 pub fn plain(text: &str) -> String {
     let mut result = String::new();
     let mut rest = text;
@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn rows_tell_choices_bounds_and_defaults() {
+    fn descriptions_contain_choices_bounds_and_defaults() {
         let expected = "| key | meaning |\n|---|---|\n\
             | `order` | order of the film, 2 to 10,000; default 8 |\n\
             | `share` | a share, 0.02 % to 10 % |\n\
@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn signs_of_markdown_are_left_out() {
+    fn markdown_syntax_is_removed() {
         assert_eq!(
             plain("a [law](x.md#y) of `k` ([why](z.md))"),
             "a law of k (why)"

@@ -1,8 +1,8 @@
-//! What the model of a result leaves out, with its estimated size.
+//! Effects that the model neglects, with their estimated size.
 
 use serde::Serialize;
 
-/// Estimates of what a solve did not reckon with. A size is `None` where nothing can be said of it.
+/// Estimates of effects that a solve neglects. A size is `None` where it cannot be estimated.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Neglected {
     /// Heat; `None` where the solve has it.
@@ -10,20 +10,20 @@ pub struct Neglected {
     pub heat: Option<NeglectedHeat>,
     /// Inertia of the film over its viscous forces.
     pub inertia: f64,
-    /// Hertz pressure over the largest one that the weaker body bears.
+    /// Hertz pressure over the limit of the weaker body.
     pub plasticity: f64,
     /// Minimum film over the rms roughness; `None` where no roughness is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lambda: Option<f64>,
 }
 
-/// Heat that an isothermal contact leaves out.
+/// Heat that an isothermal contact neglects.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct NeglectedHeat {
     /// Factor by which the heat of shear in the inlet thins the film.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub film_factor: Option<f64>,
-    /// Why there is none.
+    /// Why there is no estimate.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub film_factor_missing: Option<&'static str>,
     /// Mean rise of the film in the contact by the heat of friction, K.
