@@ -31,13 +31,13 @@ pub(super) fn by_law(
     let by_law = solver.newtonian && !heat && (by_kind || !is_rig);
     let law = match by_kind {
         true => {
-            "by a law estimated for the kind of the base oil (Eyring and limiting stress), since no `shear_thinning` is given"
+            "law estimated for the kind of the base oil (Eyring and limiting stress), since no `shear_thinning` is given"
         }
-        false => "by the shear thinning of the lubricant",
+        false => "shear thinning of the lubricant",
     };
     let films = match by_law {
         true => "films are Newtonian",
-        false => "so are films",
+        false => "films follow the same law",
     };
     if by_kind || by_law {
         let row = ("friction".to_owned(), format!("{law}; {films}"));

@@ -128,7 +128,7 @@ impl Case {
         // With heat, each input takes two solves: estimates alone do not request them.
         let is_cheap = self.thermal().is_none();
         match self.output.sensitivities {
-            // With the load a relief changes in half-widths, and with it what is solved.
+            // The load changes a relief measured in half-widths, and so the problem.
             _ if !self.reliefs.is_empty() => false,
             SensitivityDemand::Off => false,
             SensitivityDemand::WhereUncertain => uncertain(is_cheap),

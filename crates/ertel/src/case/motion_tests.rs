@@ -43,7 +43,7 @@ fn skewed_speeds() {
         max_relative = 1e-5
     );
     assert!(!motion.is_straight());
-    // Turned the other way, it slides the other way; without an angle it is what it was.
+    // Turned the other way, it slides the other way; without an angle nothing changes.
     let back = read(BALL, &speeds.replace("30", "-30")).unwrap().motion;
     assert_relative_eq!(
         back.slide_to_roll_ratio_across,

@@ -178,7 +178,7 @@ fn missing_data_are_named_with_their_place() {
     let text = message(read(&format!("{oil}[thermal]")));
     let words = "the thermal_conductivity of the lubricant (thesis-roelands-oil), the heat_capacity of the lubricant";
     assert!(
-        text.contains(words) && text.contains("in [lubricant]"),
+        text.contains(words) && text.contains("to [lubricant]"),
         "{text}"
     );
 }

@@ -272,7 +272,7 @@ fn oil_layer(reader: &mut Reader<'_, '_>, supply: &Supply) -> Result<Option<Cour
     reader.course("oil_layer", base, Dimension::LENGTH, LAYER)
 }
 
-/// Refuses what is not solved in time.
+/// Refuses cases that are not solved in time.
 fn check(case: &Case, table: &mut Table<'_>) -> Result<(), InputError> {
     let refused = [
         (
@@ -635,7 +635,7 @@ impl Transient {
         }
     }
 
-    /// Refuses starts without a steady film and loads beyond what a contact bears.
+    /// Refuses starts without a steady film and loads out of the range of contacts.
     fn check(&self, case: &Case, root: &Table<'_>) -> Result<(), InputError> {
         let start = self.entrainment(0.0);
         let Reference { speed, load, .. } = self.reference(case);

@@ -151,7 +151,7 @@ fn is_loaded(table: &mut Table<'_>) -> bool {
     table.contains("designation") || loads.iter().any(|key| table.contains(key))
 }
 
-/// Rows of the echo: what was computed, by which formula.
+/// Rows of the echo: computed values and their formulas.
 #[derive(Default)]
 struct Rows(Vec<(String, String)>);
 

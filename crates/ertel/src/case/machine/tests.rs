@@ -1,4 +1,4 @@
-//! Each machine against figures worked out by hand, its limits, and what it refuses.
+//! Each machine against figures worked out by hand, its limits, and its refusals.
 
 use std::path::Path;
 

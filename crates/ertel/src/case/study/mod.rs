@@ -462,7 +462,7 @@ fn check_keys(case: &Document, groups: &[Group]) -> Result<(), InputError> {
     Ok(())
 }
 
-/// Why an axis does not change what is solved, and what to do; `has_contact_axis` if another one of its group does.
+/// Why an axis does not change the solution, and the remedy; `has_contact_axis` if another one of its group does.
 fn without_effect(axis: &axis::Axis, has_contact_axis: bool) -> Option<(String, &'static str)> {
     let key = &axis.key;
     match key.split('.').next().unwrap_or_default() {
@@ -471,7 +471,7 @@ fn without_effect(axis: &axis::Axis, has_contact_axis: bool) -> Option<(String, 
             "make an [[axis]] of the quantity of the curve, crossed with the others",
         )),
         "output" => Some((
-            format!("`{key}` cannot be an axis: what is written does not change what is solved"),
+            format!("`{key}` cannot be an axis: this setting does not change what is solved"),
             "set it in the base case; `ertel sweep --folders` writes each point to a separate folder",
         )),
         "title" if axis.values.len() > 1 && !has_contact_axis => Some((

@@ -177,7 +177,7 @@ fn maps_that_are_refused() {
 const GENERATED: &str = "kind = \"generated\"\nlength = \"200 um\"\nrolloff_wavelength = \"80 um\"\nshortest_wavelength = \"20 um\"\n\
                          hurst_exponent = 0.8\nrms_height = \"30 nm\"\n";
 
-/// The same number gives the same heights, to the bit, and another one others; Sq is what was asked for.
+/// The same number gives the same heights, to the bit, and another one others; Sq is the given one.
 #[test]
 fn surfaces_are_made_by_their_number() {
     let of = |contact: &str, more: &str| {

@@ -86,7 +86,9 @@ impl<'a> Archive<'a> {
                 }
             };
             if rawzip::crc32(&content) != entry.crc32() {
-                return Err(damaged(&format!("`{name}` is not what it was")));
+                return Err(damaged(&format!(
+                    "`{name}` does not match its CRC-32 checksum"
+                )));
             }
             return Ok(Some(content));
         }
