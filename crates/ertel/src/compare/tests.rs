@@ -167,7 +167,7 @@ fn a_bad_table_is_refused_with_its_place() {
         ),
         (
             "speed [m/s],film_central_uncertainty [nm]\n1,5\n",
-            &[":1:2", "without it"],
+            &[":1:2", "no column of its values"],
         ),
         (
             "speed [m/s],film_central [nm],film_central_uncertainty\n1,5,1\n",

@@ -13,12 +13,16 @@ use serde_json::Value;
 use super::figures::{PlacedFigure, placed_figure};
 use super::machine::Machine;
 use super::record::Record;
+use super::whole;
 
 /// The record of a case, or of the points of its curve, each of which starts from the last.
 pub fn record(path: &Path, machine: &Machine) -> Result<Record, String> {
     let case = Case::read(path).map_err(|error| error.to_string())?;
     let mut record = Record::default();
     machine.note(&mut record);
+    if case.curve.is_none() && whole::note(&mut record, &case)? {
+        return Ok(record);
+    }
     let Some(curve) = &case.curve else {
         let solution = solve(&case, &mut NoObserver).map_err(|error| error.to_string())?;
         describe(&mut record, &solution)?;

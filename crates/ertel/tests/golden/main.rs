@@ -26,6 +26,7 @@ mod figures;
 mod machine;
 mod own;
 mod record;
+mod whole;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};

@@ -86,7 +86,7 @@ struct Reader {
 impl Reader {
     fn read(&self, index: usize) -> Result<StudyPoint, InputError> {
         let settings = settings_of(&self.groups, index);
-        let naming = |label: &str| format!("point {}  of {}: {label}", index + 1, self.name);
+        let naming = |label: &str| format!("point {} of {}: {label}", index + 1, self.name);
         let (mut point, varied) = StudyPoint::read(
             &self.case,
             &self.folder,

@@ -98,7 +98,7 @@ fn bad_machines_are_refused_with_their_reason() {
             BALL,
             "ball_load",
             "hertz_pressure = \"1 GPa\"\nball_load",
-            &["`ball_load` and `hertz_pressure` say the same"],
+            &["`ball_load` and `hertz_pressure` give the same quantity"],
         ),
         (
             ROLLER,
