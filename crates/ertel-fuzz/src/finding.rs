@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// File beside those of a finding, with what happened and how to repeat it.
+/// File added to those of a finding, with what happened and how to repeat it.
 pub const NOTE: &str = "finding.txt";
 
 /// Kinds of defects.
@@ -39,7 +39,7 @@ impl Kind {
 pub struct Defect {
     /// Its kind.
     pub kind: Kind,
-    /// By what two findings are told to be of the same defect: the place of a panic, the rule that does not hold.
+    /// Two findings with the same place are of the same defect: the place of a panic, the rule that does not hold.
     pub place: String,
     /// All there is to say.
     pub message: String,

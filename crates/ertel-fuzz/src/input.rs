@@ -32,7 +32,7 @@ pub enum Target {
     Journal,
     /// A case file of a machine.
     Machine,
-    /// Values put in place of those of a case, as `--set` does.
+    /// Values that replace those of a case, as `--set` does.
     Settings,
     /// Answers to the questions of `ertel init --ask`.
     Answers,
@@ -54,11 +54,15 @@ pub enum Target {
     X3p,
     /// A case with a table of what changes in time.
     Course,
+    /// A checkpoint of a run in time, with its case.
+    Checkpoint,
+    /// A folder of results that the Python package opens.
+    Read,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Target; 22] = [
+    pub const ALL: [Target; 24] = [
         Target::Case,
         Target::Solve,
         Target::Study,
@@ -81,6 +85,8 @@ impl Target {
         Target::Surface,
         Target::X3p,
         Target::Course,
+        Target::Checkpoint,
+        Target::Read,
     ];
 
     /// Its name on the command line and in findings.
@@ -108,6 +114,8 @@ impl Target {
             Target::Surface => "surface",
             Target::X3p => "x3p",
             Target::Course => "course",
+            Target::Checkpoint => "checkpoint",
+            Target::Read => "read",
         }
     }
 
@@ -136,6 +144,8 @@ impl Target {
             Target::Surface => 60,
             Target::X3p => 60,
             Target::Course => 60,
+            Target::Checkpoint => 15,
+            Target::Read => 60,
         }
     }
 
@@ -159,6 +169,8 @@ impl Target {
             Target::Surface => "map.txt",
             Target::X3p => "main.xml",
             Target::Course => "course.csv",
+            Target::Checkpoint => "run.bin",
+            Target::Read => "surface.csv",
         }
     }
 

@@ -2,7 +2,7 @@
 //!
 //!     cargo run --release -p ertel-fuzz -- --seconds 60
 //!
-//! Inputs are made from the shipped cases, studies and data and from the corpus beside this crate, and numbered: the
+//! Inputs are made from the shipped cases, studies and data and from the corpus of this crate, and numbered: the
 //! same seed and number make the same input. How it works, and why so, stands in docs/decisions/0013.
 
 #[allow(dead_code, reason = "messages are for the tests of the command")]
@@ -56,7 +56,7 @@ struct Args {
     /// Folder for inputs that show a defect
     #[arg(long, default_value = "results/fuzz", value_name = "DIR")]
     output: PathBuf,
-    /// Feed the files of a folder once more, to the reader of `--target`
+    /// Feed the files of a folder again, to the reader of `--target`
     #[arg(long, value_name = "DIR", requires = "target")]
     repeat: Option<PathBuf>,
     /// Work in this folder for another process of this command
@@ -139,7 +139,7 @@ fn print(summary: &Summary, seconds: f64) {
     println!("{} defects", summary.defects.len());
 }
 
-/// Reads the files of a folder once more.
+/// Reads the files of a folder again.
 fn repeat(folder: &Path, target: Target, json: bool) -> io::Result<bool> {
     let input = seeds::read_folder(target, folder)?;
     let show = move |defect: &finding::Defect| match json {

@@ -10,7 +10,7 @@ use fastrand::Rng;
 use crate::bad::bad_cases;
 use crate::input::{Input, Target};
 use crate::mutate::Words;
-use crate::targets::{self, Verdict, answers, course, journal, surface, view};
+use crate::targets::{self, Verdict, answers, course, journal, read, stopped, surface, view};
 
 /// Lines of a seed table, at most: long tables are slow and say no more.
 const MOST_LINES: usize = 25;
@@ -107,7 +107,7 @@ impl Seeds {
         inputs.push(of_main(Target::FitViscosity, sheet));
         for path in files(&root.join("crates/ertel-rheology/data"), "toml")? {
             let mut input = of_main(Target::OwnData, fs::read(&path)?);
-            beside(&path, &mut input)?;
+            add_tables(&path, &mut input)?;
             inputs.push(input);
         }
         let journal = journal::seed()?;
@@ -115,7 +115,9 @@ impl Seeds {
             target: Target::StudyList,
             ..journal.clone()
         });
+        inputs.push(read::seed(&journal));
         inputs.push(journal);
+        inputs.push(stopped::seed()?);
         inputs.extend(answers::seeds());
         inputs.extend(view::seeds());
         inputs.extend(surface::seeds());
@@ -178,7 +180,7 @@ fn of_main(target: Target, content: Vec<u8>) -> Input {
         target,
         files: Vec::new(),
     };
-    let beside: &[(&str, &str)] = match target {
+    let others: &[(&str, &str)] = match target {
         Target::Table => &[("case.toml", TABLE_CASE)],
         Target::Measured => &[("case.toml", BALL)],
         Target::Points => &[("study.toml", POINTS_STUDY), ("roller.toml", ROLLER)],
@@ -186,7 +188,7 @@ fn of_main(target: Target, content: Vec<u8>) -> Input {
         Target::Web => &[("changes.json", CHANGES)],
         _ => &[],
     };
-    for (name, text) in beside {
+    for (name, text) in others {
         input.set(name, text.as_bytes().to_vec());
     }
     input.set(target.main_file(), content);
@@ -196,28 +198,28 @@ fn of_main(target: Target, content: Vec<u8>) -> Input {
 /// A study with its base case and its points, as far as they are there.
 fn study(path: &Path, content: Vec<u8>, text: &str) -> io::Result<Input> {
     let mut input = of_main(Target::Study, content);
-    let mut text_beside = text.to_owned();
+    let mut named = text.to_owned();
     for line in text.lines() {
         let Some((key, value)) = line.split_once('=') else {
             continue;
         };
         let name = value.trim().trim_matches('"');
-        let beside = path.with_file_name(name);
-        if matches!(key.trim(), "case" | "points") && name.contains('.') && beside.is_file() {
+        let neighbour = path.with_file_name(name);
+        if matches!(key.trim(), "case" | "points") && name.contains('.') && neighbour.is_file() {
             // Files of an input are in one folder.
             let own = name.rsplit('/').next().unwrap_or(name);
-            text_beside = text_beside.replace(name, own);
-            input.set(own, fs::read(&beside)?);
+            named = named.replace(name, own);
+            input.set(own, fs::read(&neighbour)?);
         }
     }
-    if text_beside != text {
-        input.set(input.target.main_file(), text_beside.into_bytes());
+    if named != text {
+        input.set(input.target.main_file(), named.into_bytes());
     }
     Ok(input)
 }
 
 /// The tables that a file of the database names.
-fn beside(path: &Path, input: &mut Input) -> io::Result<()> {
+fn add_tables(path: &Path, input: &mut Input) -> io::Result<()> {
     let folder = path.parent().unwrap_or(path);
     let text = String::from_utf8_lossy(input.file(input.target.main_file())).into_owned();
     for name in text.split('"').filter(|name| name.ends_with(".csv")) {

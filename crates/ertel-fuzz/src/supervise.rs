@@ -108,7 +108,7 @@ pub fn supervise(seeds: &Seeds, plan: &Plan) -> io::Result<Summary> {
         for target in &plan.targets {
             command.args(["--target", target.name()]);
         }
-        // What an abort prints is told as a finding.
+        // What an abort prints is reported as a finding.
         let mut worker = command
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
@@ -184,7 +184,7 @@ fn report(plan: &Plan, index: u64, defect: &Defect, input: &Input) -> io::Result
     Ok(())
 }
 
-/// The result of one input, read by a process of its own that ends after `limit`.
+/// The result of one input, read by a separate process that ends after `limit`.
 ///
 /// # Errors
 /// The process cannot be started.

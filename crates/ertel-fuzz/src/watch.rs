@@ -105,7 +105,7 @@ pub fn peak() -> Option<u64> {
 
 static LAST_PANIC: Mutex<Option<Defect>> = Mutex::new(None);
 
-/// Keeps what a panic says, in place of printing it.
+/// Keeps what a panic says instead of printing it.
 pub fn keep_panics() {
     panic::set_hook(Box::new(|info| {
         let place = info

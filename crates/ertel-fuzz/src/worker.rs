@@ -14,7 +14,7 @@ use crate::seeds::Seeds;
 use crate::targets::{self, Verdict};
 use crate::watch::{self, Watch};
 
-/// Inputs after which the figures are told.
+/// Inputs after which the figures are reported.
 const PERIOD: u64 = 5000;
 /// File with the number of the input being read, for those that kill the process.
 const PROGRESS: &str = "progress";
@@ -34,7 +34,7 @@ pub struct Job {
     pub folder: PathBuf,
 }
 
-/// What a worker tells, a line of JSON each.
+/// What a worker reports, a line of JSON each.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Message {
@@ -85,7 +85,7 @@ pub fn work(seeds: &Seeds, job: &Job) -> io::Result<()> {
             let index = fs::read_to_string(&index_file)
                 .ok()
                 .and_then(|text| text.parse().ok());
-            let _ = tell(&Message::Defect {
+            let _ = report(&Message::Defect {
                 index: index.unwrap_or(0),
                 defect,
             });
@@ -117,19 +117,19 @@ pub fn work(seeds: &Seeds, job: &Job) -> io::Result<()> {
             .or_else(|| is_large.then(|| watch::too_much(figures.peak)));
         let is_defect = defect.is_some();
         if let Some(defect) = defect {
-            tell(&Message::Defect { index, defect })?;
+            report(&Message::Defect { index, defect })?;
         }
         if is_defect || figures.n_inputs.is_multiple_of(PERIOD) {
-            tell(&Message::Figures(std::mem::take(&mut figures)))?;
+            report(&Message::Figures(std::mem::take(&mut figures)))?;
             figures.next = index + 1;
         }
         if is_large {
-            // The peak of a process does not come down: the next input has a process of its own.
+            // The peak of a process does not come down: the next input is read by a new process.
             std::process::exit(3);
         }
     }
-    tell(&Message::Figures(figures))?;
-    tell(&Message::Done)
+    report(&Message::Figures(figures))?;
+    report(&Message::Done)
 }
 
 /// Reads one input: what became of it, and the CPU seconds that it took.
@@ -158,7 +158,7 @@ pub fn read(
     Ok((result, seconds))
 }
 
-fn tell(message: &Message) -> io::Result<()> {
+fn report(message: &Message) -> io::Result<()> {
     let mut line = serde_json::to_string(message)?;
     line.push('\n');
     let mut out = io::stdout().lock();

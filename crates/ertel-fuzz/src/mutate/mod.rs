@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn tokens_are_told_apart() {
+    fn tokens_are_distinguished() {
         let text = "a.b = \"1 m\" # \"no\"\nc = [-1e3, true]";
         let found: Vec<_> = tokens::tokens(text)
             .into_iter()

@@ -1,4 +1,4 @@
-//! What changes in time: tables of a course beside a case.
+//! What changes in time: tables of a course, with a case.
 
 use crate::input::{Input, Target};
 

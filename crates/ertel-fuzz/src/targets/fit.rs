@@ -124,7 +124,7 @@ fn films(text: &str) -> Result<Verdict, Defect> {
 fn check_csv(error: &fit::DataError, text: &str) -> Result<Verdict, Defect> {
     if error.line == 0 || error.line > n_lines(text.as_bytes()) || error.column == 0 {
         return Err(Defect::wrong(
-            "an error beside its table",
+            "an error outside its table",
             error.to_string(),
         ));
     }

@@ -103,7 +103,7 @@ pub fn run(folder: &Path) -> Result<Verdict, Defect> {
 }
 
 /// An error of a sweep names the folder, or two points.
-fn check_sweep(text: &str, folder: &Path) -> Result<Verdict, Defect> {
+pub fn check_sweep(text: &str, folder: &Path) -> Result<Verdict, Defect> {
     if !text.contains(&folder.display().to_string()) && !text.contains("point") {
         return Err(Defect::wrong("an error without folder", text));
     }

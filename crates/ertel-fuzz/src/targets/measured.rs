@@ -10,7 +10,7 @@ use ertel::output::compare::{
 use super::{Verdict, check_place, check_text};
 use crate::finding::Defect;
 
-/// Reads `measured.csv` beside `case.toml`, by both thermometers of a rig, and writes the comparison with no results.
+/// Reads `measured.csv` with `case.toml`, by both thermometers of a rig, and writes the comparison with no results.
 pub fn run(folder: &Path) -> Result<Verdict, Defect> {
     let (case, path) = (folder.join("case.toml"), folder.join("measured.csv"));
     let mut verdict = Verdict::Refused;

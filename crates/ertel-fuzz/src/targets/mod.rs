@@ -2,14 +2,18 @@
 
 pub mod answers;
 mod case;
+mod checkpoint;
 pub mod course;
 mod curve_result;
 mod fit;
+mod grid;
 pub mod journal;
 mod measured;
 mod own_data;
 mod python;
+pub mod read;
 mod settings;
+pub mod stopped;
 mod study;
 pub mod surface;
 pub mod view;
@@ -56,6 +60,8 @@ pub fn run(input: &Input, folder: &Path) -> Result<Verdict, Defect> {
         Target::View => view::run(input),
         Target::Python => python::run(input, folder),
         Target::Web => web::run(input),
+        Target::Checkpoint => checkpoint::run(input, folder),
+        Target::Read => read::run(input, folder),
     }
 }
 

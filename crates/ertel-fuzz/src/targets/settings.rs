@@ -1,4 +1,4 @@
-//! Values in place of those of a case, one `key=value` on a line, as `--set` gives them.
+//! Values that replace those of a case, one `key=value` on a line, as `--set` gives them.
 
 use std::path::Path;
 

@@ -35,15 +35,15 @@ pub fn seeds() -> Vec<Input> {
         input
     };
     let keys = "height_unit = \"um\"\n";
-    let told = [
+    let more = [
         String::new(),
         String::new(),
         format!("{keys}spacing = \"5 um\"\n"),
         String::new(),
         format!("{keys}layout = \"points\"\nlength_unit = \"um\"\n"),
     ];
-    let texts = TEXTS.iter().zip(told).map(|(text, told)| {
-        let case = format!("{CASE}{told}file = \"map.txt\"\n");
+    let texts = TEXTS.iter().zip(more).map(|(text, more)| {
+        let case = format!("{CASE}{more}file = \"map.txt\"\n");
         of(Target::Surface, case, &[("map.txt", text.as_bytes())])
     });
     let heights: Vec<u8> = (0..20_i16)

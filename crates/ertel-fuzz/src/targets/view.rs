@@ -27,7 +27,7 @@ pub fn seeds() -> Vec<Input> {
     vec![input(study), input(contact)]
 }
 
-/// Reads `report.html` and shows it beside itself; the page that this makes is one.
+/// Reads `report.html` and shows it twice on one page; the page that this makes can be read again.
 pub fn run(input: &Input) -> Result<Verdict, Defect> {
     let Ok(page) = std::str::from_utf8(input.file(Target::View.main_file())) else {
         return Ok(Verdict::Refused);

@@ -35,13 +35,48 @@ pub struct Checkpoint {
     pub(super) wall_seconds: f64,
 }
 
+<<<<<<< HEAD
 /// Results up to that time.
+=======
+/// What the results contain of the time until then.
+>>>>>>> 031ef847a11ab5ae7e79faff5cd88564c1d322fd
 #[derive(Debug, Default, Deserialize, Serialize)]
 pub(super) struct Collected {
     pub instants: Vec<InstantSolution>,
     pub profiles: Vec<InstantProfile>,
     pub fields: InstantFields,
     pub map: FilmMap,
+}
+
+impl Collected {
+    /// Whether every instant has its row of the map, every output time its fields, and every place its value; times and places rise.
+    fn is_whole(&self) -> bool {
+        let (map, fields) = (&self.map, &self.fields);
+        let times: Vec<f64> = self.instants.iter().map(|instant| instant.time).collect();
+        let rows = |values: &[Vec<f32>], n_rows: usize, n: usize| {
+            values.len() == n_rows && values.iter().all(|row| row.len() == n)
+        };
+        let n_places = fields.x.len() * fields.y.len();
+        !times.is_empty()
+            && [&times, &map.x, &fields.times, &fields.x, &fields.y]
+                .into_iter()
+                .all(|values| rise(values))
+            && rows(&map.films, times.len(), map.x.len())
+            && rows(&map.pressures, times.len(), map.x.len())
+            && rows(&fields.pressure, fields.times.len(), n_places)
+            && rows(&fields.film, fields.times.len(), n_places)
+            && (fields.times.is_empty() || n_places > 0)
+            && self.profiles.len() == fields.times.len()
+            && self.profiles.iter().all(|profile| {
+                let n = profile.x.len();
+                rise(&profile.x) && profile.pressure.len() == n && profile.film.len() == n
+            })
+    }
+}
+
+/// Whether numbers are finite, each larger than the one before.
+fn rise(values: &[f64]) -> bool {
+    values.iter().all(|value| value.is_finite()) && values.is_sorted_by(|a, b| a < b)
 }
 
 /// Program and case.
@@ -141,11 +176,85 @@ impl Checkpoint {
         if made_by.case != own.case {
             return Err(CheckpointError::OtherCase);
         }
-        postcard::from_bytes(body).map_err(|_| CheckpointError::Damaged)
+        let (read, left): (Checkpoint, _) =
+            postcard::take_from_bytes(body).map_err(|_| CheckpointError::Damaged)?;
+        let time = read.physics.time;
+        match left.is_empty() && time >= 0.0 && time.is_finite() && read.collected.is_whole() {
+            true => Ok(read),
+            false => Err(CheckpointError::Damaged),
+        }
     }
 
     /// The reached time, s.
     pub fn reached(&self) -> f64 {
         (self.collected.instants.last()).map_or(0.0, |instant| instant.time)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::run::transient::{InstantObserver, Reached, solve_from};
+    use crate::solve::Observer;
+
+    /// A line contact whose bodies come together.
+    const CASE: &str = include_str!("../../../ertel-fuzz/corpus/checkpoint-case.toml");
+
+    /// Stops after the first step.
+    #[derive(Default)]
+    struct Stop {
+        instants: usize,
+        kept: Option<Checkpoint>,
+    }
+
+    impl Observer for Stop {
+        fn cancelled(&self) -> bool {
+            self.instants > 1
+        }
+    }
+
+    impl InstantObserver for Stop {
+        fn instant(&mut self, _reached: &Reached) {
+            self.instants += 1;
+        }
+
+        fn checkpoint(&mut self, checkpoint: Checkpoint) {
+            self.kept = Some(checkpoint);
+        }
+    }
+
+    /// Bytes whose hash fits, but that no run has written, are refused: what follows the run, rows without instants, places that are no numbers.
+    #[test]
+    fn a_fitting_hash_is_not_enough() {
+        let case = Case::from_text("case.toml", CASE, Path::new("")).unwrap();
+        let mut stop = Stop::default();
+        solve_from(&case, None, &mut stop);
+        let whole = stop.kept.unwrap().to_bytes();
+        let read = || Checkpoint::from_bytes(&whole, &case).unwrap();
+        assert_eq!(read().to_bytes(), whole);
+        let body = [&whole[MAGIC.len() + HASH..], b"x"].concat();
+        let longer = [MAGIC, &xxh3_128(&body).to_le_bytes(), &body].concat();
+        let damage: [fn(&mut Checkpoint); 9] = [
+            |of| of.physics.time = f64::NAN,
+            |of| of.collected.instants.clear(),
+            |of| drop(of.collected.instants.pop()),
+            |of| drop(of.collected.map.films.pop()),
+            |of| of.collected.map.x.truncate(1),
+            |of| of.collected.map.x[0] = f64::NAN,
+            |of| of.collected.fields.y.clear(),
+            |of| of.collected.fields.times.push(1.0),
+            |of| drop(of.collected.profiles[0].film.pop()),
+        ];
+        let damaged = damage.map(|damage| {
+            let mut checkpoint = read();
+            damage(&mut checkpoint);
+            checkpoint.to_bytes()
+        });
+        for bytes in damaged.iter().chain([&longer]) {
+            let error = Checkpoint::from_bytes(bytes, &case).unwrap_err();
+            assert_eq!(error, CheckpointError::Damaged);
+        }
     }
 }
