@@ -4,11 +4,11 @@ use crate::common;
 
 use approx::assert_relative_eq;
 use ertel::contact::ContactKind;
+use ertel::engine::NoObserver;
 use ertel::params::ElasticModel;
 use ertel::post::fields::{body, centreline, surface};
 use ertel::post::summary::summarise;
 use ertel::run::problem;
-use ertel::solve::NoObserver;
 use ertel::solve::figures::measure;
 use ertel::solve::newton::FilmModel;
 use ertel::solve::points::fields_at;

@@ -7,6 +7,7 @@
 //! [`Film`], which any engine provides: the fields at its quadrature points and at any place.
 
 pub mod around;
+mod error;
 pub mod far_field;
 pub mod figures;
 pub mod film;
@@ -20,6 +21,7 @@ pub mod region;
 pub mod sensitivity;
 pub mod shear;
 
+pub use error::{HeatError, MissingDatum, MissingHeatData, SolveError, Stopped};
 pub use film::{Film, Point, PointFields, PointTable};
 pub use observer::{NoObserver, Observer};
 pub use problem::{Extents, Problem};

@@ -5,11 +5,12 @@ use ertel_fem::linear::condensed::Keep;
 use ertel_fem::space::Space;
 
 use crate::contact::{Scales, Shape};
+use crate::elastic::FiniteBodyError;
 use crate::engine::PointFields;
 use crate::film::FilmFluid;
 use crate::post::profile::Profile;
 use crate::solution::{BodyField, Centreline, SurfaceField};
-use crate::solve::discretisation::{Discretisation, DiscretisationError};
+use crate::solve::discretisation::Discretisation;
 use crate::solve::points::fields_in;
 use crate::solve::sequence::StageSolution;
 use crate::solve::system::State;
@@ -143,7 +144,7 @@ pub(super) fn sub_cells(space: &Space) -> Vec<[u32; 3]> {
 pub fn body(
     solution: &StageSolution,
     scales: &Scales,
-) -> Result<Option<BodyField>, DiscretisationError> {
+) -> Result<Option<BodyField>, FiniteBodyError> {
     let d = &solution.discretisation;
     let Some((body, condensed)) = d.contact.body() else {
         return Ok(None);
@@ -163,7 +164,7 @@ pub fn body(
             NEVER,
         )
         .and_then(|k| k.solve_full(&mut load))
-        .map_err(DiscretisationError::from)?;
+        .map_err(FiniteBodyError::from)?;
     let space = &trace.space;
     // VTK's order of mid-edge nodes, as pairs of corners.
     let edges: &[(usize, usize)] = match (body.mesh.mesh.dim, space.element.order()) {

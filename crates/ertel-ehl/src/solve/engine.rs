@@ -1,10 +1,9 @@
 //! Finite elements as an [`Engine`].
 
-use super::SolveError;
 use super::figures::measure;
 use super::points::Evaluated;
 use super::sequence::{Plan, Problem, StageSolution, Start, solve_stages, solve_warm};
-use crate::engine::{Engine, Film, Observer, Solved};
+use crate::engine::{Engine, Film, Observer, SolveError, Solved};
 use crate::solution::{LevelStats, Measured};
 
 /// Stages of meshes from coarse to fine, Newton's method on each.

@@ -7,7 +7,6 @@ pub mod discretisation;
 pub mod dry;
 mod element;
 mod engine;
-mod error;
 pub mod evaluate;
 pub mod figures;
 mod halvings;
@@ -32,7 +31,4 @@ pub mod system;
 pub mod tuning;
 pub mod weighted;
 
-pub use crate::engine::{NoObserver, Observer};
-pub use discretisation::DiscretisationError;
 pub use engine::{Finished, FiniteElements};
-pub use error::{SolveError, Stopped};

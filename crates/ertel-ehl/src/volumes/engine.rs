@@ -21,9 +21,8 @@ use super::preconditioner::Pattern;
 use super::system::{State, System};
 use crate::contact::Symmetry;
 use crate::engine::figures::sizes;
-use crate::engine::{Engine, Film, Observer, Problem, Solved};
+use crate::engine::{Engine, Film, Observer, Problem, SolveError, Solved};
 use crate::solution::{Figure, Figures, LevelStats, Measured, Role, Timings};
-use crate::solve::SolveError;
 
 /// Grids from coarse to fine, Newton's method on each.
 #[derive(Clone, Copy, Debug, Default)]

@@ -7,9 +7,8 @@
 
 use super::engine::{FiniteVolumes, Plan, Volumes};
 use super::figures::{Slowest, bar};
-use crate::engine::{Engine, Observer, Problem};
+use crate::engine::{Engine, Observer, Problem, SolveError};
 use crate::solution::{Estimate, Figure, FilmReduction};
-use crate::solve::SolveError;
 
 /// Finest grids that are omitted, and the fewest that are used.
 const OMITTED_GRIDS: usize = 2;

@@ -2,7 +2,7 @@
 
 use crate::case::Case;
 use crate::contact::{Hertz, Scales};
-use crate::engine::{Extents, Film, Problem};
+use crate::engine::{Extents, Film, Problem, SolveError};
 use crate::plausible;
 use crate::plausible::neglected::Known;
 use crate::post;
@@ -12,7 +12,6 @@ use crate::solution::{
     Section, Sensitivities, Solution, Starvation, Stats, Summary, SurfaceField, Thermal,
     Uncertainties, Unresolved,
 };
-use crate::solve::SolveError;
 use crate::warning::{Warning, WarningKind};
 
 /// Results of an engine, SI.

@@ -6,7 +6,7 @@ use super::describe::{Found, describe, has_derivatives, note_sensitivities, side
 use super::{Recorder, peak_memory};
 use crate::case::Case;
 use crate::contact::Scales;
-use crate::engine::{Engine, Solved};
+use crate::engine::{Engine, Observer, SolveError, Solved};
 use crate::params::{Method, SensitivityDemand};
 use crate::post;
 use crate::problem::{nearby_problem, problem, problem_by_slices};
@@ -15,7 +15,7 @@ use crate::solution::{Sensitivities, Solution, Stats};
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::newton::FilmModel;
 use crate::solve::sequence::{Problem, Start};
-use crate::solve::{Finished, FiniteElements, Observer, SolveError};
+use crate::solve::{Finished, FiniteElements};
 use crate::warning::{Warning, WarningKind};
 
 /// The problem of a case if it can be solved; the zone of a roller by slices.

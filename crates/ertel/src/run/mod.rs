@@ -1,7 +1,7 @@
 //! From a case to its solution.
 //!
 //! ```
-//! # use ertel::{case::Case, run, solution::Field, solve::NoObserver};
+//! # use ertel::{case::Case, run, solution::Field, engine::NoObserver};
 //! # let roller = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/roller.toml");
 //! let case = Case::read(roller.as_ref())?;
 //! let solution = run::solve(&case, &mut NoObserver)?;
@@ -21,12 +21,12 @@ mod volumes;
 
 use crate::case::{Case, finite_volumes_refuse};
 use crate::contact::{ContactKind, Supply};
+use crate::engine::{Observer, SolveError};
 use crate::params::{Method, SolverParams};
 use crate::problem::has_thick_film;
 pub use crate::problem::{estimated_film, groups, predicted_film, problem};
 use crate::solution::{Figure, HeatRound, IterationRecord, Solution, Unresolved, Why};
 use crate::solve::sequence;
-use crate::solve::{Observer, SolveError};
 use crate::warning::{Warning, WarningKind, silence};
 
 /// Version of the numerics: incremented whenever the figures of some case change by more than rounding. Study points

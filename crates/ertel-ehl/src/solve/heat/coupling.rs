@@ -12,6 +12,7 @@
 use super::newton::{HeatNewton, HeatParams, HeatStats};
 use super::relaxation::Relaxation;
 use super::stopping::StoppingRule;
+use crate::engine::{Observer, SolveError};
 use crate::forms::energy::Heat;
 use crate::solve::evaluate::central_film;
 use crate::solve::newton::{
@@ -22,7 +23,6 @@ use crate::solve::tuning::heat::{
     FEW_STEPS, INNER_SHARE, LEAST_SHRINKING, MOST_STEPS, NEGLIGIBLE_RISE, ROUGHEST,
     ROUGHEST_ON_PATH,
 };
-use crate::solve::{Observer, SolveError};
 
 /// Settings.
 #[derive(Clone, Copy, Debug)]

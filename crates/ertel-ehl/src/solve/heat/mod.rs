@@ -23,7 +23,6 @@ pub mod deviation;
 mod element;
 pub mod figures;
 mod inflow;
-pub mod missing;
 pub mod newton;
 pub mod recovery;
 pub mod relaxation;

@@ -1,13 +1,12 @@
 //! Temperatures and heat of a solve for results, SI.
 
 use super::figures::balance;
-use crate::engine::{Engine, Film, Observer, Problem};
+use crate::engine::{Engine, Film, Observer, Problem, SolveError};
 use crate::params::ThermalParams;
 use crate::post::thermal::cross_film::profile_of;
 use crate::solution::{
     Coupling, Estimate, Figure, HeatBalance, Measured, Thermal, ThermalReduction,
 };
-use crate::solve::SolveError;
 use crate::volumes::engine::{FiniteVolumes, Plan, Volumes};
 use crate::volumes::fields::{nodes, profile, temperatures};
 use crate::volumes::figures::{Slowest, bar};
