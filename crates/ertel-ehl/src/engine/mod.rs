@@ -7,12 +7,14 @@
 //! [`Film`], which any engine provides: the fields at its quadrature points and at any place.
 
 pub mod around;
+pub mod coupling;
 mod error;
 pub mod far_field;
 pub mod figures;
 pub mod film;
 pub mod flux;
 pub mod friction;
+pub mod heat;
 pub mod hills;
 mod observer;
 mod problem;

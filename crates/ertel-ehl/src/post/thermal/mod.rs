@@ -10,6 +10,7 @@ mod field;
 use ertel_rheology::provenance::TemperatureRange;
 
 use crate::contact::{Scales, Symmetry};
+use crate::engine::heat::walls;
 use crate::film::{FilmNodes, Nodal};
 use crate::params::ThermalParams;
 use crate::post::summary::comparison_pair;
@@ -21,7 +22,6 @@ use crate::solution::{
 use crate::solve::bars;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::heat::balance::heat_balance;
-use crate::solve::heat::figures::walls;
 use crate::solve::heat::space::HeatSpace;
 use crate::solve::points::fields_in;
 use crate::solve::sequence::{Problem, StageSolution};

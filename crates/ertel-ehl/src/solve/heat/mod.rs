@@ -9,7 +9,6 @@
 //! - `system`: both as a whole;
 //! - `newton`: temperatures for given pressures and films;
 //! - `coupling`: both in turn, until neither changes;
-//! - `stopping`: when they may end;
 //! - `balance`: sources and sinks of heat;
 //! - `figures`: temperatures in a few numbers;
 //! - `recovery`: smooth temperatures from linear elements;
@@ -25,8 +24,6 @@ pub mod figures;
 mod inflow;
 pub mod newton;
 pub mod recovery;
-pub mod relaxation;
 pub mod sides;
 pub mod space;
-pub mod stopping;
 pub mod system;

@@ -17,9 +17,9 @@
 use ertel_fem::linear::block_ilu::{BlockIlu, BlockMatrix};
 use ertel_fem::linear::gmres::{GmresParams, gmres};
 
-use super::relaxation::Relaxation;
 use super::system::{HeatSystem, Kept, assemble};
 use crate::engine::HeatError;
+use crate::engine::coupling::Relaxation;
 use crate::film::{FilmFluid, FilmNodes};
 use crate::forms::energy::{Heat, Source};
 use crate::solve::discretisation::Discretisation;

@@ -1,9 +1,9 @@
 //! Temperatures and heat of a film on patches, in numbers.
 
+use crate::engine::heat::{walls, zone_means};
 use crate::engine::{Film, Problem};
 use crate::film::FilmNodes;
 use crate::solution::{Figure, Figures, Reading};
-use crate::solve::heat::figures::{walls, zone_means};
 use crate::volumes::film::{PatchedFilm, share};
 use crate::volumes::level::Level;
 
