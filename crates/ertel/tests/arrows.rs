@@ -16,8 +16,8 @@ pub const SOLVER: [&str; 15] = [
     "solution",
     "mixed",
     "engine",
-    "solve",
     "post",
+    "solve",
     "volumes",
     "transient",
 ];

@@ -6,12 +6,12 @@ use approx::assert_relative_eq;
 use ertel::contact::ContactKind;
 use ertel::engine::NoObserver;
 use ertel::params::ElasticModel;
-use ertel::post::fields::{body, centreline, surface};
-use ertel::post::summary::summarise;
 use ertel::run::problem;
 use ertel::solve::figures::measure;
 use ertel::solve::newton::FilmModel;
 use ertel::solve::points::fields_at;
+use ertel::solve::results::fields::{body, centreline, surface};
+use ertel::solve::results::summary::summarise;
 use ertel::solve::sequence::solve_stages;
 
 /// A Newtonian circular contact between sliding surfaces, on an equivalent body.

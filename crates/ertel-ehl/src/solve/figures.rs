@@ -8,13 +8,13 @@ use super::heat::balance::heat_balance;
 use super::heat::figures::Extremes;
 use super::peaks::peaks;
 use super::points::Evaluated;
-use super::profile::{PER_EDGE, Profile};
+use super::profile::PER_EDGE;
 use super::sequence::{Problem, StageSolution};
 use super::system::State;
 use crate::contact::Symmetry;
 use crate::engine::figures::{note_film, note_friction, share_of_film, sizes};
 use crate::engine::heat::zone_means;
-use crate::engine::{Film, PointTable};
+use crate::engine::{Film, PointTable, Profile};
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures, LevelStats, Measured, Reading};
 

@@ -21,6 +21,7 @@ pub mod points;
 pub mod preconditioner;
 pub mod profile;
 pub mod region;
+pub mod results;
 mod ridge;
 pub mod sensitivity;
 pub mod sequence;

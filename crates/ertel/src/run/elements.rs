@@ -15,7 +15,7 @@ use crate::solution::{Sensitivities, Solution, Stats};
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::newton::FilmModel;
 use crate::solve::sequence::{Problem, Start};
-use crate::solve::{Finished, FiniteElements};
+use crate::solve::{Finished, FiniteElements, results};
 use crate::warning::{Warning, WarningKind};
 
 /// The problem of a case if it can be solved; the zone of a roller by slices.
@@ -123,9 +123,9 @@ fn found(case: &Case, problem: &Problem, solved: &Finished) -> Result<Found, Sol
         fluid: problem.fluid.clone(),
         constants: finest.stage.constants,
     };
-    let summary = post::summary::summarise(finest, &measured, &model, scales);
+    let summary = results::summary::summarise(finest, &measured, &model, scales);
     let thermal = (case.thermal())
-        .and_then(|params| post::thermal::thermal(finest, problem, levels, &measured, params));
+        .and_then(|params| results::thermal::thermal(finest, problem, levels, &measured, params));
     let mut warnings = Vec::new();
     let order = finest.discretisation.pressure.element.order();
     if order < case.mesh.pressure_order {
@@ -136,7 +136,7 @@ fn found(case: &Case, problem: &Problem, solved: &Finished) -> Result<Found, Sol
         );
         warnings.push(Warning::new(WarningKind::Convergence, text));
     }
-    warnings.extend(post::summary::warnings(
+    warnings.extend(results::summary::warnings(
         &summary,
         finest,
         levels,
@@ -160,12 +160,12 @@ fn found(case: &Case, problem: &Problem, solved: &Finished) -> Result<Found, Sol
             .extend(heat.flat_map(|heat| post::thermal::at_rest::warnings(heat, thermal, params)));
     }
     Ok(Found {
-        film_reduction: post::summary::film_reduction(levels, &measured),
-        centreline: post::fields::centreline(finest, problem.friction_fluid(), scales),
-        surface: post::fields::surface(finest, problem.friction_fluid(), scales),
-        elements: post::elements::elements(finest, scales),
+        film_reduction: results::summary::film_reduction(levels, &measured),
+        centreline: results::fields::centreline(finest, problem.friction_fluid(), scales),
+        surface: results::fields::surface(finest, problem.friction_fluid(), scales),
+        elements: results::elements::elements(finest, scales),
         body: (case.output.body_field)
-            .then(|| post::fields::body(finest, scales))
+            .then(|| results::fields::body(finest, scales))
             .transpose()?
             .flatten(),
         extents,

@@ -11,34 +11,12 @@ use crate::film::closure::mid_stress;
 use crate::film::cross_film::CrossFilm;
 use crate::film::fluidity::Fluidity;
 use crate::solution::CrossProfile;
-use crate::solve::discretisation::Discretisation;
-use crate::solve::points::fields_at;
-use crate::solve::system::State;
 
 /// Equal steps across the film.
 const N_STEPS: usize = 40;
 
-/// Profile at a point in half-widths; `None` outside of the contact area. `body_1` is the velocity of body 1, m/s, at places in
-/// half-widths.
-pub(super) fn profile(
-    d: &Discretisation,
-    state: &State,
-    fluid: &FilmFluid,
-    scales: &Scales,
-    body_1: &Planar,
-    place: [f64; 2],
-) -> Option<CrossProfile> {
-    profile_of(
-        d.contact.shape.symmetry,
-        |at| fields_at(d, state, at),
-        fluid,
-        scales,
-        body_1,
-        place,
-    )
-}
-
-/// The same of a film whose fields are known at places of the part that is solved.
+/// Profile at a point in half-widths of a film whose fields are known at places of the part that is solved; `None` outside of the contact area. `body_1` is
+/// the velocity of body 1, m/s, at places in half-widths.
 pub fn profile_of(
     symmetry: Symmetry,
     fields: impl FnOnce([f64; 2]) -> Option<PointFields>,

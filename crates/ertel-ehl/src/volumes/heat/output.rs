@@ -4,11 +4,12 @@ use super::figures::balance;
 use crate::engine::{Engine, Film, Observer, Problem, SolveError};
 use crate::params::ThermalParams;
 use crate::post::thermal::cross_film::profile_of;
+use crate::post::thermal::temperatures;
 use crate::solution::{
     Coupling, Estimate, Figure, HeatBalance, Measured, Thermal, ThermalReduction,
 };
 use crate::volumes::engine::{FiniteVolumes, Plan, Volumes};
-use crate::volumes::fields::{nodes, profile, temperatures};
+use crate::volumes::fields::{nodes, profile};
 use crate::volumes::figures::{Slowest, bar};
 use crate::volumes::film::PatchedFilm;
 
