@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::contact::gap::{Body, GapTerm, Relief};
 use crate::contact::{Inlet, Pose, Shape};
-use crate::engine::{Engine, Observer, Problem, SolveError};
+use crate::engine::{Observer, Problem, SolveError};
 use crate::solution::{IterationRecord, Measured};
 use crate::volumes::ending::Ends;
 use crate::volumes::level::Level;

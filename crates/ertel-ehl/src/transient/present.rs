@@ -6,7 +6,7 @@ use super::levels::Levels;
 use super::{Course, TransientError};
 use crate::contact::gap::{Body, Curvature, GapTerm};
 use crate::contact::{Inlet, OilLayer, Pose};
-use crate::engine::{Engine, Observer, Problem, SolveError};
+use crate::engine::{Observer, Problem, SolveError};
 use crate::film::FilmFluid;
 use crate::volumes::{FiniteVolumes, Plan};
 

@@ -7,7 +7,7 @@
 
 use super::engine::{FiniteVolumes, Plan, Volumes};
 use super::figures::{Slowest, bar};
-use crate::engine::{Engine, Observer, Problem, SolveError};
+use crate::engine::{Observer, Problem, SolveError};
 use crate::solution::{Estimate, Figure, FilmReduction};
 
 /// Finest grids that are omitted, and the fewest that are used.

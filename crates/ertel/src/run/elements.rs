@@ -6,7 +6,7 @@ use super::describe::{Found, describe, has_derivatives, note_sensitivities, side
 use super::{Recorder, peak_memory};
 use crate::case::Case;
 use crate::contact::Scales;
-use crate::engine::{Engine, Observer, SolveError, Solved};
+use crate::engine::{Observer, SolveError};
 use crate::params::{Method, SensitivityDemand};
 use crate::post;
 use crate::problem::{nearby_problem, problem, problem_by_slices};
@@ -70,7 +70,7 @@ pub(super) fn solve(
     let stats = Stats {
         method: Method::FiniteElements,
         warm: warm_start.is_some(),
-        levels: solved.levels().to_vec(),
+        levels: solved.levels.clone(),
         wall_seconds: 0.0,
         peak_memory: None,
     };
@@ -115,7 +115,7 @@ fn sensitivities(
 
 /// Results of the elements, SI.
 fn found(case: &Case, problem: &Problem, solved: &Finished) -> Result<Found, SolveError> {
-    let (finest, levels) = (&solved.finest, solved.levels());
+    let (finest, levels) = (&solved.finest, &solved.levels);
     let measured = solved.measured(problem).with_meniscus(&case.supply);
     let extents = finest.discretisation.contact.extents;
     let scales: &Scales = &problem.scales;

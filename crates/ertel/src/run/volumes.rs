@@ -5,7 +5,7 @@ use ertel_fem::platform::Instant;
 use super::describe::{Found, describe, has_derivatives, note_sensitivities};
 use super::{Recorder, peak_memory};
 use crate::case::Case;
-use crate::engine::{Engine, Observer, Problem, SolveError, Solved};
+use crate::engine::{Observer, Problem, SolveError};
 use crate::params::{DEFAULT_TARGET_ERROR, MeshPreset, Method};
 use crate::post;
 use crate::post::fields::centreline_of;
@@ -43,7 +43,7 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
     let stats = Stats {
         method: Method::FiniteVolumes,
         warm: false,
-        levels: solved.levels().to_vec(),
+        levels: solved.stats.clone(),
         wall_seconds: 0.0,
         peak_memory: None,
     };

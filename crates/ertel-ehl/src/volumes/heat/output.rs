@@ -1,7 +1,7 @@
 //! Temperatures and heat of a solve for results, SI.
 
 use super::figures::balance;
-use crate::engine::{Engine, Film, Observer, Problem, SolveError};
+use crate::engine::{Film, Observer, Problem, SolveError};
 use crate::params::ThermalParams;
 use crate::post::thermal::cross_film::profile_of;
 use crate::post::thermal::temperatures;
