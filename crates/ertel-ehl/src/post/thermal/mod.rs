@@ -11,9 +11,40 @@ use crate::contact::{Scales, Symmetry};
 use crate::engine::PointFields;
 use crate::engine::heat::walls;
 use crate::film::{FilmNodes, Nodal};
+use crate::forms::energy::Heat;
 use crate::params::ThermalParams;
-use crate::solution::{FilmTemperatures, Located, Thermal};
+use crate::solution::{
+    Coupling, Figure, FilmTemperatures, HeatBalance, Located, Measured, Thermal,
+};
 use crate::warning::{Warning, WarningKind};
+
+/// Temperatures and heat of a solve by its figures; fields, reduction and coupling, which the engine supplies, are empty.
+pub fn thermal_of(heat: &Heat, measured: &Measured, balance_error: f64) -> Thermal {
+    Thermal {
+        inlet_temperature: heat.inlet_temperature,
+        film_maximum: measured.located(Figure::FilmTemperatureMaximum),
+        film_lowest: measured.located(Figure::FilmTemperatureLowest),
+        film_mean: measured.estimate(Figure::FilmTemperatureMean),
+        body_1_maximum: measured.located(Figure::TemperatureBody1Maximum),
+        body_1_mean: measured.estimate(Figure::TemperatureBody1Mean),
+        body_2_maximum: measured.located(Figure::TemperatureBody2Maximum),
+        body_2_mean: measured.estimate(Figure::TemperatureBody2Mean),
+        balance: HeatBalance {
+            shear: measured.estimate(Figure::HeatShear),
+            compression: measured.estimate(Figure::HeatCompression),
+            to_body_1: measured.estimate(Figure::HeatToBody1),
+            to_body_2: measured.estimate(Figure::HeatToBody2),
+            by_film: measured.estimate(Figure::HeatByFilm),
+            error: balance_error,
+        },
+        reduction: None,
+        coupling: Coupling::default(),
+        centreline: FilmTemperatures::default(),
+        surface: FilmTemperatures::default(),
+        profiles: Vec::new(),
+        field: None,
+    }
+}
 
 /// Excess over the range of the data, K, that is not reported: it is within the accuracy of the laws.
 const BEYOND: f64 = 1.0;

@@ -10,7 +10,6 @@
 //! - `newton`: temperatures for given pressures and films;
 //! - `coupling`: both in turn, until neither changes;
 //! - `balance`: sources and sinks of heat;
-//! - `figures`: temperatures in a few numbers;
 //! - `recovery`: smooth temperatures from linear elements;
 //! - `deviation`: how far the linear elements are from them.
 
@@ -20,7 +19,6 @@ pub mod coupling;
 mod cross_flow;
 pub mod deviation;
 mod element;
-pub mod figures;
 mod inflow;
 pub mod newton;
 pub mod recovery;

@@ -5,10 +5,10 @@ use super::summary::comparison_pair;
 use super::temperature_field::temperature_field;
 use crate::film::Nodal;
 use crate::params::ThermalParams;
-use crate::post::thermal::cross_film::profile_of;
-use crate::post::thermal::temperatures;
+use crate::post::thermal::cross_film::profiles;
+use crate::post::thermal::{temperatures, thermal_of};
 use crate::solution::{
-    Coupling, Estimate, Figure, FilmTemperatures, HeatBalance, LevelStats, Measured, Role, Thermal,
+    Coupling, Estimate, Figure, FilmTemperatures, LevelStats, Measured, Role, Thermal,
     ThermalReduction,
 };
 use crate::solve::bars;
@@ -31,24 +31,8 @@ pub fn thermal(
     let (space, heat) = (d.heat.as_ref()?, problem.heat.as_ref()?);
     let stats = solution.coupling.unwrap_or_default();
     let scales = &problem.scales;
-    let balance = heat_balance(d, state, &problem.fluid, heat, scales);
+    let sums = heat_balance(d, state, &problem.fluid, heat, scales);
     Some(Thermal {
-        inlet_temperature: heat.inlet_temperature,
-        film_maximum: measured.located(Figure::FilmTemperatureMaximum),
-        film_lowest: measured.located(Figure::FilmTemperatureLowest),
-        film_mean: measured.estimate(Figure::FilmTemperatureMean),
-        body_1_maximum: measured.located(Figure::TemperatureBody1Maximum),
-        body_1_mean: measured.estimate(Figure::TemperatureBody1Mean),
-        body_2_maximum: measured.located(Figure::TemperatureBody2Maximum),
-        body_2_mean: measured.estimate(Figure::TemperatureBody2Mean),
-        balance: HeatBalance {
-            shear: measured.estimate(Figure::HeatShear),
-            compression: measured.estimate(Figure::HeatCompression),
-            to_body_1: measured.estimate(Figure::HeatToBody1),
-            to_body_2: measured.estimate(Figure::HeatToBody2),
-            by_film: measured.estimate(Figure::HeatByFilm),
-            error: balance.error,
-        },
         reduction: reduction(levels, measured, problem.fluid.slides()),
         coupling: Coupling {
             rounds: stats.rounds,
@@ -61,22 +45,11 @@ pub fn thermal(
         },
         centreline: temperatures(&space.column.film, &sampled(d, state).fields),
         surface: surface(d, state, space),
-        profiles: (params.profiles.iter())
-            .filter_map(|point| {
-                let body_1 = &heat.bodies[0].velocity;
-                profile_of(
-                    d.contact.shape.symmetry,
-                    |at| fields_at(d, state, at),
-                    &problem.fluid,
-                    scales,
-                    body_1,
-                    *point,
-                )
-            })
-            .collect(),
+        profiles: profiles(problem, |at| fields_at(d, state, at), &params.profiles),
         field: params
             .field
             .then(|| temperature_field(d, state, space, scales)),
+        ..thermal_of(heat, measured, sums.error())
     })
 }
 
