@@ -1,14 +1,11 @@
 //! Solves a case by finite elements.
 
-use ertel_fem::platform::Instant;
-
-use super::describe::{Found, describe, has_derivatives, note_sensitivities, side_of};
-use super::{Recorder, peak_memory};
+use super::Recorder;
+use super::describe::{Found, describe, has_derivatives, note_sensitivities};
 use crate::case::Case;
 use crate::contact::Scales;
 use crate::engine::{Observer, SolveError};
 use crate::params::{Method, SensitivityDemand};
-use crate::post;
 use crate::problem::{nearby_problem, problem, problem_by_slices};
 use crate::sensitivity::{by_adjoint, by_differences};
 use crate::solution::{Sensitivities, Solution, Stats};
@@ -46,7 +43,6 @@ pub(super) fn solve(
     ahead: &[&Case],
     observer: &mut dyn Observer,
 ) -> Result<(Solution, Start), SolveError> {
-    let clock = Instant::now();
     let mut problem = ready(case)?;
     let mut recorder = Recorder {
         observer,
@@ -87,8 +83,6 @@ pub(super) fn solve(
         let found = sensitivities(&solution, case, &problem, by, recorder.observer);
         note_sensitivities(&mut solution, case, found)?;
     }
-    solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
-    solution.stats.peak_memory = peak_memory();
     Ok((solution, start))
 }
 
@@ -142,23 +136,6 @@ fn found(case: &Case, problem: &Problem, solved: &Finished) -> Result<Found, Sol
         levels,
         case.mesh.target_error,
     ));
-    if let (Some(thermal), Some(params)) = (&thermal, case.thermal()) {
-        warnings.extend(post::thermal::warnings(
-            thermal,
-            &case.lubricant.temperature_ranges,
-            params,
-            scales,
-            finest.discretisation.contact.shape.symmetry,
-            [
-                extents.inlet,
-                extents.outlet,
-                side_of(problem, extents.side),
-            ],
-        ));
-        let heat = problem.heat.iter();
-        warnings
-            .extend(heat.flat_map(|heat| post::thermal::at_rest::warnings(heat, thermal, params)));
-    }
     Ok(Found {
         film_reduction: results::summary::film_reduction(levels, &measured),
         centreline: results::fields::centreline(finest, problem.friction_fluid(), scales),

@@ -19,6 +19,8 @@ pub mod over_time;
 pub mod transient;
 mod volumes;
 
+use ertel_fem::platform::Instant;
+
 use crate::case::{Case, finite_volumes_refuse};
 use crate::contact::{ContactKind, Supply};
 use crate::engine::{Observer, SolveError};
@@ -127,16 +129,20 @@ fn solve_here(
     observer: &mut dyn Observer,
 ) -> Result<Ended, SolveError> {
     let by = |method: Method, observer: &mut dyn Observer| -> Result<Ended, SolveError> {
-        match method {
+        let clock = Instant::now();
+        let (mut solution, start) = match method {
             Method::FiniteElements => {
                 let (solution, start) = elements::solve(case, start, ahead, observer)?;
-                Ok((solution, Some(start)))
+                (solution, Some(start))
             }
             Method::FiniteVolumes => {
                 check(case)?;
-                Ok((volumes::solve(case, observer)?, None))
+                (volumes::solve(case, observer)?, None)
             }
-        }
+        };
+        solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
+        solution.stats.peak_memory = peak_memory();
+        Ok((solution, start))
     };
     let first = first_method(case);
     match by(first, observer) {
