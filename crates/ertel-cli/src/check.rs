@@ -4,11 +4,11 @@ use std::path::Path;
 
 use ertel::case::Case;
 use ertel::contact::ContactKind;
+use ertel::engine::SolveError;
 use ertel::estimate::{CaseEstimate, estimate};
 use ertel::output;
 use ertel::run;
 use ertel::solution::Solution;
-use ertel::solve::SolveError;
 use ertel::study::value_text;
 use ertel::warning::WarningKind;
 use serde_json::json;

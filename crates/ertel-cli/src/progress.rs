@@ -3,11 +3,11 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+use ertel::engine::Observer;
 use ertel::output::{self};
 use ertel::run::checkpoint::Checkpoint;
 use ertel::run::transient::{InstantObserver, Reached};
 use ertel::solution::IterationRecord;
-use ertel::solve::Observer;
 use ertel::study::{CurveObserver, PointSolution};
 use ertel::warning::{Warning, WarningKind};
 use ertel::words::{digits, length};

@@ -5,12 +5,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use ertel::case::{Case, Curve};
 use ertel::cross_check::Verdict;
+use ertel::elastic::FiniteBodyError;
+use ertel::engine::SolveError;
 use ertel::machine::figures;
 use ertel::output;
 use ertel::params::SensitivityDemand;
 use ertel::run;
 use ertel::solution::{Solution, Unresolved, Why};
-use ertel::solve::{DiscretisationError, SolveError};
 use ertel::study::{CurveSolution, solve_curve, solve_in_balance};
 use ertel::warning::{Warning, by_kind};
 use serde_json::{Value, json};
@@ -484,11 +485,9 @@ impl From<SolveError> for Failure {
     fn from(error: SolveError) -> Self {
         match error {
             SolveError::Interrupted => Self::Interrupted,
-            SolveError::Discretisation(DiscretisationError::Mesh(error)) => {
-                Self::Argument(format!(
-                    "the mesh of this case cannot be built: {error}\n  = help: see [mesh] in the case file"
-                ))
-            }
+            SolveError::Discretisation(FiniteBodyError::Mesh(error)) => Self::Argument(format!(
+                "the mesh of this case cannot be built: {error}\n  = help: see [mesh] in the case file"
+            )),
             SolveError::MissingHeatData(error) => {
                 Self::Argument(format!("{error}\n  = help: {}", error.advice()))
             }

@@ -4,8 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use ertel::engine::NoObserver;
 use ertel::files::write_whole;
-use ertel::solve::NoObserver;
 use ertel_validate::{self as validate, Quantity, Row, Selection, Study, StudyResult, Verdict};
 
 use ertel_input::file::{LARGEST_DOCUMENT, LARGEST_TABLE, read_text};

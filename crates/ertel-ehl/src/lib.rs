@@ -9,11 +9,11 @@
 //! | [`forms`] | weak forms at a point |
 //! | [`elastic`] | elastic bodies |
 //! | [`solution`], [`mixed`] | figures and fields in SI; asperities |
-//! | [`engine`] | the interface of numerical methods; figures of any film |
+//! | [`engine`] | the interface of numerical methods: problem, film, errors, coupling of film and heat; figures of any film |
+//! | [`post`] | figures, fields and warnings of any film for output |
 //! | [`solve`] | finite elements: Newton's method, continuation, refinement, heat |
-//! | [`transient`] | contacts in time |
-//! | [`volumes`] | finite volumes: a monotone scheme for isothermal point contacts |
-//! | [`post`] | figures and fields from a solved stage |
+//! | [`volumes`] | finite volumes: a monotone scheme for line and point contacts and rollers between half-spaces |
+//! | [`transient`] | contacts in time, by finite volumes |
 
 pub mod contact;
 pub mod elastic;

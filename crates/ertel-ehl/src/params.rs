@@ -200,7 +200,7 @@ pub enum Method {
     /// Full-system finite elements (Habchi 2008).
     #[default]
     FiniteElements,
-    /// Finite volumes on regular grids, for isothermal Newtonian point contacts of half-spaces.
+    /// Finite volumes on regular grids, for line and point contacts and rollers between half-spaces, with or without heat.
     FiniteVolumes,
 }
 

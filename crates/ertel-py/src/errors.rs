@@ -1,7 +1,8 @@
 //! Errors as Python sees them, with the words of the program.
 
+use ertel::elastic::FiniteBodyError;
+use ertel::engine::SolveError;
 use ertel::output::OutputError as WriteError;
-use ertel::solve::{DiscretisationError, SolveError};
 use ertel::sweep::SweepError;
 use ertel_input::InputError;
 use ertel_rheology::database::DatabaseError;
@@ -41,7 +42,7 @@ pub fn database(error: DatabaseError) -> PyErr {
 pub fn solve(error: SolveError) -> PyErr {
     match error {
         SolveError::Interrupted => PyKeyboardInterrupt::new_err("the solve was interrupted"),
-        SolveError::Discretisation(DiscretisationError::Mesh(error)) => {
+        SolveError::Discretisation(FiniteBodyError::Mesh(error)) => {
             CaseError::new_err(format!("the mesh of this case cannot be built: {error}"))
         }
         SolveError::MissingHeatData(error) => {

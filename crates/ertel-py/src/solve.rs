@@ -5,10 +5,10 @@ use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
+use ertel::engine::Observer;
 use ertel::run;
 use ertel::run::transient::{InstantObserver, Reached};
 use ertel::solution::IterationRecord;
-use ertel::solve::Observer;
 use ertel::study::{CurveObserver, solve_curve as run_curve, solve_in_balance};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;

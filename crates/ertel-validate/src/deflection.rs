@@ -4,12 +4,11 @@ use std::sync::Arc;
 
 use ertel::case::Case;
 use ertel::contact::{Family, hertz};
-use ertel::elastic::Accuracy;
-use ertel::post::profile::Profile;
+use ertel::elastic::{Accuracy, FiniteBodyError};
+use ertel::engine::{Profile, SolveError};
 use ertel::run::problem;
 use ertel::solve::discretisation::{ContactSurface, Discretisation};
 use ertel::solve::system::State;
-use ertel::solve::{SolveError, discretisation::DiscretisationError};
 use ertel_fem::linear::NEVER;
 
 /// Dimensionless deflection δR/a² along the centreline under the Hertz pressure.
@@ -43,7 +42,7 @@ pub fn deflect(case: &Case) -> Result<Deflection, SolveError> {
         &problem.elasticity,
         NEVER,
     )
-    .map_err(|e: DiscretisationError| SolveError::from(e))?;
+    .map_err(|e: FiniteBodyError| SolveError::from(e))?;
     let contact = Arc::new(contact);
     let d = Discretisation::new(&contact, stage.pressure_order);
     let pressure: Vec<f64> = d

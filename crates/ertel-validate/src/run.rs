@@ -3,10 +3,10 @@
 use super::check::{Reference, Row, Verdict};
 use super::{Accept, Deflection, Quantity, Study, deflect};
 use ertel::case::Case;
+use ertel::engine::{Observer, SolveError};
 use ertel::run::solve;
 use ertel::run::transient::{self, InstantObserver, TransientSolution};
 use ertel::solution::Solution;
-use ertel::solve::{Observer, SolveError};
 use ertel::study::{CurveObserver, CurveSolution, solve_curve};
 use ertel::transient::TransientError;
 

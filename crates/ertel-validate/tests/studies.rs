@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use ertel::solve::NoObserver;
+use ertel::engine::NoObserver;
 use ertel_validate::{self as validate, Selection, Verdict};
 
 fn folder() -> PathBuf {

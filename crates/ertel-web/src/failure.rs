@@ -1,7 +1,8 @@
 //! Errors, in the words of the program.
 
+use ertel::elastic::FiniteBodyError;
+use ertel::engine::SolveError;
 use ertel::output::OutputError;
-use ertel::solve::{DiscretisationError, SolveError};
 use ertel_input::InputError;
 use serde_json::{Value, json};
 
@@ -38,11 +39,9 @@ impl From<SolveError> for Failure {
     fn from(error: SolveError) -> Failure {
         match error {
             SolveError::Interrupted => Failure::Interrupted,
-            SolveError::Discretisation(DiscretisationError::Mesh(error)) => {
-                Failure::Refused(format!(
-                    "the mesh of this case cannot be built: {error}\n  = help: see [mesh] in the case file"
-                ))
-            }
+            SolveError::Discretisation(FiniteBodyError::Mesh(error)) => Failure::Refused(format!(
+                "the mesh of this case cannot be built: {error}\n  = help: see [mesh] in the case file"
+            )),
             SolveError::MissingHeatData(error) => {
                 Failure::Refused(format!("{error}\n  = help: {}", error.advice()))
             }

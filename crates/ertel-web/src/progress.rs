@@ -1,8 +1,8 @@
 //! The solver's progress as messages.
 
+use ertel::engine::Observer;
 use ertel::run::transient::InstantObserver;
 use ertel::solution::IterationRecord;
-use ertel::solve::Observer;
 use ertel::study::CurveObserver;
 use ertel::words::length;
 use serde_json::{Value, json};

@@ -9,9 +9,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Parser;
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::run::problem;
 use ertel::solution::{Figure, Measured};
-use ertel::solve::NoObserver;
 use ertel::solve::figures::measure;
 use ertel::solve::sequence::solve_stages;
 use ertel_input::Document;

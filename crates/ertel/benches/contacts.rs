@@ -13,10 +13,10 @@ use std::path::{Path, PathBuf};
 use clap::Parser;
 use common::{Clock, Seconds, Stopwatch};
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::params::{LinearSolver, SensitivityDemand};
 use ertel::run::{solve, solve_from};
 use ertel::solution::{Estimate, Solution, Timings};
-use ertel::solve::NoObserver;
 use ertel::study::solve_curve;
 use ertel_input::Document;
 

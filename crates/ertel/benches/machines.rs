@@ -13,8 +13,8 @@ use std::path::Path;
 use clap::Parser;
 use clock::{Clock, Seconds};
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::run;
-use ertel::solve::NoObserver;
 use ertel::study::solve_machine;
 
 /// Cases, each with settings.

@@ -12,10 +12,10 @@ mod common;
 use clap::{Parser, ValueEnum};
 use clock::{Clock, Seconds};
 use ertel::contact::ContactKind;
+use ertel::engine::{Observer, SolveError};
 use ertel::params::{DEFAULT_MAX_UNKNOWNS, MeshParams};
 use ertel::run::solve;
 use ertel::solution::{Estimate, Solution};
-use ertel::solve::{Observer, SolveError};
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Kind {

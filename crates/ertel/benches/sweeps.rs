@@ -13,8 +13,8 @@ use std::path::{Path, PathBuf};
 use clap::Parser;
 use clock::{Clock, Seconds};
 use ertel::case::Study;
+use ertel::engine::NoObserver;
 use ertel::run;
-use ertel::solve::NoObserver;
 use ertel::study::plan::Plan;
 use ertel::sweep::{SweepObserver, SweepParams, SweepProgress, sweep};
 

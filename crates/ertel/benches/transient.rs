@@ -9,10 +9,10 @@ mod clock;
 use clap::Parser;
 use clock::Clock;
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::run;
 use ertel::run::transient::TransientSolution;
 use ertel::solution::Figure;
-use ertel::solve::NoObserver;
 use ertel_input::Document;
 
 const LINE: &str = "kind = \"line\"\nradius = \"10 mm\"\nload = \"100 kN/m\"";

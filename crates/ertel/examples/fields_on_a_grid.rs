@@ -5,9 +5,9 @@
 use std::path::Path;
 
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::run;
 use ertel::solution::Field;
-use ertel::solve::NoObserver;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");

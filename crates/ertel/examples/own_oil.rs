@@ -5,9 +5,9 @@
 use std::path::Path;
 
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::fit::{Data, Heading, LawName, Params, Property, entry, fit};
 use ertel::run;
-use ertel::solve::NoObserver;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");

@@ -5,8 +5,8 @@
 use std::fmt::Write as _;
 
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::run;
-use ertel::solve::NoObserver;
 
 /// Pa.s at a pressure in Pa: a power law that no database has.
 fn viscosity(pressure: f64) -> f64 {

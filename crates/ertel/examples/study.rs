@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use ertel::case::Study;
-use ertel::solve::NoObserver;
+use ertel::engine::NoObserver;
 use ertel::study::TABLE;
 use ertel::sweep::{SweepParams, sweep};
 

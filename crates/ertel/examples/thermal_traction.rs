@@ -3,8 +3,8 @@
 //! `cargo run --release -p ertel --example thermal_traction`
 
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::run;
-use ertel::solve::NoObserver;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let cold = Case::builder()

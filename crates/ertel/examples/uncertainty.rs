@@ -3,9 +3,9 @@
 //! `cargo run --release -p ertel --example uncertainty`
 
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::run;
 use ertel::solution::Figure;
-use ertel::solve::NoObserver;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let case = Case::builder()

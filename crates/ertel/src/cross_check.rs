@@ -2,10 +2,10 @@
 //! solver. Figures that agree within their error bars are confirmed independently.
 
 use crate::case::{Case, finite_volumes_refuse};
+use crate::engine::{Observer, SolveError};
 use crate::params::Method;
 use crate::run;
 use crate::solution::{Figure, Located, Solution};
-use crate::solve::{Observer, SolveError};
 
 /// A figure by both methods.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,7 +5,7 @@
 //! over the whole contact:
 //!
 //! ```
-//! use ertel::{case::Case, run, solution::Field, solve::NoObserver};
+//! use ertel::{case::Case, run, solution::Field, engine::NoObserver};
 //!
 //! let case = Case::builder()
 //!     .set("contact.kind", "line")                       // or "circular", "elliptical", "roller"

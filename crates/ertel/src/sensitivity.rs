@@ -11,6 +11,7 @@ use rayon::prelude::*;
 
 use crate::case::Case;
 use crate::engine::sensitivity::{Derivatives, Perturbed};
+use crate::engine::{Observer, SolveError};
 use crate::params::{ElasticModel, SensitivityDemand};
 use crate::problem::{nearby_problem, problem};
 use crate::solution::{
@@ -20,7 +21,6 @@ use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::figures::{Scope, figures};
 use crate::solve::sensitivity::Sensitivity;
 use crate::solve::sequence::{Plan, Problem, StageSolution, Start, solve_on_mesh};
-use crate::solve::{Observer, SolveError};
 
 /// Steps of inputs, over their size: where the equations stay on their mesh, and where the mesh changes, whose elastic response has
 /// additional rounding.

@@ -2,10 +2,10 @@
 
 use approx::assert_relative_eq;
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::params::Method;
 use ertel::run::solve;
 use ertel::solution::{Estimate, Solution};
-use ertel::solve::NoObserver;
 use ertel_input::Document;
 
 const METHODS: [Method; 2] = [Method::FiniteElements, Method::FiniteVolumes];

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 
 use ertel::case::Case;
 use ertel::cross_check::{Verdict, cross_check};
+use ertel::engine::NoObserver;
 use ertel::params::{Formulation, Method};
 use ertel::run::{first_method, solve};
 use ertel::solution::{Figure, Sensitivities, SensitivityMethod, Solution};
-use ertel::solve::NoObserver;
 use ertel::warning::WarningKind;
 use ertel_input::Document;
 

@@ -6,10 +6,10 @@ use std::path::Path;
 
 use approx::assert_relative_eq;
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::run::solve;
 use ertel::solution::Role;
 use ertel::solution::Solution;
-use ertel::solve::NoObserver;
 use ertel_input::Document;
 
 fn solved(text: &str) -> Solution {

@@ -10,11 +10,11 @@ mod sliding;
 use std::collections::HashSet;
 
 use ertel::contact::ContactKind;
+use ertel::engine::NoObserver;
 use ertel::params::{MeshParams, MeshPreset, Method};
 use ertel::run::{groups, solve};
 use ertel::solution::Role;
 use ertel::solution::{LevelStats, Solution};
-use ertel::solve::NoObserver;
 
 use cases::MapCase;
 

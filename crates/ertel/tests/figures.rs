@@ -7,12 +7,12 @@ use std::path::Path;
 use common::heated;
 use ertel::case::Case;
 use ertel::contact::ContactKind;
+use ertel::engine::NoObserver;
 use ertel::output::{report, result_json};
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
 use ertel::solution::Role;
 use ertel::solution::{Estimate, Figure, Located};
-use ertel::solve::NoObserver;
 use ertel_input::Document;
 
 #[test]

@@ -4,9 +4,9 @@ use std::path::Path;
 
 use approx::assert_relative_eq;
 use ertel::case::{Case, Mechanics};
+use ertel::engine::NoObserver;
 use ertel::machine::{MachineFigures, figures};
 use ertel::solution::Figure;
-use ertel::solve::NoObserver;
 use ertel::study::{MachineSolution, solve_machine};
 use ertel_input::Document;
 

@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use ertel::case::Case;
+use ertel::engine::{NoObserver, Observer};
 use ertel::output::transient::{profiles_table, transient_table};
 use ertel::run::checkpoint::Checkpoint;
 use ertel::run::solve;
 use ertel::run::transient::{self, InstantObserver, InstantSolution, Reached, TransientSolution};
 use ertel::solution::Figure;
-use ertel::solve::{NoObserver, Observer};
 use ertel_input::Document;
 
 /// A ball on glass, both of whose surfaces slide, by a coarse mesh.

@@ -4,10 +4,10 @@ use crate::common;
 
 use ertel::case::Case;
 use ertel::contact::ContactKind;
+use ertel::engine::NoObserver;
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
 use ertel::solution::Solution;
-use ertel::solve::NoObserver;
 use ertel_rheology::shear::{ReeEyring, ShearLaw, ShearThinning, StressLimit};
 
 /// A case as users write it, on a mesh that is cheap rather than accurate; `load` in N/m (line) or N (circular), `limit`

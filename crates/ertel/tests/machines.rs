@@ -4,11 +4,11 @@ use std::path::Path;
 
 use approx::assert_relative_eq;
 use ertel::case::Case;
+use ertel::engine::{NoObserver, Observer};
 use ertel::machine::figures;
 use ertel::output;
 use ertel::run;
 use ertel::solution::Figure;
-use ertel::solve::{NoObserver, Observer};
 use ertel::study::{CurveObserver, PointSolution, solve_curve, solve_in_balance, solve_machine};
 use ertel_input::Document;
 

@@ -6,9 +6,9 @@ use approx::assert_relative_eq;
 use common::case;
 use ertel::case::Case;
 use ertel::contact::ContactKind;
+use ertel::engine::NoObserver;
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
-use ertel::solve::NoObserver;
 use ertel_rheology::{DensityLaw, ViscosityLaw};
 
 fn main_case(kind: ContactKind, load: f64) -> Case {

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::machine::{MachineFigures, figures};
 use ertel::output;
-use ertel::solve::NoObserver;
 use ertel::study::{MachineSolution, solve_curve, solve_machine};
 
 fn read(text: &str) -> Case {

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::run::solve;
 use ertel::solution::{Figure, Solution, Why};
-use ertel::solve::NoObserver;
 use ertel::warning::WarningKind;
 use ertel_input::Document;
 

@@ -5,9 +5,9 @@ use std::path::Path;
 use approx::assert_relative_eq;
 use ertel::case::Case;
 use ertel::contact::Symmetry;
+use ertel::engine::{NoObserver, SolveError};
 use ertel::run;
 use ertel::solution::{Figure, Solution};
-use ertel::solve::{NoObserver, SolveError};
 
 /// The contact of Mourier et al. 2006 without its cavity: 15 N, E' = 110 GPa, 12.5 mm, 0.09 m/s; half-width 136.7 µm.
 fn case(motion: &str, folder: &Path, more: &str) -> Case {

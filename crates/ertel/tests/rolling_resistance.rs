@@ -5,10 +5,10 @@ use crate::common;
 use approx::assert_relative_eq;
 use common::case;
 use ertel::contact::{Contact, ContactKind};
+use ertel::engine::NoObserver;
 use ertel::estimate::estimate;
 use ertel::params::{MeshParams, Method};
 use ertel::run::solve;
-use ertel::solve::NoObserver;
 
 /// T = ½∫h ∂p/∂x is half of what the walls differ by in traction. Of a line 1.47 (2U)^¾ E'R at any load (Biboulet and Houpert 2010, part 1, eq. 41), of a ball under
 /// M = 200 the formula for all loads (Biboulet and Houpert 2010, part 2, eq. 32). Found 2.4 and 0.6 % off; the rest of 5 % is for what lies beyond

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::params::{Method, SensitivityDemand};
 use ertel::run::{Start, solve_from};
 use ertel::solution::{Figure, Sensitivities, SensitivityMethod, Solution};
-use ertel::solve::NoObserver;
 use ertel_input::Document;
 
 /// Steps of the inputs, over their size.

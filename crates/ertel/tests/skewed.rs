@@ -6,10 +6,10 @@ use approx::assert_relative_eq;
 use common::{case, heated};
 use ertel::case::Case;
 use ertel::contact::{ContactKind, Symmetry};
+use ertel::engine::NoObserver;
 use ertel::params::MeshParams;
 use ertel::run::solve;
 use ertel::solution::Solution;
-use ertel::solve::NoObserver;
 use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning};
 
 /// A ball on a plane, with a film that stress thins or not.

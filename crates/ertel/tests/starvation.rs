@@ -7,10 +7,10 @@ use approx::assert_relative_eq;
 use common::{case, heated};
 use ertel::case::Case;
 use ertel::contact::{ContactKind, Supply};
+use ertel::engine::NoObserver;
 use ertel::params::MeshParams;
 use ertel::run::{predicted_film, solve};
 use ertel::solution::Solution;
-use ertel::solve::NoObserver;
 
 /// N, N/m of a line.
 fn load(kind: ContactKind) -> f64 {

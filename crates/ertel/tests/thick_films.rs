@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::run::solve;
 use ertel::solution::Estimate;
-use ertel::solve::NoObserver;
 use ertel_input::Document;
 
 /// A body on a plane, by finite elements: its central film, m, for an incompressible oil of one viscosity.

@@ -5,10 +5,10 @@ use crate::common;
 use approx::assert_relative_eq;
 use ertel::case::Case;
 use ertel::contact::{Contact, ContactKind, reduced_modulus};
+use ertel::engine::NoObserver;
 use ertel::params::ElasticModel;
 use ertel::run::solve;
 use ertel::solution::Solution;
-use ertel::solve::NoObserver;
 use ertel_rheology::{DensityLaw, ViscosityLaw};
 
 /// Circular contacts on a mesh that is cheap rather than accurate: the statements below hold on any.

@@ -7,11 +7,11 @@ use std::path::Path;
 use approx::assert_relative_eq;
 use ertel::case::Case;
 use ertel::contact::ContactKind;
+use ertel::engine::{NoObserver, Observer};
 use ertel::reference::thermal::{ThermalReduction, thermal_loading};
 use ertel::run::{problem, solve};
 use ertel::solution::Role;
 use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
-use ertel::solve::{NoObserver, Observer};
 use ertel_input::Document;
 
 /// Keeps the changes of the rounds of the last coupling.

@@ -4,11 +4,11 @@
 use crate::common;
 
 use ertel::contact::ContactKind;
+use ertel::engine::NoObserver;
 use ertel::params::Method;
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
 use ertel::solution::Estimate;
-use ertel::solve::NoObserver;
 
 /// Widest useful bars: a coarse mesh is for a quick look.
 const WIDEST_COARSE: f64 = 0.1;

@@ -1,6 +1,7 @@
 //! The energy equation against manufactured temperatures, closed forms and integrals computed here.
 
 use crate::common;
+use ertel::engine::HeatError;
 
 use std::f64::consts::PI;
 
@@ -13,7 +14,7 @@ use ertel::forms::energy::{FilmPlace, Layer, film_column};
 use ertel::run::problem;
 use ertel::solve::discretisation::Extents;
 use ertel::solve::heat::column::Column;
-use ertel::solve::heat::newton::{HeatError, HeatNewton, HeatParams};
+use ertel::solve::heat::newton::{HeatNewton, HeatParams};
 use ertel::solve::heat::system::{Kept, assemble};
 use ertel_fem::quadrature::Quadrature;
 use ertel_rheology::{ConductivityLaw, ViscosityLaw};

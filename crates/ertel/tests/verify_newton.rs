@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use ertel::case::Case;
 use ertel::contact::ContactKind;
+use ertel::engine::{NoObserver, Observer, SolveError};
 use ertel::params::Method;
 use ertel::params::{ElasticModel, LinearSolver};
 use ertel::run::{problem, solve};
@@ -14,7 +15,6 @@ use ertel::solution::Role;
 use ertel::solution::{IterationRecord, Solution};
 use ertel::solve::discretisation::ContactSurface;
 use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
-use ertel::solve::{NoObserver, Observer, SolveError};
 use ertel_fem::linear::NEVER;
 use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning};
 

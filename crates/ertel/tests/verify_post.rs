@@ -4,14 +4,14 @@ use crate::common;
 
 use approx::assert_relative_eq;
 use ertel::contact::ContactKind;
+use ertel::engine::NoObserver;
 use ertel::params::ElasticModel;
-use ertel::post::fields::{body, centreline, surface};
-use ertel::post::summary::summarise;
 use ertel::run::problem;
-use ertel::solve::NoObserver;
 use ertel::solve::figures::measure;
 use ertel::solve::newton::FilmModel;
 use ertel::solve::points::fields_at;
+use ertel::solve::results::fields::{body, centreline, surface};
+use ertel::solve::results::summary::summarise;
 use ertel::solve::sequence::solve_stages;
 
 /// A Newtonian circular contact between sliding surfaces, on an equivalent body.

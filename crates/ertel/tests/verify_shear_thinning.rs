@@ -5,11 +5,11 @@ use crate::common;
 use approx::assert_relative_eq;
 use ertel::case::Case;
 use ertel::contact::ContactKind;
+use ertel::engine::NoObserver;
 use ertel::params::Method;
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
 use ertel::solution::{Centreline, Solution};
-use ertel::solve::NoObserver;
 use ertel_rheology::shear::{Carreau, ReeEyring, ShearLaw, ShearThinning};
 
 /// A case on a mesh that is cheap rather than accurate, solved until nothing moves.

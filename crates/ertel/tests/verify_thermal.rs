@@ -6,9 +6,9 @@ use approx::assert_relative_eq;
 use common::heated;
 use ertel::case::Case;
 use ertel::contact::ContactKind;
+use ertel::engine::NoObserver;
 use ertel::run::solve;
 use ertel::solution::Solution;
-use ertel::solve::NoObserver;
 use ertel_rheology::ConductivityLaw;
 
 fn case(kind: ContactKind, slide_to_roll_ratio: f64) -> Case {

@@ -136,8 +136,8 @@ fn heat_is_conducted_out_of_bodies_at_rest() {
     solve(&d, &problem.fluid, &heat, &mut state, None);
     let balance = heat_balance(&d, &state, &problem.fluid, &heat, &problem.scales);
     let through = 0.14 * 10.0 * heat.length / heat.film * 4.0 * 6.0_f64.atan();
-    assert_relative_eq!(balance.to_body_1, through, max_relative = 5e-3);
-    assert_relative_eq!(balance.to_body_2, -through, max_relative = 5e-3);
+    assert_relative_eq!(balance.to_bodies[0], through, max_relative = 5e-3);
+    assert_relative_eq!(balance.to_bodies[1], -through, max_relative = 5e-3);
     assert!(balance.shear.abs() + balance.compression.abs() < 1e-9 * through);
 }
 

@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use ertel::case::{Case, Study};
+use ertel::engine::NoObserver;
 use ertel::output::curve_table;
 use ertel::run;
 use ertel::solution::{Estimate, Solution};
-use ertel::solve::NoObserver;
 use ertel::study::journal::Record;
 use ertel::study::plan::Plan;
 use ertel::study::solve_curve;

@@ -16,6 +16,7 @@ pub type Row = (
 
 const ADAPT: &str = "solve/adapt.rs";
 const NEWTON: &str = "solve/newton.rs";
+const RELAXATION: &str = "engine/coupling/relaxation.rs";
 const TUNING_CONTINUATION: &str = "solve/tuning/continuation.rs";
 const TUNING_ERRORS: &str = "solve/tuning/errors.rs";
 const TUNING_HEAT: &str = "solve/tuning/heat.rs";
@@ -219,7 +220,7 @@ pub const ROWS: &[Row] = &[
     (
         HEAT,
         "If it is more than {} of the previous one, only a fraction",
-        &[(TUNING_HEAT, "SLOW", 0, 1.0)],
+        &[(RELAXATION, "SLOW", 0, 1.0)],
     ),
     (
         HEAT,
@@ -503,7 +504,7 @@ pub const ROWS: &[Row] = &[
     (
         HEAT,
         "lies between {} and 1; a fixed",
-        &[(TUNING_HEAT, "SMALLEST", 0, 1.0)],
+        &[(RELAXATION, "SMALLEST", 0, 1.0)],
     ),
     (
         HEAT,

@@ -4,7 +4,7 @@
 //!   H = H_0 + G,   θ = 1 before the contact, (H_0 + G at the closest place)/H behind it
 //! ```
 //! Around a point contact the force of sliding grows with the logarithm of the distance, the moment of spin with its square: where the contact area ends before the bodies, its edge
-//! must not determine them. Before a line the force grows with 1/x from the edge on, behind it with 1/x³. Oil streams behind the contact are those of [`crate::volumes::behind`].
+//! must not determine them. Before a line the force grows with 1/x from the edge on, behind it with 1/x³. Oil streams behind the contact are those of finite volumes (`volumes/behind.rs`).
 //!
 //! Theory: Traction and heat.
 

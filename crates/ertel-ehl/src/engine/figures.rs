@@ -2,6 +2,7 @@
 
 use super::friction::{friction, is_skewed};
 use super::{Film, Meniscus, Problem, Profile};
+use crate::contact::Symmetry;
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures, Reading, Sizes};
 
@@ -51,6 +52,49 @@ pub fn note_film<Plan>(
             ..Reading::new(scales.length * meniscus.place)
         };
         figures.note(Figure::MeniscusPosition, reading);
+    }
+}
+
+/// Pressures over the outer quarters of a roller, and the moment of the pressure about its middle: `largest` gives the largest pressure where y is
+/// accepted, with its place, and `moments` ∫P, ∫P y and ∫P|y|.
+pub fn note_roller<Plan>(
+    figures: &mut Figures,
+    problem: &Problem<Plan>,
+    largest: impl Fn(&dyn Fn(f64) -> bool) -> Option<(f64, [f64; 2])>,
+    moments: impl FnOnce() -> [f64; 3],
+) {
+    let Some(roller) = &problem.shape.zone.roller else {
+        return;
+    };
+    let scales = &problem.scales;
+    let quarter = 0.5 * roller.half_length();
+    let whole = problem.shape.symmetry == Symmetry::Full;
+    let sides: [(Figure, f64); 2] = [
+        (Figure::EdgePressureLeft, -1.0),
+        (Figure::EdgePressureRight, 1.0),
+    ];
+    // Where one half is solved, it is the left one.
+    for (figure, sign) in sides.into_iter().take(if whole { 2 } else { 1 }) {
+        if let Some((p, place)) = largest(&|y| sign * y >= quarter) {
+            let place = place.map(|x| x * scales.length);
+            figures.note(figure, Reading::new(scales.pressure * p).at(place));
+        }
+    }
+    if !whole {
+        return;
+    }
+    let [force, moment, arms] = moments();
+    let unit = scales.pressure * scales.length.powi(2);
+    for (figure, scale) in [
+        (Figure::RollerMoment, unit * scales.length),
+        (Figure::LoadPosition, scales.length / force),
+    ] {
+        // A resultant in the middle is as uncertain as one elsewhere.
+        let reading = Reading {
+            size: scale * arms,
+            ..Reading::new(scale * moment)
+        };
+        figures.note(figure, reading);
     }
 }
 

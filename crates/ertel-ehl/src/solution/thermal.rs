@@ -91,7 +91,7 @@ pub struct ThermalReduction {
 }
 
 /// Convergence of the film-temperature coupling.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Coupling {
     /// Rounds on the last mesh.
     pub rounds: usize,

@@ -14,12 +14,12 @@ use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::linear::gmres::{GmresError, GmresParams, gmres};
 use rayon::prelude::*;
 
-use super::SolveError;
 use super::discretisation::Discretisation;
 use super::preconditioner::Preconditioner;
 use super::step::{dot, scatter};
 use super::system::System;
 use crate::elastic::Accuracy;
+use crate::engine::SolveError;
 use crate::solve::tuning::newton::{MOST_ROUNDS, ROUGH};
 
 /// Derivatives of a figure by the pressures, the deflections and the separation.

@@ -22,9 +22,6 @@ use crate::elastic::{
 };
 pub use crate::engine::Extents;
 
-/// Building a level failed.
-pub type DiscretisationError = FiniteBodyError;
-
 /// Mesh of the contact area.
 #[derive(Clone)]
 enum Support {
@@ -90,7 +87,7 @@ impl ContactSurface {
         sizes: &LevelSizes,
         elasticity: &Elasticity,
         stop: Stop,
-    ) -> Result<ContactSurface, DiscretisationError> {
+    ) -> Result<ContactSurface, FiniteBodyError> {
         let start = Instant::now();
         let mesh = match elasticity.model {
             BodyModel::HalfSpace => {
@@ -119,11 +116,7 @@ impl ContactSurface {
     ///
     /// # Errors
     /// As [`ContactSurface::new`].
-    pub fn refined(
-        &self,
-        halvings: &[u32],
-        stop: Stop,
-    ) -> Result<ContactSurface, DiscretisationError> {
+    pub fn refined(&self, halvings: &[u32], stop: Stop) -> Result<ContactSurface, FiniteBodyError> {
         let start = Instant::now();
         let sizes: Vec<f64> = halvings
             .iter()
@@ -178,7 +171,7 @@ impl ContactSurface {
         mesh_seconds: f64,
         elasticity: &Elasticity,
         stop: Stop,
-    ) -> Result<ContactSurface, DiscretisationError> {
+    ) -> Result<ContactSurface, FiniteBodyError> {
         let start = Instant::now();
         let surface = match &mesh {
             Mesh::Surface(surface) => stretched(surface.mesh(), &shape.zone),

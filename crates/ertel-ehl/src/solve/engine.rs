@@ -1,10 +1,9 @@
-//! Finite elements as an [`Engine`].
+//! Solves a problem by finite elements.
 
-use super::SolveError;
 use super::figures::measure;
 use super::points::Evaluated;
-use super::sequence::{Plan, Problem, StageSolution, Start, solve_stages, solve_warm};
-use crate::engine::{Engine, Film, Observer, Solved};
+use super::sequence::{Problem, StageSolution, Start, solve_stages, solve_warm};
+use crate::engine::{Film, Observer, SolveError};
 use crate::solution::{LevelStats, Measured};
 
 /// Stages of meshes from coarse to fine, Newton's method on each.
@@ -19,28 +18,25 @@ pub struct Finished {
     pub levels: Vec<LevelStats>,
 }
 
-impl Finished {
-    fn of((finest, levels): (StageSolution, Vec<LevelStats>)) -> Finished {
-        Finished { finest, levels }
-    }
-}
-
-impl Engine for FiniteElements {
-    type Plan = Plan;
-    type Solution = Finished;
-    type Start = Start;
-    type Error = SolveError;
-
-    fn solve(
-        &self,
+impl FiniteElements {
+    /// Solves a problem from the dry contact.
+    ///
+    /// # Errors
+    /// When it does not converge, cannot be discretised, or the user wants to stop.
+    pub fn solve(
+        self,
         problem: &Problem,
         observer: &mut dyn Observer,
     ) -> Result<Finished, SolveError> {
         solve_stages(problem, observer).map(Finished::of)
     }
 
-    fn solve_from(
-        &self,
+    /// Solves a problem from the solution of a similar one; `None` where it does not converge from there.
+    ///
+    /// # Errors
+    /// When the user wants to stop.
+    pub fn solve_from(
+        self,
         problem: &Problem,
         start: &Start,
         observer: &mut dyn Observer,
@@ -49,19 +45,19 @@ impl Engine for FiniteElements {
     }
 }
 
-impl Solved for Finished {
-    type Plan = Plan;
-
-    fn film(&self, problem: &Problem) -> impl Film {
+impl Finished {
+    /// The film, for post-processing.
+    pub fn film(&self, problem: &Problem) -> impl Film {
         let (d, state) = (&self.finest.discretisation, &self.finest.state);
         Evaluated::new(&problem.shape, &problem.entrainment, d, state)
     }
 
-    fn measured(&self, problem: &Problem) -> Measured {
+    /// Figures with error bars, SI.
+    pub fn measured(&self, problem: &Problem) -> Measured {
         measure(problem, &self.finest, &self.levels)
     }
 
-    fn levels(&self) -> &[LevelStats] {
-        &self.levels
+    fn of((finest, levels): (StageSolution, Vec<LevelStats>)) -> Finished {
+        Finished { finest, levels }
     }
 }

@@ -5,15 +5,16 @@ use super::bars::bars;
 use super::discretisation::Discretisation;
 use super::evaluate::{central_film, largest_pressure, largest_pressure_where, minimum_film};
 use super::heat::balance::heat_balance;
-use super::heat::figures::{Extremes, zone_means};
+use super::heat::space::HeatSpace;
 use super::peaks::peaks;
 use super::points::Evaluated;
-use super::profile::{PER_EDGE, Profile};
+use super::profile::PER_EDGE;
 use super::sequence::{Problem, StageSolution};
 use super::system::State;
 use crate::contact::Symmetry;
-use crate::engine::figures::{note_film, note_friction, share_of_film, sizes};
-use crate::engine::{Film, PointTable};
+use crate::engine::figures::{note_film, note_friction, note_roller, share_of_film, sizes};
+use crate::engine::heat::{Extremes, note_heat};
+use crate::engine::{Film, PointTable, Profile};
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures, LevelStats, Measured, Reading};
 
@@ -48,7 +49,8 @@ pub fn figures(
         return figures;
     }
     let film = Evaluated::new(&problem.shape, &problem.entrainment, d, state);
-    note_roller(&mut figures, problem, (d, state), film.points());
+    let largest = |at: &dyn Fn(f64) -> bool| Some(largest_pressure_where(d, state, |[_, y]| at(y)));
+    note_roller(&mut figures, problem, largest, || moments(d, film.points()));
     let roller = problem.shape.zone.roller.as_ref();
     let quarter = roller.map(|roller| 0.5 * roller.half_length());
     let inner = |[_, y]: [f64; 2]| quarter.is_none_or(|quarter| y.abs() < quarter);
@@ -76,7 +78,21 @@ pub fn figures(
         figures.note(Figure::OutletPosition, Reading { misfit, ..reading });
     }
     note_friction(&mut figures, problem, fluid, &film, d.heat.is_some());
-    note_heat(&mut figures, problem, fluid, (d, state), film.points());
+    if let (Some(space), Some(heat)) = (d.heat.as_deref(), &problem.heat) {
+        let nodes = &space.column.film;
+        let (extremes, sums) = (
+            extremes(space, state),
+            heat_balance(d, state, fluid, heat, scales),
+        );
+        note_heat(
+            &mut figures,
+            problem,
+            film.points(),
+            nodes,
+            &extremes,
+            &sums,
+        );
+    }
     figures
 }
 
@@ -114,47 +130,6 @@ fn rupture(profile: &Profile) -> (f64, f64) {
     (place, place - zero)
 }
 
-/// Pressures over the outer quarters of a roller, and the moment of the pressure about its middle.
-pub fn note_roller(
-    figures: &mut Figures,
-    problem: &Problem,
-    (d, state): (&Discretisation, &State),
-    points: &PointTable,
-) {
-    let Some(roller) = &problem.shape.zone.roller else {
-        return;
-    };
-    let scales = &problem.scales;
-    let quarter = 0.5 * roller.half_length();
-    let whole = problem.shape.symmetry == Symmetry::Full;
-    let sides: [(Figure, f64); 2] = [
-        (Figure::EdgePressureLeft, -1.0),
-        (Figure::EdgePressureRight, 1.0),
-    ];
-    // Where one half is solved, it is the left one.
-    for (figure, sign) in sides.into_iter().take(if whole { 2 } else { 1 }) {
-        let (p, place) = largest_pressure_where(d, state, |[_, y]| sign * y >= quarter);
-        let place = place.map(|x| x * scales.length);
-        figures.note(figure, Reading::new(scales.pressure * p).at(place));
-    }
-    if !whole {
-        return;
-    }
-    let [force, moment, arms] = moments(d, points);
-    let unit = scales.pressure * scales.length.powi(2);
-    for (figure, scale) in [
-        (Figure::RollerMoment, unit * scales.length),
-        (Figure::LoadPosition, scales.length / force),
-    ] {
-        // A resultant in the middle is as uncertain as one elsewhere.
-        let reading = Reading {
-            size: scale * arms,
-            ..Reading::new(scale * moment)
-        };
-        figures.note(figure, reading);
-    }
-}
-
 /// ∫P, ∫P y and ∫P|y| over the part that is solved.
 fn moments(d: &Discretisation, points: &PointTable) -> [f64; 3] {
     let mut sums = [0.0; 3];
@@ -171,74 +146,16 @@ fn moments(d: &Discretisation, points: &PointTable) -> [f64; 3] {
     sums
 }
 
-fn note_heat(
-    figures: &mut Figures,
-    problem: &Problem,
-    fluid: &FilmFluid,
-    (d, state): (&Discretisation, &State),
-    points: &PointTable,
-) {
-    let (Some(space), Some(heat)) = (d.heat.as_deref(), &problem.heat) else {
-        return;
-    };
-    let scales = &problem.scales;
-    let mut temperature = |figure, value: f64, place: [f64; 2]| {
-        let reading = Reading {
-            place: Some(place.map(|x| x * scales.length)),
-            ..Reading::of_rise(value, value - heat.inlet_temperature)
-        };
-        figures.note(figure, reading);
-    };
-    let extremes = Extremes::new(space, state);
-    let (hottest, _) = extremes.film_maximum;
-    for (figure, (value, place)) in [
-        (Figure::FilmTemperatureMaximum, extremes.film_maximum),
-        (Figure::FilmTemperatureLowest, extremes.film_lowest),
-        (Figure::TemperatureBody1Maximum, extremes.walls[0]),
-        (Figure::TemperatureBody2Maximum, extremes.walls[1]),
-    ] {
-        temperature(figure, value, place);
+/// Extreme temperatures over the nodes of the contact area.
+fn extremes(space: &HeatSpace, state: &State) -> Extremes {
+    let (column, n) = (&space.column, space.column.n());
+    let mut extremes = Extremes::default();
+    for (point, values) in (space.surface.points.iter()).zip(state.temperature.chunks_exact(n)) {
+        // No minus zero.
+        let place = [point[0], point[1] + 0.0];
+        extremes.include(&column.film, &column.film_of(values), place);
     }
-    // The error of the cooling behind the contact is that of the heating in it.
-    if let Some(lowest) = figures.get(Figure::FilmTemperatureLowest) {
-        let size = lowest.size.max((hottest - heat.inlet_temperature).abs());
-        figures.note(Figure::FilmTemperatureLowest, Reading { size, ..lowest });
-    }
-    let mut temperature = |figure, value: f64| {
-        let size = (value - heat.inlet_temperature).abs();
-        let reading = Reading {
-            size,
-            ..Reading::new(value)
-        };
-        figures.note(figure, reading);
-    };
-    let means = [
-        Figure::FilmTemperatureMean,
-        Figure::TemperatureBody1Mean,
-        Figure::TemperatureBody2Mean,
-    ];
-    for (figure, value) in means
-        .into_iter()
-        .zip(zone_means(points, &space.column.film))
-    {
-        temperature(figure, value);
-    }
-    let balance = heat_balance(d, state, fluid, heat, scales);
-    // The work of the surfaces becomes heat, by shear or by compression of the lubricant.
-    if let Some(power) = figures.get(Figure::FrictionPower) {
-        let heats = power.value - power.misfit;
-        let misfit = (heats - balance.shear - balance.compression).abs();
-        figures.note(Figure::FrictionPower, Reading { misfit, ..power });
-    }
-    for (figure, value) in [
-        (Figure::HeatShear, balance.shear),
-        (Figure::HeatCompression, balance.compression),
-        (Figure::HeatToBody1, balance.to_body_1),
-        (Figure::HeatToBody2, balance.to_body_2),
-        (Figure::HeatByFilm, balance.by_film),
-    ] {
-        figures.note(figure, Reading::new(value));
-    }
+    extremes
 }
 
 /// Figures of the solution of a problem, with the error bars from its stages.

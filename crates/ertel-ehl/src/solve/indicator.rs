@@ -18,7 +18,6 @@ use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::Space;
 
-use super::SolveError;
 use super::adapt::FIRST_BAR;
 use super::adjoint::{Adjoint, Functional, TO_WEIGH_ERRORS, adjoints};
 use super::discretisation::Discretisation;
@@ -32,6 +31,7 @@ use super::preconditioner::{NearStiffness, Preconditioner};
 use super::ridge::{cut_off, own_shares};
 use super::system::{State, System};
 use crate::contact::Inlet;
+use crate::engine::SolveError;
 use crate::engine::far_field::far_field;
 use crate::film::cross_film::CrossFilm;
 use crate::solution::{BeyondEdges, ErrorEstimate, Figure, Figures, TemperatureErrors};

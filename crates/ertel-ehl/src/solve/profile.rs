@@ -1,7 +1,7 @@
 //! The centreline of a state, sampled element by element.
 
 use crate::contact::Symmetry;
-pub use crate::engine::Profile;
+use crate::engine::Profile;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::points::fields_at;
 use crate::solve::system::State;

@@ -11,7 +11,6 @@
 
 use std::sync::Arc;
 
-use super::SolveError;
 use super::adjoint::{Adjoint, Exactness, Functional, RoughAdjoints, adjoints};
 use super::discretisation::{ContactSurface, Discretisation};
 use super::element::Metric;
@@ -26,6 +25,7 @@ use super::system::{FilmConstants, State, System};
 use super::weighted::{Equations, PointFlow, point_flows, weighted_sums};
 use crate::contact::{Inlet, Planar, Scales};
 use crate::elastic::{Accuracy, BodyModel};
+use crate::engine::SolveError;
 use crate::engine::friction::friction;
 use crate::engine::region::Region;
 use crate::engine::sensitivity::{Derivatives, NoDerivative, Perturbed};

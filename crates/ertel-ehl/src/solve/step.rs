@@ -6,13 +6,13 @@ use ertel_fem::platform::Instant;
 use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::linear::gmres::{GmresParams, gmres};
 
-use super::SolveError;
 use super::discretisation::Discretisation;
 use super::monolithic::{BodyMatrices, Monolithic};
 use super::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats};
 use super::preconditioner::{NearStiffness, Preconditioner};
 use super::system::{State, System};
 use crate::elastic::Accuracy as Deflections;
+use crate::engine::SolveError;
 use crate::solve::tuning::newton::{MOST_STALE_ITERATIONS, STALE_EFFORT};
 
 /// Newton step at all pressure nodes and of H0.

@@ -3,7 +3,7 @@
 //! ```text
 //!   c = H where the stream leaves the film,   F = H − c behind it       θ = c/H: the share of the gap that oil fills
 //! ```
-//! The rule is that of [`crate::volumes::behind`]: the pressure ends with no slope, so that what leaves the film is ρū H, and the mean velocity carries it on.
+//! The rule is that of finite volumes (`volumes/behind.rs`): the pressure ends with no slope, so that what leaves the film is ρū H, and the mean velocity carries it on.
 //! A stream leaves the film behind its largest pressure. Streams are lines, or circles about the centre of a spin.
 //!
 //! Theory: Behind the film.

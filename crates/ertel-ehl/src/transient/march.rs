@@ -4,9 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::contact::gap::{Body, GapTerm, Relief};
 use crate::contact::{Inlet, Pose, Shape};
-use crate::engine::{Engine, Observer, Problem};
+use crate::engine::{Observer, Problem, SolveError};
 use crate::solution::{IterationRecord, Measured};
-use crate::solve::SolveError;
 use crate::volumes::ending::Ends;
 use crate::volumes::level::Level;
 use crate::volumes::{FiniteVolumes, Plan};

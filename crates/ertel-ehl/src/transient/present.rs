@@ -6,9 +6,8 @@ use super::levels::Levels;
 use super::{Course, TransientError};
 use crate::contact::gap::{Body, Curvature, GapTerm};
 use crate::contact::{Inlet, OilLayer, Pose};
-use crate::engine::{Engine, Observer, Problem};
+use crate::engine::{Observer, Problem, SolveError};
 use crate::film::FilmFluid;
-use crate::solve::SolveError;
 use crate::volumes::{FiniteVolumes, Plan};
 
 /// Sets the conditions of an instant in the problem; load and λ are the reference values at first.

@@ -18,9 +18,8 @@ use super::level::Level;
 use super::preconditioner::Preconditioner;
 use super::system::{State, System};
 use crate::contact::Inlet;
-use crate::engine::Problem;
 use crate::engine::far_field::far_field;
-use crate::solve::SolveError;
+use crate::engine::{Problem, SolveError};
 
 /// Grids among which the finest that covers the whole area is taken: on the third, cells are a tenth of a half-width where edges are near enough to count.
 const GRIDS: usize = 3;

@@ -1,4 +1,4 @@
-//! Finite volumes as an [`Engine`]: one grid after the other until both films reach the target error.
+//! Solves a problem by finite volumes: one grid after the other until both films reach the target error.
 
 use ertel_fem::linear::lu::LuError;
 use ertel_fem::platform::Instant;
@@ -10,7 +10,6 @@ use super::edges::effects;
 use super::ending::{Ends, balance_error};
 use super::extremes::lowest;
 use super::figures::{Slowest, bar, bars, central, figures, is_settled, note_films};
-use super::film::PatchedFilm;
 use super::grid::RING;
 use super::heat::Params;
 use super::heat::rounds::Rounds;
@@ -21,9 +20,8 @@ use super::preconditioner::Pattern;
 use super::system::{State, System};
 use crate::contact::Symmetry;
 use crate::engine::figures::sizes;
-use crate::engine::{Engine, Film, Observer, Problem, Solved};
+use crate::engine::{Observer, Problem, SolveError};
 use crate::solution::{Figure, Figures, LevelStats, Measured, Role, Timings};
-use crate::solve::SolveError;
 
 /// Grids from coarse to fine, Newton's method on each.
 #[derive(Clone, Copy, Debug, Default)]
@@ -231,14 +229,13 @@ fn film_errors(stats: &[LevelStats]) -> [f64; 2] {
     })
 }
 
-impl Engine for FiniteVolumes {
-    type Plan = Plan;
-    type Solution = Volumes;
-    type Start = ();
-    type Error = SolveError;
-
-    fn solve(
-        &self,
+impl FiniteVolumes {
+    /// Solves a problem from the dry contact.
+    ///
+    /// # Errors
+    /// When it does not converge, or the user wants to stop.
+    pub fn solve(
+        self,
         problem: &Problem<Plan>,
         observer: &mut dyn Observer,
     ) -> Result<Volumes, SolveError> {
@@ -381,16 +378,6 @@ impl Engine for FiniteVolumes {
         });
         Ok(found)
     }
-
-    fn solve_from(
-        &self,
-        _problem: &Problem<Plan>,
-        _start: &(),
-        _observer: &mut dyn Observer,
-    ) -> Result<Option<Volumes>, SolveError> {
-        // The dry contact is as good a start as any.
-        Ok(None)
-    }
 }
 
 /// Smallest relative errors reported for the central film and for all other figures. Where the flow crosses the grid at an angle, contents spread over a cell to
@@ -470,14 +457,9 @@ fn stats(
     }
 }
 
-impl Solved for Volumes {
-    type Plan = Plan;
-
-    fn film(&self, problem: &Problem<Plan>) -> impl Film {
-        PatchedFilm::new(&problem.shape, &self.levels)
-    }
-
-    fn measured(&self, problem: &Problem<Plan>) -> Measured {
+impl Volumes {
+    /// Figures with error bars, SI.
+    pub fn measured(&self, problem: &Problem<Plan>) -> Measured {
         let mut newest = self.stats.iter().rev().map(|level| &level.figures);
         let of_grids = [(); 3].map(|()| newest.next());
         let finest = self.levels.last();
@@ -499,9 +481,5 @@ impl Solved for Volumes {
             Symmetry::Half => measured.with_mirrored_end(),
             Symmetry::Full => measured,
         }
-    }
-
-    fn levels(&self) -> &[LevelStats] {
-        &self.stats
     }
 }

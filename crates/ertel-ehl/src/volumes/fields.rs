@@ -5,11 +5,9 @@ use super::film::{PatchedFilm, node_fields};
 use super::grid::Grid;
 use crate::contact::Shape;
 use crate::engine::{Film, PointFields, Problem, Profile};
-use crate::film::FilmNodes;
 use crate::post::fields::surface_of;
-use crate::solution::{
-    ElementFields, FilmTemperatures, Polynomials, SurfaceField, TemperaturePolynomials,
-};
+use crate::post::thermal::temperatures;
+use crate::solution::{ElementFields, Polynomials, SurfaceField, TemperaturePolynomials};
 
 /// The centreline: at the distance of the nodes of each grid, as far as the next one goes.
 pub fn profile(film: &PatchedFilm) -> Profile {
@@ -54,18 +52,6 @@ fn along_motion(grid: &Grid) -> [f64; 2] {
         reach[1] = reach[1].min(ends[0].max(ends[1]));
     }
     reach
-}
-
-/// Temperatures of points that have some.
-pub fn temperatures(nodes: &FilmNodes, points: &[PointFields]) -> FilmTemperatures {
-    let mut temperatures = FilmTemperatures::default();
-    for profile in points
-        .iter()
-        .filter_map(|point| point.temperature.as_deref())
-    {
-        temperatures.push(nodes, &profile.temperature);
-    }
-    temperatures
 }
 
 /// Fields at the nodes of all grids together.

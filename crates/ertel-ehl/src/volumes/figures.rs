@@ -12,10 +12,11 @@
 use super::extremes::{extreme, lowest, sharpness};
 use super::fields::profile;
 use super::film::PatchedFilm;
-use super::heat::figures::note_heat;
+use super::heat::figures::{extremes, sums};
 use super::level::Level;
 use crate::contact::Scales;
-use crate::engine::figures::{note_film, note_friction, share_of_film};
+use crate::engine::figures::{note_film, note_friction, note_roller, share_of_film};
+use crate::engine::heat::note_heat;
 use crate::engine::hills::hills;
 use crate::engine::{Film, PointTable, Problem, Profile};
 use crate::solution::{Bar, Bars, Figure, Figures, Reading};
@@ -54,7 +55,8 @@ pub fn figures<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
     if let Some(rise) = rise_of_spike(&profile) {
         note_misfit(&mut figures, Figure::PressureSpike, rise * scales.pressure);
     }
-    note_roller(&mut figures, problem, finest, film.points());
+    let largest = |accepts: &dyn Fn(f64) -> bool| largest_where(finest, accepts);
+    note_roller(&mut figures, problem, largest, || moments(film.points()));
     let heats = finest.warm.is_some();
     note_friction(&mut figures, problem, &problem.fluid, &film, heats);
     let cell = finest.system.grid.spacing[0];
@@ -64,7 +66,15 @@ pub fn figures<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
         }
     }
     if let (true, Some(nodes)) = (heats, problem.fluid.nodes()) {
-        note_heat(&mut figures, problem, &film, nodes);
+        let (extremes, sums) = (extremes(levels, nodes), sums(problem, levels));
+        note_heat(
+            &mut figures,
+            problem,
+            film.points(),
+            nodes,
+            &extremes,
+            &sums,
+        );
     }
     figures
 }
@@ -83,40 +93,21 @@ pub fn note_films(figures: &mut Figures, scales: &Scales, levels: &[Level]) {
     }
 }
 
-/// The largest pressures over the outer quarters of a roller, and the moment of the pressure about its middle.
-fn note_roller<Plan>(
-    figures: &mut Figures,
-    problem: &Problem<Plan>,
-    level: &Level,
-    points: &PointTable,
-) {
-    let Some(roller) = &problem.shape.zone.roller else {
-        return;
-    };
-    let scales = &problem.scales;
+/// Largest pressure at the nodes whose y is accepted, with its place.
+fn largest_where(level: &Level, accepts: &dyn Fn(f64) -> bool) -> Option<(f64, [f64; 2])> {
     let (grid, pressure) = (&level.system.grid, &level.state.pressure);
-    let quarter = 0.5 * roller.half_length();
-    let ends = [
-        (Figure::EdgePressureLeft, -1.0),
-        (Figure::EdgePressureRight, 1.0),
-    ];
-    // If only one half is solved, it is the left one.
-    for (figure, sign) in ends.into_iter().take(if grid.half { 1 } else { 2 }) {
-        let largest = (grid.nodes())
-            .filter(|[i, j]| sign * grid.on_axes(*i, *j)[1] >= quarter)
-            .max_by(|a, b| {
-                let [a, b] = [a, b].map(|[i, j]| pressure[grid.index(*i, *j)]);
-                a.total_cmp(&b)
-            });
-        let Some([i, j]) = largest else { continue };
-        let (p, place) = extreme(grid, pressure, i, j);
-        let place = place.map(|x| x * scales.length);
-        figures.note(figure, Reading::new(scales.pressure * p).at(place));
-    }
-    if grid.half {
-        return;
-    }
-    let [force, moment, arms] = points.iter().fold([0.0; 3], |sums, point| {
+    let [i, j] = (grid.nodes())
+        .filter(|[i, j]| accepts(grid.on_axes(*i, *j)[1]))
+        .max_by(|a, b| {
+            let [a, b] = [a, b].map(|[i, j]| pressure[grid.index(*i, *j)]);
+            a.total_cmp(&b)
+        })?;
+    Some(extreme(grid, pressure, i, j))
+}
+
+/// ∫P, ∫P y and ∫P|y| over the part that is solved.
+fn moments(points: &PointTable) -> [f64; 3] {
+    points.iter().fold([0.0; 3], |sums, point| {
         let y = point.fields.place[1];
         let share = point.area * point.fields.pressure;
         [
@@ -124,19 +115,7 @@ fn note_roller<Plan>(
             sums[1] + share * y,
             sums[2] + share * y.abs(),
         ]
-    });
-    let unit = scales.pressure * scales.length.powi(2);
-    for (figure, scale) in [
-        (Figure::RollerMoment, unit * scales.length),
-        (Figure::LoadPosition, scales.length / force),
-    ] {
-        // A resultant in the middle is as uncertain as one elsewhere.
-        let reading = Reading {
-            size: scale * arms,
-            ..Reading::new(scale * moment)
-        };
-        figures.note(figure, reading);
-    }
+    })
 }
 
 /// Sampling error of an area fraction of the Hertz zone, in cells: half a cell along its boundary. The length of the boundary is that of a strip at a share of one half;

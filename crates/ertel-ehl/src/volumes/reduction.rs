@@ -7,9 +7,8 @@
 
 use super::engine::{FiniteVolumes, Plan, Volumes};
 use super::figures::{Slowest, bar};
-use crate::engine::{Engine, Observer, Problem};
+use crate::engine::{Observer, Problem, SolveError};
 use crate::solution::{Estimate, Figure, FilmReduction};
-use crate::solve::SolveError;
 
 /// Finest grids that are omitted, and the fewest that are used.
 const OMITTED_GRIDS: usize = 2;
@@ -37,20 +36,23 @@ pub fn film_reduction(
         Err(_) => return Ok(None),
         Ok(unthinned) => unthinned,
     };
-    let of = |figure| -> Option<Estimate> {
-        let on_grid = |l: usize| {
-            let [h, full] = [thinned, &unthinned].map(|of| of.stats.get(l)?.figures.value(figure));
-            Some(1.0 - h? / full?)
-        };
-        let last = unthinned.stats.len().checked_sub(1)?;
-        let values = [0, 1, 2].map(|back| on_grid(last.checked_sub(back)?));
-        Some(Estimate {
-            value: values[0]?,
-            error: bar(values, false, Slowest::of(figure)),
-        })
-    };
-    let [central, minimum] = [Figure::FilmCentral, Figure::FilmMinimum].map(of);
+    let [central, minimum] = [Figure::FilmCentral, Figure::FilmMinimum]
+        .map(|figure| on_grids(figure, thinned, &unthinned));
     Ok(central
         .zip(minimum)
         .map(|(central, minimum)| FilmReduction { central, minimum }))
+}
+
+/// 1 − a figure over that of a simpler contact on the same grids, with its bar from the last three.
+pub(super) fn on_grids(figure: Figure, full: &Volumes, simpler: &Volumes) -> Option<Estimate> {
+    let on_grid = |l: usize| {
+        let [full, simpler] = [full, simpler].map(|of| of.stats.get(l)?.figures.value(figure));
+        Some(1.0 - full? / simpler?)
+    };
+    let last = (full.stats.len().min(simpler.stats.len())).checked_sub(1)?;
+    let values = [0, 1, 2].map(|back| on_grid(last.checked_sub(back)?));
+    Some(Estimate {
+        value: values[0]?,
+        error: bar(values, false, Slowest::of(figure)),
+    })
 }

@@ -6,8 +6,7 @@ use std::sync::Arc;
 
 use super::engine::{FiniteVolumes, Plan, Volumes};
 use crate::contact::Symmetry;
-use crate::engine::{Engine, Observer, Problem};
-use crate::solve::SolveError;
+use crate::engine::{Observer, Problem, SolveError};
 
 /// Grids: the last one has cells of a twentieth of a half-width.
 const GRIDS: usize = 4;

@@ -19,7 +19,7 @@ use super::tangents::Tangents;
 use crate::contact::{Contact, Hertz, HertzZone, Material, Motion, Planar, Scales, Shape, Turn};
 use crate::elastic::Elasticity;
 use crate::engine::sensitivity::{Derivatives, Perturbed};
-use crate::engine::{Engine, Extents, Film, NoObserver, Problem, Solved};
+use crate::engine::{Extents, Film, NoObserver, Problem};
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures};
 use crate::volumes::behind::Edges;

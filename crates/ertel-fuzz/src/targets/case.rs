@@ -4,10 +4,10 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use ertel::case::Case;
+use ertel::engine::{Observer, SolveError};
 use ertel::output;
 use ertel::params::MeshParams;
 use ertel::run;
-use ertel::solve::{Observer, SolveError};
 use ertel::study::journal::PointKey;
 
 use super::{Verdict, check_place, check_text};

@@ -1,8 +1,8 @@
 //! Shared by the benches: a stopwatch on the solver's observer.
 
 pub use clock::{Clock, Seconds};
+use ertel::engine::Observer;
 use ertel::solution::IterationRecord;
-use ertel::solve::Observer;
 
 mod clock;
 

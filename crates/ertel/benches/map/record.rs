@@ -5,10 +5,10 @@ use std::time::{Duration, Instant};
 
 use cpu_time::ProcessTime;
 use ertel::contact::ContactKind;
+use ertel::engine::{Observer, SolveError};
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::{groups, solve};
 use ertel::solution::{Estimate, IterationRecord};
-use ertel::solve::{Observer, SolveError};
 use ertel::warning::{Warning, texts};
 
 use crate::cases::{Family, MapCase};

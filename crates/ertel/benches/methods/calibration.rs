@@ -4,10 +4,10 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 
+use ertel::engine::NoObserver;
 use ertel::params::Method;
 use ertel::run::solve;
 use ertel::solution::{Figure, Solution};
-use ertel::solve::NoObserver;
 
 use crate::contacts::Trial;
 

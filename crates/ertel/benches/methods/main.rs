@@ -14,10 +14,10 @@ use std::time::Instant;
 use clap::Parser;
 use ertel::case::Case;
 use ertel::contact::{Contact, Hertz};
+use ertel::engine::NoObserver;
 use ertel::params::{Method, SensitivityDemand};
 use ertel::run::solve;
 use ertel::solution::{Figure, Solution};
-use ertel::solve::NoObserver;
 use ertel_input::Document;
 
 use contacts::Trial;

@@ -8,8 +8,8 @@ use super::lubricant::{TEMPERATURE, VISCOSITY};
 use super::params::{FARTHEST, order, set};
 use super::{Body, Case};
 use crate::contact::Contact;
+use crate::engine::{MissingDatum, MissingHeatData};
 use crate::params::ThermalParams;
-use crate::solve::heat::missing::{MissingDatum, MissingHeatData};
 use crate::warning::{Warning, WarningKind};
 
 /// Depths of the heated layer, in half-widths: from the scale of the contact to the depth of the

@@ -4,9 +4,9 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use crate::case::{Case, CaseEcho};
+use crate::engine::NoObserver;
 use crate::run::solve;
 use crate::solution::{Bar, Figure, Reading, Solution};
-use crate::solve::NoObserver;
 
 /// A case with its solution.
 pub(super) type Sample = (CaseEcho, Solution);

@@ -2,7 +2,7 @@
 
 use crate::case::Case;
 use crate::contact::{Hertz, Scales};
-use crate::engine::{Extents, Film, Problem};
+use crate::engine::{Extents, Film, Problem, SolveError};
 use crate::plausible;
 use crate::plausible::neglected::Known;
 use crate::post;
@@ -12,7 +12,6 @@ use crate::solution::{
     Section, Sensitivities, Solution, Starvation, Stats, Summary, SurfaceField, Thermal,
     Uncertainties, Unresolved,
 };
-use crate::solve::SolveError;
 use crate::warning::{Warning, WarningKind};
 
 /// Results of an engine, SI.
@@ -77,6 +76,22 @@ pub(super) fn describe<Plan>(
         scales.length,
     ));
     warnings.extend(found.warnings);
+    if let (Some(thermal), Some(params), Some(heat)) = (&thermal, case.thermal(), &problem.heat) {
+        let zone = &problem.shape.zone;
+        warnings.extend(post::thermal::warnings(
+            thermal,
+            &case.lubricant.temperature_ranges,
+            params,
+            &problem.scales,
+            problem.shape.symmetry,
+            [
+                extents.inlet,
+                extents.outlet,
+                side_of(problem, zone.axis_ratio * extents.side),
+            ],
+        ));
+        warnings.extend(post::thermal::at_rest::warnings(heat, thermal, params));
+    }
     let mixed = case.roughness.map(|rms_height| {
         let surfaces = post::mixed::RoughSurfaces {
             rms_height,
@@ -146,8 +161,8 @@ pub(super) fn describe<Plan>(
     solution
 }
 
-/// Half the extent of the contact area across the motion, in half-widths; semi-axes along y for an ellipse.
-pub(super) fn side_of<Plan>(problem: &Problem<Plan>, side: f64) -> f64 {
+/// Half the extent of the contact area across the motion: half the length of a roller, otherwise `side`.
+fn side_of<Plan>(problem: &Problem<Plan>, side: f64) -> f64 {
     let roller = problem.shape.zone.roller.as_ref();
     roller.map_or(side, |roller| roller.half_length())
 }

@@ -1,21 +1,18 @@
 //! Solves a case by finite elements.
 
-use ertel_fem::platform::Instant;
-
-use super::describe::{Found, describe, has_derivatives, note_sensitivities, side_of};
-use super::{Recorder, peak_memory};
+use super::Recorder;
+use super::describe::{Found, describe, has_derivatives, note_sensitivities};
 use crate::case::Case;
 use crate::contact::Scales;
-use crate::engine::{Engine, Solved};
+use crate::engine::{Observer, SolveError};
 use crate::params::{Method, SensitivityDemand};
-use crate::post;
 use crate::problem::{nearby_problem, problem, problem_by_slices};
 use crate::sensitivity::{by_adjoint, by_differences};
 use crate::solution::{Sensitivities, Solution, Stats};
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::newton::FilmModel;
 use crate::solve::sequence::{Problem, Start};
-use crate::solve::{Finished, FiniteElements, Observer, SolveError};
+use crate::solve::{Finished, FiniteElements, results};
 use crate::warning::{Warning, WarningKind};
 
 /// The problem of a case if it can be solved; the zone of a roller by slices.
@@ -46,7 +43,6 @@ pub(super) fn solve(
     ahead: &[&Case],
     observer: &mut dyn Observer,
 ) -> Result<(Solution, Start), SolveError> {
-    let clock = Instant::now();
     let mut problem = ready(case)?;
     let mut recorder = Recorder {
         observer,
@@ -70,7 +66,7 @@ pub(super) fn solve(
     let stats = Stats {
         method: Method::FiniteElements,
         warm: warm_start.is_some(),
-        levels: solved.levels().to_vec(),
+        levels: solved.levels.clone(),
         wall_seconds: 0.0,
         peak_memory: None,
     };
@@ -87,8 +83,6 @@ pub(super) fn solve(
         let found = sensitivities(&solution, case, &problem, by, recorder.observer);
         note_sensitivities(&mut solution, case, found)?;
     }
-    solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
-    solution.stats.peak_memory = peak_memory();
     Ok((solution, start))
 }
 
@@ -115,7 +109,7 @@ fn sensitivities(
 
 /// Results of the elements, SI.
 fn found(case: &Case, problem: &Problem, solved: &Finished) -> Result<Found, SolveError> {
-    let (finest, levels) = (&solved.finest, solved.levels());
+    let (finest, levels) = (&solved.finest, &solved.levels);
     let measured = solved.measured(problem).with_meniscus(&case.supply);
     let extents = finest.discretisation.contact.extents;
     let scales: &Scales = &problem.scales;
@@ -123,9 +117,9 @@ fn found(case: &Case, problem: &Problem, solved: &Finished) -> Result<Found, Sol
         fluid: problem.fluid.clone(),
         constants: finest.stage.constants,
     };
-    let summary = post::summary::summarise(finest, &measured, &model, scales);
+    let summary = results::summary::summarise(finest, &measured, &model, scales);
     let thermal = (case.thermal())
-        .and_then(|params| post::thermal::thermal(finest, problem, levels, &measured, params));
+        .and_then(|params| results::thermal::thermal(finest, problem, levels, &measured, params));
     let mut warnings = Vec::new();
     let order = finest.discretisation.pressure.element.order();
     if order < case.mesh.pressure_order {
@@ -136,36 +130,19 @@ fn found(case: &Case, problem: &Problem, solved: &Finished) -> Result<Found, Sol
         );
         warnings.push(Warning::new(WarningKind::Convergence, text));
     }
-    warnings.extend(post::summary::warnings(
+    warnings.extend(results::summary::warnings(
         &summary,
         finest,
         levels,
         case.mesh.target_error,
     ));
-    if let (Some(thermal), Some(params)) = (&thermal, case.thermal()) {
-        warnings.extend(post::thermal::warnings(
-            thermal,
-            &case.lubricant.temperature_ranges,
-            params,
-            scales,
-            finest.discretisation.contact.shape.symmetry,
-            [
-                extents.inlet,
-                extents.outlet,
-                side_of(problem, extents.side),
-            ],
-        ));
-        let heat = problem.heat.iter();
-        warnings
-            .extend(heat.flat_map(|heat| post::thermal::at_rest::warnings(heat, thermal, params)));
-    }
     Ok(Found {
-        film_reduction: post::summary::film_reduction(levels, &measured),
-        centreline: post::fields::centreline(finest, problem.friction_fluid(), scales),
-        surface: post::fields::surface(finest, problem.friction_fluid(), scales),
-        elements: post::elements::elements(finest, scales),
+        film_reduction: results::summary::film_reduction(levels, &measured),
+        centreline: results::fields::centreline(finest, problem.friction_fluid(), scales),
+        surface: results::fields::surface(finest, problem.friction_fluid(), scales),
+        elements: results::elements::elements(finest, scales),
         body: (case.output.body_field)
-            .then(|| post::fields::body(finest, scales))
+            .then(|| results::fields::body(finest, scales))
             .transpose()?
             .flatten(),
         extents,

@@ -1,7 +1,7 @@
 //! From a case to its solution.
 //!
 //! ```
-//! # use ertel::{case::Case, run, solution::Field, solve::NoObserver};
+//! # use ertel::{case::Case, run, solution::Field, engine::NoObserver};
 //! # let roller = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/roller.toml");
 //! let case = Case::read(roller.as_ref())?;
 //! let solution = run::solve(&case, &mut NoObserver)?;
@@ -19,14 +19,16 @@ pub mod over_time;
 pub mod transient;
 mod volumes;
 
+use ertel_fem::platform::Instant;
+
 use crate::case::{Case, finite_volumes_refuse};
 use crate::contact::{ContactKind, Supply};
+use crate::engine::{Observer, SolveError};
 use crate::params::{Method, SolverParams};
 use crate::problem::has_thick_film;
 pub use crate::problem::{estimated_film, groups, predicted_film, problem};
 use crate::solution::{Figure, HeatRound, IterationRecord, Solution, Unresolved, Why};
 use crate::solve::sequence;
-use crate::solve::{Observer, SolveError};
 use crate::warning::{Warning, WarningKind, silence};
 
 /// Version of the numerics: incremented whenever the figures of some case change by more than rounding. Study points
@@ -127,16 +129,20 @@ fn solve_here(
     observer: &mut dyn Observer,
 ) -> Result<Ended, SolveError> {
     let by = |method: Method, observer: &mut dyn Observer| -> Result<Ended, SolveError> {
-        match method {
+        let clock = Instant::now();
+        let (mut solution, start) = match method {
             Method::FiniteElements => {
                 let (solution, start) = elements::solve(case, start, ahead, observer)?;
-                Ok((solution, Some(start)))
+                (solution, Some(start))
             }
             Method::FiniteVolumes => {
                 check(case)?;
-                Ok((volumes::solve(case, observer)?, None))
+                (volumes::solve(case, observer)?, None)
             }
-        }
+        };
+        solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
+        solution.stats.peak_memory = peak_memory();
+        Ok((solution, start))
     };
     let first = first_method(case);
     match by(first, observer) {

@@ -47,7 +47,7 @@ pub trait InstantObserver: Observer {
     fn checkpoint(&mut self, _checkpoint: Checkpoint) {}
 }
 
-impl InstantObserver for crate::solve::NoObserver {}
+impl InstantObserver for crate::engine::NoObserver {}
 
 /// Progress of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]

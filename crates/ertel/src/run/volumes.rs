@@ -1,18 +1,14 @@
 //! Solves a case by finite volumes.
 
-use ertel_fem::platform::Instant;
-
+use super::Recorder;
 use super::describe::{Found, describe, has_derivatives, note_sensitivities};
-use super::{Recorder, peak_memory};
 use crate::case::Case;
-use crate::engine::{Engine, Problem, Solved};
+use crate::engine::{Observer, Problem, SolveError};
 use crate::params::{DEFAULT_TARGET_ERROR, MeshPreset, Method};
-use crate::post;
 use crate::post::fields::centreline_of;
 use crate::problem::{largest_cell, problem_by_slices};
 use crate::sensitivity::by_derivatives;
 use crate::solution::{SensitivityMethod, Solution, Stats};
-use crate::solve::{Observer, SolveError};
 use crate::volumes::film::PatchedFilm;
 use crate::volumes::heat::{Params, output};
 use crate::volumes::roller_zone::with_rows_by_film;
@@ -27,7 +23,6 @@ const MAX_UNKNOWNS: usize = 400_000;
 /// # Errors
 /// As [`super::solve`].
 pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
-    let clock = Instant::now();
     let problem = with_rows_by_film(own_problem(case), observer)?;
     let mut recorder = Recorder {
         observer,
@@ -44,7 +39,7 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
     let stats = Stats {
         method: Method::FiniteVolumes,
         warm: false,
-        levels: solved.levels().to_vec(),
+        levels: solved.stats.clone(),
         wall_seconds: 0.0,
         peak_memory: None,
     };
@@ -71,33 +66,9 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
     let film = PatchedFilm::new(&problem.shape, &solved.levels);
     let measured = solved.measured(&problem).with_meniscus(&case.supply);
     let (surface, elements) = fields::surface(&problem, &film);
-    let mut warnings = summary::warnings(&problem, &solved, &film, &measured);
     let thermal = (case.thermal()).and_then(|params| {
-        let thermal = output::thermal(
-            &problem,
-            &solved,
-            &film,
-            &measured,
-            isothermal.as_ref(),
-            params,
-        )?;
-        let extents = &problem.extents;
-        warnings.extend(post::thermal::warnings(
-            &thermal,
-            &case.lubricant.temperature_ranges,
-            params,
-            &problem.scales,
-            problem.shape.symmetry,
-            [
-                extents.inlet,
-                extents.outlet,
-                extents.side * problem.shape.zone.axis_ratio,
-            ],
-        ));
-        let heat = problem.heat.iter();
-        warnings
-            .extend(heat.flat_map(|heat| post::thermal::at_rest::warnings(heat, &thermal, params)));
-        Some(thermal)
+        let isothermal = isothermal.as_ref();
+        output::thermal(&problem, &solved, &film, &measured, isothermal, params)
     });
     let found = Found {
         extents: problem.extents,
@@ -113,8 +84,8 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
         surface,
         elements,
         body: None,
+        warnings: summary::warnings(&problem, &solved, &film, &measured),
         measured,
-        warnings,
     };
     let mut solution = describe(case, &problem, &film, found, stats, recorder.history);
     drop(film);
@@ -126,8 +97,6 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
         let found = by_derivatives(case, &own, &tangents, SensitivityMethod::LinearSolves);
         note_sensitivities(&mut solution, case, Ok(found))?;
     }
-    solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
-    solution.stats.peak_memory = peak_memory();
     Ok(solution)
 }
 

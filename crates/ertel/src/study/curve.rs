@@ -9,9 +9,9 @@ use super::point::{Ends, Interrupted, Task};
 use super::walk::Walk;
 use crate::case::Curve;
 use crate::case::curve::Quantity;
+use crate::engine::Observer;
 use crate::point::PointSolution;
 use crate::run::transient::Reached;
-use crate::solve::Observer;
 use crate::words::digits;
 
 /// Follows the points of a curve.
@@ -24,7 +24,7 @@ pub trait CurveObserver: Observer {
     fn finished(&mut self, _index: usize, _point: &PointSolution) {}
 }
 
-impl CurveObserver for crate::solve::NoObserver {}
+impl CurveObserver for crate::engine::NoObserver {}
 
 /// Outcome of a curve.
 #[derive(Clone, Debug)]

@@ -13,11 +13,11 @@ use super::plan::Plan;
 use super::point::{Ends, Interrupted, Task};
 use super::walk::Walk;
 use crate::case::{Case, MachineContacts, Study};
+use crate::engine::Observer;
 use crate::machine::{SolvedMachine, solve_by};
 use crate::point::{MachineSolution, PointSolution, distinct};
 use crate::run::Start;
 use crate::solution::IterationRecord;
-use crate::solve::Observer;
 
 /// Results of the contacts that start from no other contact of their machine, by their places: starting points for the next point of a curve
 /// or a study.

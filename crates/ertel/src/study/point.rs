@@ -9,6 +9,7 @@ use super::machine::{RootStarts, solve_contacts};
 use super::{CurveObserver, MachineObserver};
 use crate::case::Case;
 use crate::case::study::StudyPoint;
+use crate::engine::{Observer, SolveError};
 use crate::machine::{SolvedMachine, figures, solve_by};
 use crate::point::{MachinePoint, Outcome, PointSolution, RunInTime};
 use crate::reference::film_formulas;
@@ -17,7 +18,6 @@ use crate::run::{Start, groups, solve_from};
 use crate::solution::{
     Centreline, ElementFields, FilmTemperatures, IterationRecord, Solution, SurfaceField,
 };
-use crate::solve::{Observer, SolveError};
 use crate::transient::TransientError;
 
 /// A point to be solved.

@@ -84,7 +84,7 @@ pub trait SweepObserver: Sync {
     }
 }
 
-impl SweepObserver for crate::solve::NoObserver {}
+impl SweepObserver for crate::engine::NoObserver {}
 
 /// How far a study is.
 #[derive(Clone, Debug)]

@@ -11,13 +11,15 @@ use super::source::{file_of, modules, purpose};
 const PAGE: &str = "docs/developer/architecture.md";
 
 /// Folders of modules whose parts the page lists, too.
-const OPENED: [&str; 8] = [
+const OPENED: [&str; 10] = [
     "ertel-ehl/src/contact",
     "ertel-ehl/src/film",
     "ertel-ehl/src/forms",
     "ertel-ehl/src/elastic",
+    "ertel-ehl/src/engine",
     "ertel-ehl/src/solve",
     "ertel-ehl/src/solve/heat",
+    "ertel-ehl/src/solve/results",
     "ertel-ehl/src/solve/sequence",
     "ertel-ehl/src/post",
 ];

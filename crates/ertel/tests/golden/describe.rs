@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::run::solve;
 use ertel::solution::{Figure, Solution};
-use ertel::solve::NoObserver;
 use ertel::study::curve::solve_curve;
 use serde::Serialize;
 use serde_json::Value;

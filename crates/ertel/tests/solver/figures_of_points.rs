@@ -4,12 +4,11 @@ use std::path::Path;
 use std::sync::Arc;
 
 use ertel::case::Case;
-use ertel::engine::Film;
+use ertel::engine::figures::note_roller;
 use ertel::problem::problem;
 use ertel::solution::{Figure, Figures};
 use ertel::solve::discretisation::{ContactSurface, Discretisation};
-use ertel::solve::figures::note_roller;
-use ertel::solve::points::Evaluated;
+use ertel::solve::evaluate::largest_pressure_where;
 use ertel::solve::system::State;
 use ertel_fem::linear::NEVER;
 use ertel_input::Document;
@@ -59,12 +58,10 @@ fn edge_pressures_are_those_of_the_outer_quarters() {
         temperature: Vec::new(),
     };
     let mut figures = Figures::default();
-    note_roller(
-        &mut figures,
-        &problem,
-        (&d, &state),
-        Evaluated::new(&problem.shape, &problem.entrainment, &d, &state).points(),
-    );
+    let largest =
+        |at: &dyn Fn(f64) -> bool| Some(largest_pressure_where(&d, &state, |[_, y]| at(y)));
+    let moments = || unreachable!("one half is solved");
+    note_roller(&mut figures, &problem, largest, moments);
     let edge = figures.get(Figure::EdgePressureLeft).unwrap();
     let p = edge.size / problem.scales.pressure;
     // Read at nodes: one cell short of it at the most.

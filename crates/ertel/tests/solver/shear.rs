@@ -249,7 +249,7 @@ fn shares_beyond_the_limit_include_the_walls() {
 /// Hertz zone, where P is 0.03: without it a good part of the work of the surfaces would be missing.
 #[test]
 fn power_balances_up_to_the_end_of_the_bodies() {
-    use ertel::solve::NoObserver;
+    use ertel::engine::NoObserver;
     use ertel::solve::sequence::solve_stages;
     let mut case = case(
         "line",

@@ -68,7 +68,7 @@ fn the_effect_of_diffusion_at_a_ridge_is_reported() {
             Finish::Exact,
             state,
             &mut effort,
-            &mut ertel::solve::NoObserver,
+            &mut ertel::engine::NoObserver,
         );
         end.unwrap();
         let reported = run.measure(state, &mut effort).unwrap().ridge;

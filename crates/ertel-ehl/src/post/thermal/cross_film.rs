@@ -4,51 +4,41 @@
 //!   γ̇(s) = S/μ (τ + sG) f(s),   u(s) = u_1 + h∫_{−½}^s γ̇ ds',   η(s) = μ/f(s)
 //! ```
 
-use crate::contact::{Planar, Scales, Symmetry};
-use crate::engine::PointFields;
-use crate::film::FilmFluid;
+use crate::contact::{Planar, Symmetry};
+use crate::engine::{PointFields, Problem};
 use crate::film::closure::mid_stress;
 use crate::film::cross_film::CrossFilm;
 use crate::film::fluidity::Fluidity;
 use crate::solution::CrossProfile;
-use crate::solve::discretisation::Discretisation;
-use crate::solve::points::fields_at;
-use crate::solve::system::State;
 
 /// Equal steps across the film.
 const N_STEPS: usize = 40;
 
-/// Profile at a point in half-widths; `None` outside of the contact area. `body_1` is the velocity of body 1, m/s, at places in
-/// half-widths.
-pub(super) fn profile(
-    d: &Discretisation,
-    state: &State,
-    fluid: &FilmFluid,
-    scales: &Scales,
-    body_1: &Planar,
-    place: [f64; 2],
-) -> Option<CrossProfile> {
-    profile_of(
-        d.contact.shape.symmetry,
-        |at| fields_at(d, state, at),
-        fluid,
-        scales,
-        body_1,
-        place,
-    )
+/// Profiles at places in half-widths; none outside of the contact area. `fields` are those of the part that is solved.
+pub fn profiles<Plan>(
+    problem: &Problem<Plan>,
+    fields: impl Fn([f64; 2]) -> Option<PointFields>,
+    places: &[[f64; 2]],
+) -> Vec<CrossProfile> {
+    let Some(heat) = &problem.heat else {
+        return Vec::new();
+    };
+    let body_1 = &heat.bodies[0].velocity;
+    (places.iter())
+        .filter_map(|place| profile(problem, &fields, body_1, *place))
+        .collect()
 }
 
-/// The same of a film whose fields are known at places of the part that is solved.
-pub fn profile_of(
-    symmetry: Symmetry,
-    fields: impl FnOnce([f64; 2]) -> Option<PointFields>,
-    fluid: &FilmFluid,
-    scales: &Scales,
+/// Profile at a place; `body_1` is the velocity of body 1, m/s, at places in half-widths.
+fn profile<Plan>(
+    problem: &Problem<Plan>,
+    fields: impl Fn([f64; 2]) -> Option<PointFields>,
     body_1: &Planar,
     [x, y]: [f64; 2],
 ) -> Option<CrossProfile> {
+    let (fluid, scales) = (&problem.fluid, &problem.scales);
     // Where half of the contact is solved, y ≤ 0, the other one is its mirror image.
-    let mirrored = symmetry == Symmetry::Half && y > 0.0;
+    let mirrored = problem.shape.symmetry == Symmetry::Half && y > 0.0;
     let fields = fields([x, if mirrored { -y } else { y }])?;
     let temperatures = fluid
         .nodes()?

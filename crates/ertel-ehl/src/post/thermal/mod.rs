@@ -1,47 +1,26 @@
-//! Temperatures and heat of a solution.
+//! Temperatures of any film for output, and warnings about them.
 //!
-//! - `cross_film`: profiles across the film;
-//! - `field`: temperature of the whole film and of both bodies.
+//! - `cross_film`: profiles across the film.
 
 pub mod at_rest;
 pub mod cross_film;
-mod field;
 
 use ertel_rheology::provenance::TemperatureRange;
 
 use crate::contact::{Scales, Symmetry};
+use crate::engine::PointFields;
+use crate::engine::heat::walls;
 use crate::film::{FilmNodes, Nodal};
+use crate::forms::energy::Heat;
 use crate::params::ThermalParams;
-use crate::post::summary::comparison_pair;
-use crate::solution::Role;
 use crate::solution::{
-    Coupling, Estimate, Figure, FilmTemperatures, HeatBalance, LevelStats, Located, Measured,
-    Thermal, ThermalReduction,
+    Coupling, Figure, FilmTemperatures, HeatBalance, Located, Measured, Thermal,
 };
-use crate::solve::bars;
-use crate::solve::discretisation::Discretisation;
-use crate::solve::heat::balance::heat_balance;
-use crate::solve::heat::figures::walls;
-use crate::solve::heat::space::HeatSpace;
-use crate::solve::points::fields_in;
-use crate::solve::sequence::{Problem, StageSolution};
-use crate::solve::system::State;
 use crate::warning::{Warning, WarningKind};
 
-/// Temperatures and heat; `None` for an isothermal solution.
-pub fn thermal(
-    solution: &StageSolution,
-    problem: &Problem,
-    levels: &[LevelStats],
-    measured: &Measured,
-    params: &ThermalParams,
-) -> Option<Thermal> {
-    let (d, state) = (&solution.discretisation, &solution.state);
-    let (space, heat) = (d.heat.as_ref()?, problem.heat.as_ref()?);
-    let stats = solution.coupling.unwrap_or_default();
-    let scales = &problem.scales;
-    let balance = heat_balance(d, state, &problem.fluid, heat, scales);
-    Some(Thermal {
+/// Temperatures and heat of a solve by its figures; fields, reduction and coupling, which the engine supplies, are empty.
+pub fn thermal_of(heat: &Heat, measured: &Measured, balance_error: f64) -> Thermal {
+    Thermal {
         inlet_temperature: heat.inlet_temperature,
         film_maximum: measured.located(Figure::FilmTemperatureMaximum),
         film_lowest: measured.located(Figure::FilmTemperatureLowest),
@@ -56,28 +35,15 @@ pub fn thermal(
             to_body_1: measured.estimate(Figure::HeatToBody1),
             to_body_2: measured.estimate(Figure::HeatToBody2),
             by_film: measured.estimate(Figure::HeatByFilm),
-            error: balance.error,
+            error: balance_error,
         },
-        reduction: reduction(levels, measured, problem.fluid.slides()),
-        coupling: Coupling {
-            rounds: stats.rounds,
-            contraction: stats.contraction,
-            change: stats.change,
-            tolerance: stats.tolerance,
-            n_temperatures: space.n(),
-            iterations: stats.heat.iterations,
-            krylov_iterations: stats.heat.krylov_iterations,
-        },
-        centreline: centreline(d, state, space),
-        surface: surface(d, state, space),
-        profiles: (params.profiles.iter())
-            .filter_map(|point| {
-                let body_1 = &heat.bodies[0].velocity;
-                cross_film::profile(d, state, &problem.fluid, scales, body_1, *point)
-            })
-            .collect(),
-        field: params.field.then(|| field::field(d, state, space, scales)),
-    })
+        reduction: None,
+        coupling: Coupling::default(),
+        centreline: FilmTemperatures::default(),
+        surface: FilmTemperatures::default(),
+        profiles: Vec::new(),
+        field: None,
+    }
 }
 
 /// Excess over the range of the data, K, that is not reported: it is within the accuracy of the laws.
@@ -143,57 +109,14 @@ pub fn warnings(
     warnings
 }
 
-/// Films and tractions with and without heat, where both were found on the same mesh; traction only where the
-/// surfaces slide.
-fn reduction(levels: &[LevelStats], measured: &Measured, slides: bool) -> Option<ThermalReduction> {
-    let [thermal, isothermal] = comparison_pair(levels, Role::Isothermal)?;
-    let of = |figure| bars::reduction(figure, thermal, isothermal, measured);
-    let isothermal_traction = isothermal.figures.value(Figure::TractionCoefficient)?;
-    let relative = bars::relative_error_on(thermal, Figure::TractionCoefficient, measured);
-    Some(ThermalReduction {
-        film_central: of(Figure::FilmCentral)?,
-        film_minimum: of(Figure::FilmMinimum)?,
-        traction: of(Figure::TractionCoefficient).filter(|_| slides),
-        // The mesh error is much the same as that of the thermal film.
-        isothermal_traction: Estimate {
-            value: isothermal_traction,
-            error: relative.map(|relative| relative * isothermal_traction.abs()),
-        },
-    })
-}
-
-/// Temperatures at the points of the centreline.
-fn centreline(d: &Discretisation, state: &State, space: &HeatSpace) -> FilmTemperatures {
-    let profile = super::fields::sampled(d, state);
+/// Temperatures of points that have some.
+pub fn temperatures(nodes: &FilmNodes, points: &[PointFields]) -> FilmTemperatures {
     let mut temperatures = FilmTemperatures::default();
-    for fields in &profile.fields {
-        if let Some(profile) = &fields.temperature {
-            temperatures.push(&space.column.film, &profile.temperature);
-        }
-    }
-    temperatures
-}
-
-/// Temperatures at the pressure nodes.
-fn surface(d: &Discretisation, state: &State, space: &HeatSpace) -> FilmTemperatures {
-    let element = &d.pressure.element;
-    let order = element.order() as f64;
-    let mut values = vec![Nodal::default(); d.pressure.n_nodes()];
-    for c in 0..d.contact.n_elements() {
-        for (alpha, node) in element.lattice().iter().zip(d.pressure.nodes_of(c)) {
-            let xi = [
-                f64::from(alpha[1]) / order,
-                f64::from(alpha[2]) / order,
-                0.0,
-            ];
-            if let Some(profile) = fields_in(d, state, c, xi).temperature {
-                values[*node as usize] = profile.temperature;
-            }
-        }
-    }
-    let mut temperatures = FilmTemperatures::default();
-    for values in &values {
-        temperatures.push(&space.column.film, values);
+    for profile in points
+        .iter()
+        .filter_map(|point| point.temperature.as_deref())
+    {
+        temperatures.push(nodes, &profile.temperature);
     }
     temperatures
 }

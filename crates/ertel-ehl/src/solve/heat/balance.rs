@@ -14,6 +14,7 @@ use super::space::HeatSpace;
 use super::system::{Kept, assemble};
 use crate::contact::Scales;
 use crate::engine::PointFields;
+use crate::engine::heat::HeatSums;
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 use crate::forms::energy::{FilmColumn, Heat, film_column};
@@ -23,23 +24,6 @@ use crate::solve::streams::Streams;
 use crate::solve::system::State;
 use crate::solve::tuning::heat::PRESSED;
 
-/// Heat of the whole contact: W (circular) or W/m (line).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Balance {
-    /// Made by shear.
-    pub shear: f64,
-    /// Made by compression, less what expansion takes.
-    pub compression: f64,
-    /// Carried off by body 1.
-    pub to_body_1: f64,
-    /// Carried off by body 2.
-    pub to_body_2: f64,
-    /// Carried off by the lubricant.
-    pub by_film: f64,
-    /// (made − carried off)/(heat of shear + size of the heat of compression).
-    pub error: f64,
-}
-
 /// Heat made and carried off.
 pub fn heat_balance(
     d: &Discretisation,
@@ -47,7 +31,7 @@ pub fn heat_balance(
     fluid: &FilmFluid,
     heat: &Heat,
     scales: &Scales,
-) -> Balance {
+) -> HeatSums {
     let streams = Streams::new(d, state, &heat.mean_velocity());
     let unlifted = Kept {
         streams: Some(&streams),
@@ -62,19 +46,12 @@ pub fn heat_balance(
     let system = assemble(d, fluid, heat, state, None, kept, None);
     let account = system.account;
     let scale = scales.area(&d.contact.shape);
-    let [to_body_1, to_body_2] = [0, 1].map(|b| scale * (account.bodies[b] + account.conducted[b]));
-    let by_film = scale * carried_by_film(d, (state, &streams), fluid, heat, &system.taken_up);
-    let (shear, compression) = (scale * account.shear, scale * account.compression);
-    let size = shear + scale * account.compression_size;
-    let lost = shear + compression - to_body_1 - to_body_2 - by_film;
-    Balance {
-        shear,
-        compression,
-        to_body_1,
-        to_body_2,
-        by_film,
-        // Nothing is out of balance where there is no heat.
-        error: if size > 0.0 { lost / size } else { 0.0 },
+    HeatSums {
+        shear: scale * account.shear,
+        compression: scale * account.compression,
+        compression_size: scale * account.compression_size,
+        to_bodies: [0, 1].map(|b| scale * (account.bodies[b] + account.conducted[b])),
+        by_film: scale * carried_by_film(d, (state, &streams), fluid, heat, &system.taken_up),
     }
 }
 

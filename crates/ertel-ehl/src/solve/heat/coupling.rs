@@ -10,8 +10,8 @@
 //! it the last round.
 
 use super::newton::{HeatNewton, HeatParams, HeatStats};
-use super::relaxation::Relaxation;
-use super::stopping::StoppingRule;
+use crate::engine::coupling::{INNER_SHARE, NEGLIGIBLE_RISE, Relaxation, StoppingRule};
+use crate::engine::{Observer, SolveError};
 use crate::forms::energy::Heat;
 use crate::solve::evaluate::central_film;
 use crate::solve::newton::{
@@ -19,10 +19,8 @@ use crate::solve::newton::{
 };
 use crate::solve::system::State;
 use crate::solve::tuning::heat::{
-    FEW_STEPS, INNER_SHARE, LEAST_SHRINKING, MOST_STEPS, NEGLIGIBLE_RISE, ROUGHEST,
-    ROUGHEST_ON_PATH,
+    FEW_STEPS, LEAST_SHRINKING, MOST_STEPS, ROUGHEST, ROUGHEST_ON_PATH,
 };
-use crate::solve::{Observer, SolveError};
 
 /// Settings.
 #[derive(Clone, Copy, Debug)]

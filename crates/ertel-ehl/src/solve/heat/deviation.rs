@@ -3,9 +3,9 @@
 use ertel_fem::element::Lagrange;
 use ertel_fem::quadrature::Quadrature;
 
-use super::figures::walls;
 use super::recovery::{ORDER, Recovery};
 use super::space::HeatSpace;
+use crate::engine::heat::walls;
 use crate::solution::{Figure, TemperatureErrors};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::system::State;

@@ -9,9 +9,7 @@
 //! - `system`: both as a whole;
 //! - `newton`: temperatures for given pressures and films;
 //! - `coupling`: both in turn, until neither changes;
-//! - `stopping`: when they may end;
 //! - `balance`: sources and sinks of heat;
-//! - `figures`: temperatures in a few numbers;
 //! - `recovery`: smooth temperatures from linear elements;
 //! - `deviation`: how far the linear elements are from them.
 
@@ -21,13 +19,9 @@ pub mod coupling;
 mod cross_flow;
 pub mod deviation;
 mod element;
-pub mod figures;
 mod inflow;
-pub mod missing;
 pub mod newton;
 pub mod recovery;
-pub mod relaxation;
 pub mod sides;
 pub mod space;
-pub mod stopping;
 pub mod system;

@@ -14,11 +14,12 @@
 //!
 //! A factorisation serves for further steps as long as it costs few iterations more than when it was new.
 
-use ertel_fem::linear::block_ilu::{BlockIlu, BlockIluError, BlockMatrix};
-use ertel_fem::linear::gmres::{GmresError, GmresParams, gmres};
+use ertel_fem::linear::block_ilu::{BlockIlu, BlockMatrix};
+use ertel_fem::linear::gmres::{GmresParams, gmres};
 
-use super::relaxation::Relaxation;
 use super::system::{HeatSystem, Kept, assemble};
+use crate::engine::HeatError;
+use crate::engine::coupling::Relaxation;
 use crate::film::{FilmFluid, FilmNodes};
 use crate::forms::energy::{Heat, Source};
 use crate::solve::discretisation::Discretisation;
@@ -60,35 +61,6 @@ pub struct HeatStats {
     pub iterations: usize,
     /// Krylov iterations.
     pub krylov_iterations: usize,
-}
-
-/// A step failed.
-#[derive(Debug, thiserror::Error)]
-pub enum HeatError {
-    /// The preconditioner broke down.
-    #[error(transparent)]
-    Factorisation(#[from] BlockIluError),
-    /// The linear solver did not converge.
-    #[error(transparent)]
-    Krylov(#[from] GmresError),
-    /// The heat of shearing is beyond all bounds, as where a pressure gradient asks for more than the limiting stress.
-    #[error(
-        "shearing heats the film beyond all bounds: at the pressures found so far its stress is far above that of the shear law (limiting \
-         or Eyring stress, beyond which shear rates grow exponentially)"
-    )]
-    Overheated,
-    /// A temperature or a source is not a number.
-    #[error("the heat of the film is not finite")]
-    NotFinite,
-    /// By finite volumes: too much heat flows into a body where it turns about a point near the contact.
-    #[error(
-        "{:.0} % of the heat into a body flows in where finite volumes do not follow its surface, beyond the point about which it turns or more than a quarter of a turn from the contact",
-        100.0 * share
-    )]
-    Turns {
-        /// That share.
-        share: f64,
-    },
 }
 
 /// Newton's method on one discretisation, with its stored data.

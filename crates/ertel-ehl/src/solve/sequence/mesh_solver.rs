@@ -8,6 +8,7 @@ use super::paths::Outline;
 use super::stage_run::{DIVERGENCE_LIMIT, Finish, StageRun};
 use super::start::{cold_start, interpolate};
 use super::{Problem, Stage, StageSolution};
+use crate::engine::{Observer, SolveError, Stopped};
 use crate::solution::LevelStats;
 use crate::solution::Role;
 use crate::solve::adapt::{RefinementEnd, grading_errors, next_refinement};
@@ -17,7 +18,6 @@ use crate::solve::newton::{NewtonStats, NewtonStatus};
 use crate::solve::ridge::ridge_shares;
 use crate::solve::system::State;
 use crate::solve::tuning::stages::{NO_FILM, STAGES_WITHOUT_END};
-use crate::solve::{Observer, SolveError, Stopped};
 
 /// Solves stage by stage; returns the last and the effort on each.
 ///

@@ -17,7 +17,6 @@ pub mod stage_run;
 pub mod start;
 mod warm;
 
-use super::SolveError;
 use super::adapt::{AdaptParams, RefinementEnd};
 use super::adjoint::RoughAdjoints;
 use super::discretisation::Discretisation;
@@ -28,6 +27,7 @@ use super::sizes::{LevelSizes, expected_unknowns};
 use super::system::State;
 use crate::elastic::BodyModel;
 use crate::engine;
+use crate::engine::SolveError;
 use crate::params::LinearSolver;
 use crate::solve::tuning::stages::{MOST_UNKNOWNS, ROOM_TO_REFINE, THIN_RIM};
 

@@ -4,6 +4,7 @@ use ertel_fem::platform::Instant;
 
 use super::{Problem, Stage};
 use crate::engine::far_field::beyond_edges;
+use crate::engine::{Observer, SolveError};
 use crate::solution::{LevelStats, Role};
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::discretisation::Discretisation;
@@ -22,7 +23,6 @@ use crate::solve::tuning::stages::{
     ROUGH_SHARE, ROUGH_UPDATE, START_ITERATIONS, START_STAGNATION, START_TOLERANCE,
     UNDAMPED_STAGNATION,
 };
-use crate::solve::{Observer, SolveError};
 
 /// Accuracy to which Newton's method is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

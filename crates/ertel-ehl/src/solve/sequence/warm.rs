@@ -6,6 +6,7 @@ use super::mesh_solver::solve_from;
 use super::{Problem, Stage, StageSolution};
 use crate::contact::{Inlet, hertz};
 use crate::elastic::{Accuracy, BodyModel, Elasticity, compliance};
+use crate::engine::{Observer, SolveError};
 use crate::solution::LevelStats;
 use crate::solution::Role;
 use crate::solve::adapt::{error_bars, grading_errors};
@@ -17,7 +18,6 @@ use crate::solve::tuning::warm::{
     COARSEST, COARSEST_REFINED, FARTHEST_FILM, FINEST, LARGEST_MISS, LEAST_FILM, LONGEST_REACH,
     MISS_GROWTH, MOST_REACH, MOST_ROOM, SHORTEST_REACH,
 };
-use crate::solve::{Observer, SolveError};
 
 /// A solution from which a similar problem can start, with its mesh and elastic operator.
 pub struct Start {

@@ -21,9 +21,6 @@ pub const SPARE_KRYLOV: usize = 12;
 /// Residual, W/m² times half-widths squared, beyond which no matrix in single precision is factorised: the sun's surface radiates 6e7 W/m².
 pub const BEYOND_BOUNDS: f64 = 1e30;
 
-/// Change of a temperature rise from round to round that does not matter, K.
-pub const NEGLIGIBLE_RISE: f64 = 1e-3;
-
 /// Steps for the temperatures in one round.
 pub const MOST_STEPS: usize = 40;
 
@@ -33,26 +30,11 @@ pub const FEW_STEPS: usize = 12;
 /// Smallest ratio of one step for the temperatures to the one before that is trusted.
 pub const LEAST_SHRINKING: f64 = 0.2;
 
-/// Share of a round's change to which each of its halves is solved.
-pub const INNER_SHARE: f64 = 0.1;
-
 /// Roughest tolerance of the film equations in a round of film and temperature.
 pub const ROUGHEST: f64 = 1e-3;
 
 /// The same in a continuation.
 pub const ROUGHEST_ON_PATH: f64 = 2e-2;
-
-/// Ratio of defects beyond which only shares of new temperatures are taken.
-pub const SLOW: f64 = 0.7;
-
-/// The smallest share of new temperatures that is taken.
-pub const SMALLEST: f64 = 0.25;
-
-/// Ratio by which shares grow from round to round at most: far from the solution the last two rounds predict little of the next.
-pub const GROWTH: f64 = 2.0;
-
-/// Rounds whose defects are ignored: the first is that of a film without heat.
-pub const SILENT_ROUNDS: usize = 2;
 
 /// Relative residual of the mass matrix's solution for the flow across the film.
 pub const TOLERANCE: f64 = 1e-9;

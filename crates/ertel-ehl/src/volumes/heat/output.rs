@@ -1,17 +1,16 @@
 //! Temperatures and heat of a solve for results, SI.
 
-use super::figures::balance;
-use crate::engine::{Engine, Film, Observer, Problem};
+use super::figures::sums;
+use crate::engine::{Film, Observer, Problem, SolveError};
 use crate::params::ThermalParams;
-use crate::post::thermal::cross_film::profile_of;
-use crate::solution::{
-    Coupling, Estimate, Figure, HeatBalance, Measured, Thermal, ThermalReduction,
-};
-use crate::solve::SolveError;
+use crate::post::thermal::cross_film::profiles;
+use crate::post::thermal::{temperatures, thermal_of};
+use crate::solution::{Coupling, Estimate, Figure, Measured, Thermal, ThermalReduction};
 use crate::volumes::engine::{FiniteVolumes, Plan, Volumes};
-use crate::volumes::fields::{nodes, profile, temperatures};
+use crate::volumes::fields::{nodes, profile};
 use crate::volumes::figures::{Slowest, bar};
 use crate::volumes::film::PatchedFilm;
+use crate::volumes::reduction::on_grids;
 
 /// Temperatures and heat; `None` for an isothermal solution.
 pub fn thermal(
@@ -28,22 +27,6 @@ pub fn thermal(
     let effort = &warm.effort;
     let of_line = profile(film);
     Some(Thermal {
-        inlet_temperature: heat.inlet_temperature,
-        film_maximum: measured.located(Figure::FilmTemperatureMaximum),
-        film_lowest: measured.located(Figure::FilmTemperatureLowest),
-        film_mean: measured.estimate(Figure::FilmTemperatureMean),
-        body_1_maximum: measured.located(Figure::TemperatureBody1Maximum),
-        body_1_mean: measured.estimate(Figure::TemperatureBody1Mean),
-        body_2_maximum: measured.located(Figure::TemperatureBody2Maximum),
-        body_2_mean: measured.estimate(Figure::TemperatureBody2Mean),
-        balance: HeatBalance {
-            shear: measured.estimate(Figure::HeatShear),
-            compression: measured.estimate(Figure::HeatCompression),
-            to_body_1: measured.estimate(Figure::HeatToBody1),
-            to_body_2: measured.estimate(Figure::HeatToBody2),
-            by_film: measured.estimate(Figure::HeatByFilm),
-            error: balance(problem, &volumes.levels).error(),
-        },
         reduction: isothermal.and_then(|cold| reduction(problem, volumes, cold)),
         coupling: Coupling {
             rounds: effort.rounds,
@@ -56,22 +39,8 @@ pub fn thermal(
         },
         centreline: temperatures(film_nodes, &of_line.fields),
         surface: temperatures(film_nodes, &nodes(&problem.shape, film)),
-        profiles: (params.profiles.iter())
-            .filter_map(|point| {
-                let body_1 = &heat.bodies[0].velocity;
-                let fields = |at| film.at(at);
-                let symmetry = problem.shape.symmetry;
-                profile_of(
-                    symmetry,
-                    fields,
-                    &problem.fluid,
-                    &problem.scales,
-                    body_1,
-                    *point,
-                )
-            })
-            .collect(),
-        field: None,
+        profiles: profiles(problem, |at| film.at(at), &params.profiles),
+        ..thermal_of(heat, measured, sums(problem, &volumes.levels).error())
     })
 }
 
@@ -104,18 +73,7 @@ fn reduction(
     isothermal: &Volumes,
 ) -> Option<ThermalReduction> {
     let last = (isothermal.stats.len().min(volumes.stats.len())).checked_sub(1)?;
-    let of = |figure| -> Option<Estimate> {
-        let on_grid = |l: usize| {
-            let [warm, cold] =
-                [volumes, isothermal].map(|of| of.stats.get(l)?.figures.value(figure));
-            Some(1.0 - warm? / cold?)
-        };
-        let values = [0, 1, 2].map(|back| on_grid(last.checked_sub(back)?));
-        Some(Estimate {
-            value: values[0]?,
-            error: bar(values, false, Slowest::of(figure)),
-        })
-    };
+    let of = |figure| on_grids(figure, volumes, isothermal);
     let traction = |back: usize| {
         let stats = isothermal.stats.get(last.checked_sub(back)?)?;
         stats.figures.value(Figure::TractionCoefficient)

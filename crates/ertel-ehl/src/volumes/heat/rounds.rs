@@ -1,19 +1,17 @@
 //! Film and heat in turn on a grid, until neither changes.
 //!
 //! Temperatures are computed for the films and pressures of the last round at fixed flow ([`crate::forms::energy`]), then films and pressures at those
-//! temperatures. Where changes hardly shrink, only a share of each is taken ([`crate::solve::heat::relaxation`]).
+//! temperatures. Where changes hardly shrink, only a share of each is taken ([`Relaxation`]).
 
 use ertel_fem::platform::Instant;
 
 use super::columns::{Columns, FilmHeat, Films};
 use super::temperatures::{self, Account, Bodies, Temperatures, step, unheated};
 use super::warmth::warmth;
-use crate::engine::{Observer, Problem};
+use crate::engine::HeatError;
+use crate::engine::coupling::{INNER_SHARE, NEGLIGIBLE_RISE, Relaxation};
+use crate::engine::{Observer, Problem, SolveError};
 use crate::forms::energy::{Heat, Heights};
-use crate::solve::SolveError;
-use crate::solve::heat::newton::HeatError;
-use crate::solve::heat::relaxation::Relaxation;
-use crate::solve::tuning::heat::{INNER_SHARE, NEGLIGIBLE_RISE};
 use crate::volumes::contents::missing;
 use crate::volumes::level::{Level, Sampled, outside};
 use crate::volumes::newton::NewtonInfo;

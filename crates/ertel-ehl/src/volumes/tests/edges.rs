@@ -4,7 +4,7 @@ use approx::assert_relative_eq;
 
 use super::{problem, solved};
 use crate::contact::Motion;
-use crate::engine::{Engine, Film, NoObserver, Problem, Solved};
+use crate::engine::{Film, NoObserver, Problem};
 use crate::solution::Figure;
 use crate::volumes::engine::{FiniteVolumes, Plan};
 use crate::volumes::film::PatchedFilm;

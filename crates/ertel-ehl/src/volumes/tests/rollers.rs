@@ -7,7 +7,7 @@ use approx::assert_relative_eq;
 use super::*;
 use crate::contact::Roller;
 use crate::contact::roller::Profile;
-use crate::solve::SolveError;
+use crate::engine::SolveError;
 use crate::volumes::deflection::Deflection;
 use crate::volumes::grid::RING;
 use crate::volumes::roller_zone::with_rows_by_film;

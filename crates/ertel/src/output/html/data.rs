@@ -342,9 +342,9 @@ mod tests {
     use super::*;
     use crate::case::Case;
     use crate::contact::Turn;
+    use crate::engine::NoObserver;
     use crate::output::sample;
     use crate::run::solve;
-    use crate::solve::NoObserver;
 
     /// The edge of an ellipse of half-axes a and 3 a whose first axis is rotated by 30° against the motion: in its own axes
     /// each point has (x/a)² + (y/3a)² = 1.

@@ -18,12 +18,12 @@ pub(super) use stage_solver::{StageEnd, StageSolver, Task, Trial};
 use super::paths::parameter::halfway;
 use super::paths::{Outline, less_diffusion, paths};
 use super::stage::Stage;
+use crate::engine::{Observer, SolveError};
 use crate::solution::Role;
 use crate::solve::adapt::{Refinement, RefinementTarget};
 use crate::solve::tuning::continuation::{
     GOOD_ENOUGH, MAX_HALVED_EXPONENTIAL_STEPS, MAX_HALVED_STEPS,
 };
-use crate::solve::{Observer, SolveError};
 
 /// State of a solve.
 pub(super) struct Driver<'a, S: StageSolver> {

@@ -1,8 +1,8 @@
 //! Solver of a stage: interface of the driver.
 
+use crate::engine::{Observer, SolveError};
 use crate::solve::adapt::Refinement;
 use crate::solve::sequence::stage::Stage;
-use crate::solve::{Observer, SolveError};
 
 /// Solver of a stage.
 pub(in super::super) trait StageSolver {

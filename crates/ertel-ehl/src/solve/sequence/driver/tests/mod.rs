@@ -312,7 +312,7 @@ fn a_warm_start_succeeds_or_fails_at_once() {
             rule: |n: usize, _: &Stage| script[n],
             trace: &mut trace,
         };
-        let observer = &mut crate::solve::NoObserver;
+        let observer = &mut crate::engine::NoObserver;
         let mut driver = Driver::new(outline, solver, observer);
         driver.halvings = vec![1];
         let end = driver.run_from(from, stage);

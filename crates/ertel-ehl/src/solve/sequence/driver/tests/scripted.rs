@@ -97,7 +97,7 @@ fn failure(level: usize) -> SolveError {
         residual: 1.0,
         update: 1.0,
         penalty_share: 1.0,
-        reason: crate::solve::Stopped::Circling,
+        reason: crate::engine::Stopped::Circling,
     }
 }
 
@@ -119,7 +119,7 @@ pub fn run(
         rule,
         trace: &mut trace,
     };
-    let observer = &mut crate::solve::NoObserver;
+    let observer = &mut crate::engine::NoObserver;
     let end = Driver::new(outline, solver, observer).run();
     (end.map(|(point, _)| point), trace)
 }

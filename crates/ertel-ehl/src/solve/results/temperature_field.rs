@@ -1,7 +1,7 @@
 //! Temperature of the whole film and of both bodies, for pictures.
 
+use super::fields::sub_cells;
 use crate::contact::Scales;
-use crate::post::fields::sub_cells;
 use crate::solution::TemperatureField;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::evaluate::central_film;
@@ -13,7 +13,7 @@ use crate::solve::system::State;
 const DRAWN_FILM: f64 = 0.05;
 
 /// Film and bodies as they are solved (the half y ≤ 0 of symmetric contacts), the film stretched by 1, 2 or 5 times a power of ten.
-pub(super) fn field(
+pub(super) fn temperature_field(
     d: &Discretisation,
     state: &State,
     space: &HeatSpace,

@@ -12,7 +12,17 @@
 //!
 //! Theory: Film and heat together.
 
-use crate::solve::tuning::heat::{GROWTH, SILENT_ROUNDS, SLOW, SMALLEST};
+/// Ratio of defects beyond which only shares of new temperatures are taken.
+const SLOW: f64 = 0.7;
+
+/// The smallest share of new temperatures that is taken.
+const SMALLEST: f64 = 0.25;
+
+/// Ratio by which shares grow from round to round at most: far from the solution the last two rounds predict little of the next.
+const GROWTH: f64 = 2.0;
+
+/// Rounds whose defects are ignored: the first is that of a film without heat.
+const SILENT_ROUNDS: usize = 2;
 
 /// Record of the previous rounds.
 #[derive(Debug, Default)]
