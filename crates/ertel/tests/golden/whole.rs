@@ -38,8 +38,8 @@ pub fn note(record: &mut Record, case: &Case) -> Result<bool, String> {
     let solved = solve_in_balance(case, &mut NoObserver).map_err(|error| text(&error))?;
     let solved = solved.ok_or("no contacts")?;
     let figures = figures(&solved.case, &solved.solution);
-    let document =
-        machine_json(&solved.case.echo(), &solved.solution, &figures).map_err(|error| text(&error))?;
+    let document = machine_json(&solved.case.echo(), &solved.solution, &figures)
+        .map_err(|error| text(&error))?;
     note_document(record, "machine", document);
     Ok(true)
 }
