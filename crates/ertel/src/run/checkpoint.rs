@@ -35,11 +35,7 @@ pub struct Checkpoint {
     pub(super) wall_seconds: f64,
 }
 
-<<<<<<< HEAD
 /// Results up to that time.
-=======
-/// What the results contain of the time until then.
->>>>>>> 031ef847a11ab5ae7e79faff5cd88564c1d322fd
 #[derive(Debug, Default, Deserialize, Serialize)]
 pub(super) struct Collected {
     pub instants: Vec<InstantSolution>,
