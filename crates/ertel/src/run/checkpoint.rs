@@ -193,7 +193,7 @@ mod tests {
 
     use super::*;
     use crate::run::transient::{InstantObserver, Reached, solve_from};
-    use crate::solve::Observer;
+    use crate::engine::Observer;
 
     /// A line contact whose bodies come together.
     const CASE: &str = include_str!("../../../ertel-fuzz/corpus/checkpoint-case.toml");
