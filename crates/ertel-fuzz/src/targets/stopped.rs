@@ -6,9 +6,9 @@ use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
 use ertel::case::Case;
+use ertel::engine::Observer;
 use ertel::run::checkpoint::Checkpoint;
 use ertel::run::transient::{InstantObserver, Reached, solve_from};
-use ertel::solve::Observer;
 use xxhash_rust::xxh3::xxh3_128;
 
 use crate::input::{Input, Target};

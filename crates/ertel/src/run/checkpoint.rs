@@ -192,8 +192,8 @@ mod tests {
     use std::path::Path;
 
     use super::*;
-    use crate::run::transient::{InstantObserver, Reached, solve_from};
     use crate::engine::Observer;
+    use crate::run::transient::{InstantObserver, Reached, solve_from};
 
     /// A line contact whose bodies come together.
     const CASE: &str = include_str!("../../../ertel-fuzz/corpus/checkpoint-case.toml");
@@ -241,7 +241,7 @@ mod tests {
             |of| of.collected.map.x[0] = f64::NAN,
             |of| of.collected.fields.y.clear(),
             |of| of.collected.fields.times.push(1.0),
-            |of| drop(of.collected.profiles[0].film.pop()),
+            |of| _ = of.collected.profiles[0].film.pop(),
         ];
         let damaged = damage.map(|damage| {
             let mut checkpoint = read();

@@ -1,10 +1,10 @@
 //! Courses in time and whole machines, recorded as the documents that programs read.
 
 use ertel::case::Case;
+use ertel::engine::NoObserver;
 use ertel::machine::figures;
 use ertel::output::{machine_json, transient_json};
 use ertel::run::transient;
-use ertel::solve::NoObserver;
 use ertel::study::solve_in_balance;
 use serde_json::Value;
 
