@@ -6,7 +6,7 @@ use ertel::machine::figures;
 use ertel::output::{machine_json, transient_json};
 use ertel::run::transient;
 use ertel::study::solve_in_balance;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::record::Record;
 
@@ -40,7 +40,7 @@ pub fn note(record: &mut Record, case: &Case) -> Result<bool, String> {
     let figures = figures(&solved.case, &solved.solution);
     let document = machine_json(&solved.case.echo(), &solved.solution, &figures)
         .map_err(|error| text(&error))?;
-    note_document(record, "machine", document);
+    note_document(record, "whole", document);
     Ok(true)
 }
 
@@ -76,9 +76,18 @@ fn note_figures(record: &mut Record, section: &str, document: &mut Value) {
     }
 }
 
-/// Removes what is not recorded at any depth.
+/// Numbers of a list that are recorded one by one; longer lists are recorded by their length and their sum.
+const MOST_NUMBERS: usize = 16;
+
+/// Removes what is not recorded, and shortens long lists of numbers, at any depth.
 fn remove(value: &mut Value) {
     match value {
+        Value::Array(values)
+            if values.len() > MOST_NUMBERS && values.iter().all(Value::is_number) =>
+        {
+            let sum: f64 = values.iter().filter_map(Value::as_f64).sum();
+            *value = json!({ "numbers": values.len(), "sum": sum });
+        }
         Value::Object(entries) => {
             entries.retain(|key, _| !NOT_RECORDED.contains(&key.as_str()));
             entries.values_mut().for_each(remove);

@@ -246,7 +246,7 @@ impl Form {
                     gradient: turned(*direction, gradient).map(|slope| slope * height / length),
                 };
             }
-            Form::Repeated { form, .. } => return form.at(self.from_nearest(place)),
+            Form::Repeated { form, .. } => return form.at(self.relative_to_nearest(place)),
         };
         Height {
             value,
@@ -255,7 +255,7 @@ impl Form {
     }
 
     /// A place relative to the nearest repetition, for repeated forms.
-    fn from_nearest(&self, place: [f64; 2]) -> [f64; 2] {
+    fn relative_to_nearest(&self, place: [f64; 2]) -> [f64; 2] {
         let Form::Repeated {
             form,
             along: first,
@@ -305,7 +305,7 @@ impl Form {
                 dx.hypot(dy) < distance
             }
             Form::Repeated { form, .. } => {
-                let nearest = self.from_nearest([-x, -y]).map(|x| -x);
+                let nearest = self.relative_to_nearest([-x, -y]).map(|x| -x);
                 form.is_within(nearest, distance)
             }
         }
@@ -335,7 +335,7 @@ impl Form {
                 let own = turned(-*direction, place);
                 (0..2).all(|d| own[d].abs() < 0.5 * map.sides()[d] * units[0])
             }
-            Form::Repeated { form, .. } => form.covers(self.from_nearest(place)),
+            Form::Repeated { form, .. } => form.covers(self.relative_to_nearest(place)),
         }
     }
 

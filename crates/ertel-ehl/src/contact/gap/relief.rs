@@ -21,7 +21,7 @@ pub struct Relief {
 impl Relief {
     /// Its contribution to the gap at a place along the principal directions.
     pub fn at(&self, place: [f64; 2]) -> Height {
-        let from = self.from_middle(self.turn.to_motion(place));
+        let from = self.relative_to_middle(self.turn.to_motion(place));
         let Height { value, gradient } = self.form.at(from);
         let gradient = self.moved.directed(gradient);
         Height {
@@ -32,17 +32,17 @@ impl Relief {
 
     /// Whether it lies within a distance from the centre.
     pub fn is_within(&self, distance: f64) -> bool {
-        let middle = self.from_middle([0.0; 2]).map(|x| -x);
+        let middle = self.relative_to_middle([0.0; 2]).map(|x| -x);
         self.form.is_within(middle, distance)
     }
 
     /// Whether it reaches a place along and across the motion.
     pub fn covers(&self, place: [f64; 2]) -> bool {
-        self.form.covers(self.from_middle(place))
+        self.form.covers(self.relative_to_middle(place))
     }
 
     /// From its middle to a place along and across the motion, in directions that are fixed to the body.
-    fn from_middle(&self, place: [f64; 2]) -> [f64; 2] {
+    fn relative_to_middle(&self, place: [f64; 2]) -> [f64; 2] {
         let [x, y] = self.moved.at_start(place);
         [x - self.place[0], y - self.place[1]]
     }

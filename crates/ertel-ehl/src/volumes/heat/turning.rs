@@ -68,7 +68,7 @@ impl Turning {
     /// Rises at the nodes, K, by the heat that flows in there, W/m².
     pub fn apply(&self, heat: &[f64]) -> Vec<f64> {
         let plane = &self.surface.plane;
-        let heat = self.surface.to_plane(heat);
+        let heat = self.surface.on_plane(heat);
         let mut sum = vec![Complex64::default(); self.transforms.n_waves()];
         for (j, symbol) in self.symbols.iter().enumerate() {
             let share = |k: usize| {
@@ -84,7 +84,7 @@ impl Turning {
                 .with_min_len(BATCH)
                 .for_each(|((sum, value), factor)| *sum += value * factor);
         }
-        self.surface.from_plane(&self.transforms.values(sum))
+        self.surface.on_surface(&self.transforms.values(sum))
     }
 }
 
@@ -172,12 +172,12 @@ impl SurfaceMap {
     }
 
     /// Values at the nodes of the plane of those at the nodes of the surface.
-    fn to_plane(&self, values: &[f64]) -> Vec<f64> {
+    fn on_plane(&self, values: &[f64]) -> Vec<f64> {
         sampled(&self.plane, |x| self.place(x), &self.own, values)
     }
 
     /// Values at the nodes of the surface of those at the nodes of the plane.
-    fn from_plane(&self, values: &[f64]) -> Vec<f64> {
+    fn on_surface(&self, values: &[f64]) -> Vec<f64> {
         sampled(&self.own, |x| self.image(x), &self.plane, values)
     }
 }
@@ -289,7 +289,7 @@ mod tests {
                 .nodes()
                 .map(|[i, j]| bell(grid.on_axes(i, j)))
                 .collect();
-            let back = turning.from_plane(&turning.to_plane(&values));
+            let back = turning.on_surface(&turning.on_plane(&values));
             (back.iter().zip(&values))
                 .map(|(a, b)| (a - b).abs())
                 .fold(0.0, f64::max)

@@ -5,13 +5,15 @@ mod life;
 mod refusal;
 mod rollers;
 
+use std::fmt::Write;
+
 use ertel_input::{Bounds, InputError, Table};
 use ertel_machines::bearing::catalogue::{Entry, Series};
 use ertel_machines::bearing::geometry::Ring;
 use ertel_machines::bearing::kinematics::{
     RacewayControl, Speeds, recommended_speed_factor, speed_factor,
 };
-use ertel_machines::bearing::load::{Distribution, Given, Loads, Params, RingContact};
+use ertel_machines::bearing::load::{Distribution, Element, Given, Loads, Params, RingContact};
 use ertel_machines::bearing::{Bearing, Geometry, Material, life as ratings};
 use ertel_quantity::Dimension;
 
@@ -488,12 +490,17 @@ fn add_rows(
         "force on the inner ring",
         format!("{radial} N radially, {axial} N axially"),
     );
-    let loaded = (found.elements.iter()).filter(|element| element.contacts[0].load > 0.0);
-    let loaded = loaded.count();
-    rows.text(
-        "loaded elements",
-        format!("{loaded} of {}", found.elements.len()),
-    );
+    let pressed_by = |least: fn(&Element) -> f64| {
+        let pressed = |element: &&Element| element.contacts[0].load > least(element);
+        found.elements.iter().filter(pressed).count()
+    };
+    // Centrifugal force wedges a ball between grooves that are offset: it is pressed without a part of the load.
+    let (touching, carrying) = (pressed_by(|_| 0.0), pressed_by(|e| e.centrifugal_force));
+    let mut loaded = format!("{touching} of {}", found.elements.len());
+    if carrying < touching {
+        let _ = write!(loaded, ", {carrying} by more than their centrifugal force");
+    }
+    rows.text("loaded elements", loaded);
     let of = &found.elements[governing.0];
     rows.number("cage speed", of.cage_speed, "rad/s");
     rows.number("centrifugal force of an element", of.centrifugal_force, "N");
