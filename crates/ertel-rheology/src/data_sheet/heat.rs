@@ -5,7 +5,7 @@
 use super::{BaseOil, Estimate, Spread};
 
 /// Estimated thermal properties of an oil: the constants of the laws of Larsson and Andersson
-/// ([`crate::ConductivityLaw::LarssonAndersson`], [`crate::HeatCapacityLaw::LarssonAndersson`]).
+/// ([`crate::conductivity::LarssonAndersson`], [`crate::heat_capacity::LarssonAndersson`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeatEstimate {
     /// Conductivity k₀ at ambient pressure (W/(m·K)).

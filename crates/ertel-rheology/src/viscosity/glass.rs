@@ -3,7 +3,7 @@
 use crate::Scalar;
 use crate::error::{Check, LawError};
 
-/// Constants of a liquid near its glass transition:
+/// Constants of a liquid near its glass transition (Habchi 2008, eq. 2.19):
 ///
 /// ```text
 /// μ   = μ_g at x = 0,   with x/(C₂ + x) times C₁ decades below that,   x = (T - T_g) F
