@@ -70,6 +70,28 @@ pub enum Command {
     Man(ManArgs),
 }
 
+/// What commands that solve report.
+#[derive(Debug, Args)]
+pub struct ReportArgs {
+    /// Exit code 0 also where an error bar is wider than half of a figure
+    #[arg(long)]
+    pub accept_unresolved: bool,
+    /// No progress on stderr and no report on stdout
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// How commands that solve many points share the computer.
+#[derive(Debug, Args)]
+pub struct WorkerArgs {
+    /// Points solved at the same time [default: as many as cores]
+    #[arg(short, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub jobs: Option<u16>,
+    /// Threads of each point
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: u16,
+}
+
 /// `ertel solve`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
@@ -117,12 +139,9 @@ pub struct SolveArgs {
     /// For a case in time: continue from `<results>.checkpoint`
     #[arg(long, conflicts_with = "check")]
     pub resume: bool,
-    /// Exit code 0 also where an error bar is wider than half of a figure
-    #[arg(long)]
-    pub accept_unresolved: bool,
-    /// No progress on stderr and no report on stdout
-    #[arg(short, long)]
-    pub quiet: bool,
+    /// What is reported.
+    #[command(flatten)]
+    pub report: ReportArgs,
     /// Verbose: also print files read, every iteration, the meshes and the files written
     #[arg(short, long, conflicts_with_all = ["quiet", "json"])]
     pub verbose: bool,
@@ -164,18 +183,12 @@ pub struct SweepArgs {
     /// Join parts: the folder of the whole, then those of the parts
     #[arg(long, value_names = ["OUT", "PART"], num_args = 2..)]
     pub merge: Option<Vec<PathBuf>>,
-    /// Points solved at the same time [default: as many as cores]
-    #[arg(short, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
-    pub jobs: Option<u16>,
-    /// Threads of each point
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
-    pub threads: u16,
-    /// Exit code 0 also where an error bar is wider than half of a figure
-    #[arg(long)]
-    pub accept_unresolved: bool,
-    /// No progress on stderr and no report on stdout
-    #[arg(short, long)]
-    pub quiet: bool,
+    /// How many points and threads.
+    #[command(flatten)]
+    pub workers: WorkerArgs,
+    /// What is reported.
+    #[command(flatten)]
+    pub report: ReportArgs,
     /// Verbose: also print files read, a line for each point, failures and warnings
     #[arg(short, long, conflicts_with_all = ["quiet", "json"])]
     pub verbose: bool,
@@ -245,18 +258,12 @@ pub struct CompareArgs {
     /// Retry failed points
     #[arg(long)]
     pub retry: bool,
-    /// Points solved at the same time [default: as many as cores]
-    #[arg(short, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
-    pub jobs: Option<u16>,
-    /// Threads of each point
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
-    pub threads: u16,
-    /// Exit code 0 also where an error bar is wider than half of a figure
-    #[arg(long)]
-    pub accept_unresolved: bool,
-    /// No progress on stderr and no report on stdout
-    #[arg(short, long)]
-    pub quiet: bool,
+    /// How many points and threads.
+    #[command(flatten)]
+    pub workers: WorkerArgs,
+    /// What is reported.
+    #[command(flatten)]
+    pub report: ReportArgs,
 }
 
 /// `3/8`.

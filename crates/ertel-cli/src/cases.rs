@@ -144,7 +144,7 @@ pub fn solve_all(
             .to_vec(),
     ];
     let mut codes: Vec<u8> = Vec::new();
-    let is_talking = !arguments.quiet && !arguments.json;
+    let is_talking = !arguments.report.quiet && !arguments.json;
     for (i, job) in jobs.iter().enumerate() {
         let mut row = |outcome: &str, films: &str, folder: &str| {
             rows.push(

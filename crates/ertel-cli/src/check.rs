@@ -52,7 +52,7 @@ pub fn run(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<(), Fail
         return Ok(());
     }
     warn(doubts);
-    if arguments.quiet {
+    if arguments.report.quiet {
         return Ok(());
     }
     let text = output::check_report(&case.echo(), &found.estimate);

@@ -39,13 +39,13 @@ pub fn run(arguments: &CompareArgs) -> Result<(), Failure> {
         return check(&measured);
     }
     let params = SweepParams {
-        jobs: arguments.jobs.map(usize::from),
-        threads: Some(usize::from(arguments.threads)),
+        jobs: arguments.workers.jobs.map(usize::from),
+        threads: Some(usize::from(arguments.workers.threads)),
         retry: arguments.retry,
         ..SweepParams::default()
     };
     listen_for_interrupts();
-    let progress = Progress::new(arguments.quiet, &CANCELLED);
+    let progress = Progress::new(arguments.report.quiet, &CANCELLED);
     let points = folder.join(COMPARISON_STUDY);
     let summary = sweep(&measured.study, &points, &params, &progress);
     drop(progress);
@@ -65,14 +65,14 @@ pub fn run(arguments: &CompareArgs) -> Result<(), Failure> {
         ..PictureFormats::default()
     };
     write_comparison(&comparison, &measured.case_text, &folder, formats)?;
-    let shown = match arguments.quiet {
+    let shown = match arguments.report.quiet {
         true => Ok(()),
         false => {
             print::stdout(&(remarks(&summary) + &comparison_report(&comparison, Some(&folder))))
         }
     };
     // Failures of points have priority over a report that could not be shown.
-    let unresolved = match arguments.accept_unresolved {
+    let unresolved = match arguments.report.accept_unresolved {
         true => 0,
         false => comparison.n_unresolved(),
     };

@@ -73,7 +73,7 @@ pub fn write(
             json!({ "folder": path_text(folder), "result": result }),
         );
         Ok(())
-    } else if arguments.quiet {
+    } else if arguments.report.quiet {
         Ok(())
     } else {
         let text = output::machine_report(&echo, solution, figures, Some(folder));
@@ -104,7 +104,7 @@ pub fn write(
     }
     let solutions = solution.solved().filter_map(|(_, p)| p.outcome.solution());
     let unresolved = solutions.filter(|s| !s.unresolved.is_empty()).count();
-    if unresolved > 0 && !arguments.accept_unresolved {
+    if unresolved > 0 && !arguments.report.accept_unresolved {
         return Err(Failure::Unresolved(format!(
             "{unresolved} of {all} contacts are not resolved: the error bar of a figure exceeds half its value, or is missing; see the column \
              `unresolved` of {}\n  = help: {RESOLVE}",
@@ -112,7 +112,7 @@ pub fn write(
         )));
     }
     let unresolved: Vec<&str> = figures.unresolved().map(|figure| figure.words).collect();
-    if !unresolved.is_empty() && !arguments.accept_unresolved {
+    if !unresolved.is_empty() && !arguments.report.accept_unresolved {
         return Err(Failure::Unresolved(format!(
             "not resolved: {}; see {}\n  = help: {TOTALS}",
             unresolved.join(", "),

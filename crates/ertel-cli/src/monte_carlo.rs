@@ -86,7 +86,7 @@ pub fn run(samples: &Samples, solved: &Solved<'_>, arguments: &SolveArgs) -> Res
         threads: Some(1),
         ..SweepParams::default()
     };
-    let progress = Progress::new(arguments.quiet, &CANCELLED);
+    let progress = Progress::new(arguments.report.quiet, &CANCELLED);
     let summary = sweep(study, folder, &params, &progress);
     drop(progress);
     let summary = summary?;
@@ -110,7 +110,7 @@ pub fn run(samples: &Samples, solved: &Solved<'_>, arguments: &SolveArgs) -> Res
     };
     let pictures = study.points[0].case.output.pictures;
     output::write_monte_carlo(&found, first_order, folder, pictures)?;
-    if !arguments.quiet {
+    if !arguments.report.quiet {
         print::stdout(&output::monte_carlo_report(&found, first_order))?;
         print::stdout(&format!("\n  {}\n", folder.display()))?;
     }

@@ -55,7 +55,7 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
 fn run_all(arguments: &SolveArgs, events: &Events) -> Result<(), Failure> {
     let jobs = cases::read(arguments, events)?;
     for Job { given, .. } in &jobs {
-        if arguments.check || arguments.quiet {
+        if arguments.check || arguments.report.quiet {
             let warnings = input_warnings(&given.case);
             warn(
                 (warnings.iter()).filter(|w| w.is_shown() || arguments.check && w.is_shown_note()),
@@ -122,7 +122,7 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
     let mut progress = match (events.is_on(), arguments.verbose) {
         (true, _) => Progress::as_events(events, &CANCELLED),
         (false, true) => Progress::in_lines(&CANCELLED),
-        (false, false) => Progress::new(arguments.quiet, &CANCELLED),
+        (false, false) => Progress::new(arguments.report.quiet, &CANCELLED),
     };
     if case.transient.is_some() && case.curve.is_none() {
         events.warn(&case.warnings);
@@ -183,7 +183,7 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
             json!({ "folder": path_text(folder), "result": short(result) }),
         );
         Ok(())
-    } else if arguments.quiet {
+    } else if arguments.report.quiet {
         let known = solution.warnings.iter().filter(known);
         warn(known.filter(|warning| warning.is_shown()));
         Ok(())
@@ -203,7 +203,7 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
     }
     match &solution.unresolved[..] {
         [] => shown,
-        _ if arguments.accept_unresolved => shown,
+        _ if arguments.report.accept_unresolved => shown,
         unresolved => Err(not_resolved(unresolved, folder)),
     }?;
     Ok(films(&solution))
@@ -252,13 +252,13 @@ fn cross_check(
 ) -> Result<(), Failure> {
     let mut progress = match events.is_on() {
         true => Progress::as_events(events, &CANCELLED),
-        false => Progress::new(arguments.quiet, &CANCELLED),
+        false => Progress::new(arguments.report.quiet, &CANCELLED),
     };
     let found = ertel::cross_check::cross_check(case, solution, &mut progress);
     drop(progress);
     let found = found?;
     output::write_cross_check(solution, &found, folder)?;
-    if !(arguments.quiet || events.is_on()) {
+    if !(arguments.report.quiet || events.is_on()) {
         print::stdout(&output::cross_check_report(solution, &found))?;
     }
     match found.count(Verdict::Differs) {
@@ -350,7 +350,7 @@ fn write_curve(
     arguments: &SolveArgs,
     events: &Events,
 ) -> Result<String, Failure> {
-    let (quiet, accept_unresolved) = (arguments.quiet, arguments.accept_unresolved);
+    let (quiet, accept_unresolved) = (arguments.report.quiet, arguments.report.accept_unresolved);
     if solution.points.is_empty() {
         return Err(Failure::Interrupted);
     }

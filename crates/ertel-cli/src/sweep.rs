@@ -54,8 +54,8 @@ fn run_with(arguments: &SweepArgs, events: &Events) -> Result<(), Failure> {
         return dry_run(&study, &folder, events);
     }
     let params = SweepParams {
-        jobs: arguments.jobs.map(usize::from),
-        threads: Some(usize::from(arguments.threads)),
+        jobs: arguments.workers.jobs.map(usize::from),
+        threads: Some(usize::from(arguments.workers.threads)),
         shard: arguments.shard,
         folders: arguments.folders,
         retry: arguments.retry,
@@ -80,7 +80,7 @@ fn run_with(arguments: &SweepArgs, events: &Events) -> Result<(), Failure> {
     let progress = match (events.is_on(), arguments.verbose) {
         (true, _) => Progress::as_events(events, &CANCELLED),
         (false, true) => Progress::in_lines(&CANCELLED),
-        (false, false) => Progress::new(arguments.quiet, &CANCELLED),
+        (false, false) => Progress::new(arguments.report.quiet, &CANCELLED),
     };
     let summary = sweep(&study, &folder, &params, &progress);
     drop(progress);
@@ -188,7 +188,7 @@ fn report(
             summary.n_damaged
         ));
     }
-    if !arguments.quiet && !events.is_on() {
+    if !arguments.report.quiet && !events.is_on() {
         let mut text = remarks_up_to(summary, most_shown(arguments));
         let kept = match summary.n_kept {
             0 => String::new(),
@@ -222,7 +222,7 @@ fn report(
         )));
     }
     // Failures of points have priority over a report that could not be shown.
-    failed(summary, folder, arguments.accept_unresolved).and(shown)
+    failed(summary, folder, arguments.report.accept_unresolved).and(shown)
 }
 
 fn failed(summary: &SweepSummary, folder: &Path, accept_unresolved: bool) -> Result<(), Failure> {
@@ -251,7 +251,7 @@ fn merged(
     emit_result(summary, target, events);
     let finished = summary.n_kept + summary.n_new;
     let mut shown = Ok(());
-    if !arguments.quiet && !events.is_on() {
+    if !arguments.report.quiet && !events.is_on() {
         let text = remarks_up_to(summary, most_shown(arguments));
         shown = print::stdout(&format!(
             "{text}{finished} of {} points finished, {} failed\nResults in {}\n",
@@ -267,7 +267,7 @@ fn merged(
             summary.n_points
         )));
     }
-    failed(summary, target, arguments.accept_unresolved).and(shown)
+    failed(summary, target, arguments.report.accept_unresolved).and(shown)
 }
 
 fn most_shown(arguments: &SweepArgs) -> usize {

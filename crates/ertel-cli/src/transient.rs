@@ -54,7 +54,7 @@ pub fn write(
             "result",
             json!({ "folder": path_text(folder), "result": result }),
         );
-    } else if !arguments.quiet {
+    } else if !arguments.report.quiet {
         print::stdout(&output::transient_report(&echo, found, Some(folder)))?;
     }
     if is_interrupted {
@@ -76,7 +76,7 @@ pub fn write(
     let unresolved = (found.instants.iter())
         .filter(|instant| !films.iter().all(|film| instant.measured.is_resolved(*film)))
         .count();
-    if unresolved > 0 && !arguments.accept_unresolved {
+    if unresolved > 0 && !arguments.report.accept_unresolved {
         return Err(Failure::Unresolved(format!(
             "films are not resolved at {unresolved} of {} instants: see the column `unresolved` of {}\n  = help: {RESOLVE}",
             found.instants.len(),

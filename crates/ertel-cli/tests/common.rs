@@ -84,3 +84,43 @@ pub fn rows_of(path: &Path) -> Vec<HashMap<String, String>> {
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
+
+/// A line contact whose speed falls to a half.
+pub const BRAKING: &str = r#"
+title = "Braking"
+
+[contact]
+kind = "line"
+radius = "10 mm"
+load = "100 kN/m"
+
+[bodies]
+body_1 = "steel"
+body_2 = "steel"
+
+[motion]
+entrainment_speed = "1 m/s"
+slide_to_roll_ratio = 0.1
+
+[lubricant]
+temperature = "40 degC"
+density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
+viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
+
+[transient]
+duration = "1 ms"
+output_times = ["0 ms", "0.5 ms"]
+entrainment_speed = { course = "ramp", start = "0.1 ms", end = "0.5 ms", to = "0.5 m/s" }
+"#;
+
+/// A folder with a case.
+pub fn case_folder(case: &str) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    write(&folder, "case.toml", case);
+    folder
+}
+
+/// A file of JSON.
+pub fn json(path: &Path) -> serde_json::Value {
+    serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
+}

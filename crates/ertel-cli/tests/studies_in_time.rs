@@ -2,35 +2,7 @@
 
 use tempfile::TempDir;
 
-use crate::common::{ertel, read, stderr, stdout, write};
-
-/// A line contact whose speed falls to a half, and whose waves pass.
-const CASE: &str = r#"
-title = "Braking"
-
-[contact]
-kind = "line"
-radius = "10 mm"
-load = "100 kN/m"
-
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-
-[motion]
-entrainment_speed = "1 m/s"
-slide_to_roll_ratio = 0.1
-
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
-
-[transient]
-duration = "1 ms"
-output_times = ["0 ms", "0.5 ms"]
-entrainment_speed = { course = "ramp", start = "0.1 ms", end = "0.5 ms", to = "0.5 m/s" }
-"#;
+use crate::common::{BRAKING, case_folder, ertel, read, stderr, stdout, write};
 
 const STUDY: &str = r#"
 case = "case.toml"
@@ -43,8 +15,7 @@ values = ["0.3 ms", "0.5 ms"]
 "#;
 
 fn workspace(case: &str, study: &str) -> TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    write(&folder, "case.toml", case);
+    let folder = case_folder(case);
     write(&folder, "study.toml", study);
     folder
 }
@@ -74,7 +45,7 @@ impl Rows {
 /// The figures of a point are those that its own table over time has, by a minimum, a maximum and trapezoids made here; an interrupted study continues to the same table.
 #[test]
 fn a_study_over_time_shows_extremes_and_resumes() {
-    let folder = workspace(CASE, STUDY);
+    let folder = workspace(BRAKING, STUDY);
     let run = |more: &[&str]| {
         let output = ertel(
             &folder,
@@ -164,7 +135,7 @@ fn a_study_over_time_shows_extremes_and_resumes() {
 fn points_that_fail_have_their_reason() {
     let relief = "\n[[surface]]\nkind = \"groove\"\nbody = \"body_1\"\nhalf_width = \"60 um\"\ndepth = \"20 nm\"\nx = \"-0.3 mm\"\n\n[mesh]\nmax_unknowns = 3000\n";
     let axis = "case = \"case.toml\"\n[[axis]]\nkey = \"surface.1.half_width\"\nvalues = [\"1 um\", \"60 um\"]\n";
-    let folder = workspace(&format!("{CASE}{relief}"), axis);
+    let folder = workspace(&format!("{BRAKING}{relief}"), axis);
     let output = ertel(&folder, &["sweep", "study.toml", "-o", "out"]);
     assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
     assert!(
@@ -195,7 +166,7 @@ fn points_that_fail_have_their_reason() {
 #[test]
 fn curves_and_samples_of_a_case_in_time() {
     let curve = "\n[curve]\nquantity = \"contact.load\"\nvalues = [\"60 kN/m\", \"80 kN/m\", \"100 kN/m\"]\nfolders = true\n";
-    let folder = workspace(&format!("{CASE}{curve}"), STUDY);
+    let folder = workspace(&format!("{BRAKING}{curve}"), STUDY);
     let output = ertel(&folder, &["solve", "case.toml", "-o", "out"]);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     assert!(
@@ -222,7 +193,7 @@ fn curves_and_samples_of_a_case_in_time() {
         serde_json::from_str(&read(&folder, "out/points/3/transient.json")).unwrap();
     assert_eq!(alone["over_time"]["film_minimum_lowest"], *figure);
     let newtonian = curve.replace("folders = true", "newtonian = true");
-    let power = CASE.replace(
+    let power = BRAKING.replace(
         "alpha = \"22 1/GPa\" }",
         "alpha = \"22 1/GPa\" }\nshear_thinning = { law = \"ree-eyring\", tau_0 = \"5 MPa\" }",
     );
@@ -238,7 +209,7 @@ fn curves_and_samples_of_a_case_in_time() {
     write(
         &folder,
         "case.toml",
-        &CASE.replace("load = \"100 kN/m\"", "load = \"100 kN/m ± 10 %\""),
+        &BRAKING.replace("load = \"100 kN/m\"", "load = \"100 kN/m ± 10 %\""),
     );
     let output = ertel(
         &folder,
@@ -269,7 +240,7 @@ fn curves_and_samples_of_a_case_in_time() {
 /// An axis over a quantity that a table gives over all of the time would change nothing; measured rows are steady.
 #[test]
 fn what_changes_nothing_is_refused() {
-    let table = CASE.replace(
+    let table = BRAKING.replace(
         "{ course = \"ramp\", start = \"0.1 ms\", end = \"0.5 ms\", to = \"0.5 m/s\" }",
         "{ course = \"table\", times = [\"0 ms\", \"1 ms\"], values = [\"1 m/s\", \"0.5 m/s\"] }",
     );

@@ -5,7 +5,6 @@ mod bad_cases;
 mod commands;
 mod common;
 mod compare;
-mod constants;
 mod cross_check;
 mod curve;
 mod data_sheet;

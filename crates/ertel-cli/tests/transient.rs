@@ -2,52 +2,12 @@
 
 use std::path::Path;
 
-use tempfile::TempDir;
-
-use crate::common::{ertel, text};
-
-/// A line contact whose speed falls to a half.
-const CASE: &str = r#"
-title = "Braking"
-
-[contact]
-kind = "line"
-radius = "10 mm"
-load = "100 kN/m"
-
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-
-[motion]
-entrainment_speed = "1 m/s"
-slide_to_roll_ratio = 0.1
-
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
-
-[transient]
-duration = "1 ms"
-output_times = ["0 ms", "0.5 ms"]
-entrainment_speed = { course = "ramp", start = "0.1 ms", end = "0.5 ms", to = "0.5 m/s" }
-"#;
-
-fn workspace(case: &str) -> TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("case.toml"), case).unwrap();
-    folder
-}
-
-fn json(path: &Path) -> serde_json::Value {
-    serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
-}
+use crate::common::{BRAKING, case_folder, ertel, json, text};
 
 /// Files, tables and the report say the same; the speed at a time is that of the ramp; a second run replaces the folder.
 #[test]
 fn a_ramp_is_solved_written_and_replaced() {
-    let folder = workspace(CASE);
+    let folder = case_folder(BRAKING);
     for _ in 0..2 {
         let output = ertel(&folder, &["solve", "case.toml", "--output", "out"]);
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
@@ -101,7 +61,7 @@ fn a_ramp_is_solved_written_and_replaced() {
 #[test]
 fn unsolved_instants_are_reported() {
     let relief = "\n[[surface]]\nkind = \"groove\"\nbody = \"body_1\"\nhalf_width = \"1 um\"\ndepth = \"20 nm\"\nx = \"-0.3 mm\"\n\n[mesh]\nmax_unknowns = 2000\n";
-    let folder = workspace(&format!("{CASE}{relief}"));
+    let folder = case_folder(&format!("{BRAKING}{relief}"));
     let output = ertel(&folder, &["solve", "case.toml", "--output", "out"]);
     let message = text(&output.stderr);
     assert_eq!(output.status.code(), Some(3), "{message}");
@@ -117,14 +77,14 @@ fn unsolved_instants_are_reported() {
 /// A roller sinks under a constant load from a gap, without rolling: the film thins as the body comes near, and bears the load. The force and rebound of a falling ball are reported.
 #[test]
 fn bodies_that_are_apart_come_near() {
-    let sinks = CASE
+    let sinks = BRAKING
         .replace(
             "entrainment_speed = { course = \"ramp\", start = \"0.1 ms\", end = \"0.5 ms\", to = \"0.5 m/s\" }",
             "start = \"apart\"\ngap = \"3 um\"\nat_rest = true",
         )
         .replace("duration = \"1 ms\"", "duration = \"0.05 ms\"")
         .replace("output_times = [\"0 ms\", \"0.5 ms\"]\n", "");
-    let folder = workspace(&sinks);
+    let folder = case_folder(&sinks);
     let output = ertel(&folder, &["solve", "case.toml", "--output", "out"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let result = json(&folder.path().join("out/transient.json"));
@@ -157,7 +117,7 @@ fn bodies_that_are_apart_come_near() {
 /// A run that is killed continues from its checkpoint to the same table; a checkpoint of another case, a forgotten one and none are refused.
 #[test]
 fn a_killed_run_goes_on() {
-    let folder = workspace(CASE);
+    let folder = case_folder(BRAKING);
     let solve = |more: &[&str]| {
         let arguments = [&["solve", "case.toml", "--quiet"], more].concat();
         ertel(&folder, &arguments)
@@ -220,8 +180,8 @@ fn a_killed_run_goes_on() {
 #[cfg(unix)]
 #[test]
 fn a_checkpoint_that_cannot_be_written_is_reported_at_once() {
-    let folder = workspace(
-        &CASE
+    let folder = case_folder(
+        &BRAKING
             .replace("duration = \"1 ms\"", "duration = \"0.02 ms\"")
             .replace("\"0.5 ms\"]", "\"0.02 ms\"]"),
     );
@@ -250,7 +210,7 @@ fn a_checkpoint_that_cannot_be_written_is_reported_at_once() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_checkpoint_that_is_no_file_is_refused_at_once() {
-    let folder = workspace(CASE);
+    let folder = case_folder(BRAKING);
     let at = |name: &str| folder.path().join(name);
     let made = std::process::Command::new("mkfifo")
         .arg(at("pipe.checkpoint"))
@@ -278,7 +238,7 @@ fn a_checkpoint_that_is_no_file_is_refused_at_once() {
 #[cfg(unix)]
 #[test]
 fn a_complete_result_is_kept_when_a_second_run_is_stopped() {
-    let folder = workspace(CASE);
+    let folder = case_folder(BRAKING);
     let at = |name: &str| folder.path().join(name);
     let first = ertel(&folder, &["solve", "case.toml", "-q", "-o", "out"]);
     assert_eq!(first.status.code(), Some(0), "{}", text(&first.stderr));
@@ -327,12 +287,12 @@ fn a_complete_result_is_kept_when_a_second_run_is_stopped() {
 /// Courses that begin elsewhere than the case, that change after the end, and that have more periods than there are steps.
 #[test]
 fn courses_that_contradict_the_case_are_reported() {
-    let ramp = CASE
+    let ramp = BRAKING
         .lines()
         .find(|line| line.starts_with("entrainment_speed = {"));
     let check = |course: &str| {
         let line = format!("entrainment_speed = {{ course = {course} }}");
-        let folder = workspace(&CASE.replace(ramp.unwrap(), &line));
+        let folder = case_folder(&BRAKING.replace(ramp.unwrap(), &line));
         let output = ertel(&folder, &["solve", "case.toml", "--check"]);
         let words = [text(&output.stdout), text(&output.stderr)].concat();
         (output.status.code(), words)
@@ -434,7 +394,7 @@ fn waves_keep_the_amplitudes_of_venner() {
             .replace("0.173 mm", wavelength)
             .replace("2.2 ms", duration)
             + "\n[output]\nnetcdf = true\n";
-        let folder = workspace(&text_of);
+        let folder = case_folder(&text_of);
         let output = ertel(&folder, &["solve", "case.toml", "--output", "out"]);
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
         let out = folder.path().join("out");
@@ -471,8 +431,8 @@ fn waves_keep_the_amplitudes_of_venner() {
 /// Fields, netCDF and animation on request: a file for each output time, named in a collection with its time; without the keys there is none, and the folder of one run is replaced by another one.
 #[test]
 fn fields_of_instants_are_written_on_request() {
-    let asked = format!("{CASE}\n[output]\nvtu = true\nnetcdf = true\nanimation = true\n");
-    let folder = workspace(&asked);
+    let asked = format!("{BRAKING}\n[output]\nvtu = true\nnetcdf = true\nanimation = true\n");
+    let folder = case_folder(&asked);
     let solve = || ertel(&folder, &["solve", "case.toml", "--output", "out"]);
     let output = solve();
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
@@ -498,7 +458,7 @@ fn fields_of_instants_are_written_on_request() {
     assert_eq!([chunks(b"acTL"), chunks(b"fcTL")], [1, 2]);
     let page = text(&read("report.html")).to_owned();
     assert!(page.len() < 2_000_000 && page.contains("\"film_axis\":"));
-    std::fs::write(folder.path().join("case.toml"), CASE).unwrap();
+    std::fs::write(folder.path().join("case.toml"), BRAKING).unwrap();
     let output = solve();
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     for name in ["fields.pvd", "fields-001.vtu", "result.nc", "animation.png"] {

@@ -1,52 +1,21 @@
 //! Results that are written and not to be trusted: exit code 3, and by request 0.
 
-use std::path::Path;
-
-use tempfile::TempDir;
-
-use crate::common::{ertel, text};
-
-/// An inlet edge so near that what it does to the film is beyond any bar.
-const STARVED: &str = r#"
-[contact]
-kind = "line"
-radius = "10 mm"
-load = "100 kN/m"
-
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-
-[motion]
-entrainment_speed = "2 m/s"
-slide_to_roll_ratio = 0.0
-
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
-
-[mesh]
-inlet = -1.2
-"#;
+use crate::common::{BRAKING, case_folder, ertel, json, text};
 
 const CURVE: &str = "\n[curve]\nquantity = \"motion.entrainment_speed\"\nvalues = [\"1 m/s\", \"1.5 m/s\", \"2 m/s\"]\n";
 
 const STUDY: &str = "case = \"case.toml\"\n[[axis]]\nkey = \"motion.entrainment_speed\"\nvalues = [\"1 m/s\", \"1.5 m/s\"]\n";
 
-fn workspace(case: &str) -> TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("case.toml"), case).unwrap();
-    folder
-}
-
-fn json(path: &Path) -> serde_json::Value {
-    serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
+/// An inlet edge so near that what it does to the film is beyond any bar.
+fn starved() -> String {
+    let (steady, _) = BRAKING.split_once("[transient]").unwrap();
+    let rolling = steady.replace("slide_to_roll_ratio = 0.1", "slide_to_roll_ratio = 0.0");
+    rolling.replace("\"1 m/s\"", "\"2 m/s\"") + "[mesh]\ninlet = -1.2\n"
 }
 
 #[test]
 fn a_case_that_is_not_resolved_is_written_with_a_warning() {
-    let folder = workspace(STARVED);
+    let folder = case_folder(&starved());
     let output = ertel(&folder, &["solve", "case.toml"]);
     let message = text(&output.stderr);
     assert_eq!(output.status.code(), Some(3), "{message}");
@@ -71,8 +40,8 @@ fn a_case_that_is_not_resolved_is_written_with_a_warning() {
 /// Three points, each with its own figures in four kinds of warnings: a line for each kind.
 #[test]
 fn points_that_are_not_resolved_are_counted_and_their_warnings_merged() {
-    let sliding = STARVED.replace("slide_to_roll_ratio = 0.0", "slide_to_roll_ratio = 0.05");
-    let folder = workspace(&format!("{sliding}{CURVE}"));
+    let sliding = starved().replace("slide_to_roll_ratio = 0.0", "slide_to_roll_ratio = 0.05");
+    let folder = case_folder(&format!("{sliding}{CURVE}"));
     let output = ertel(&folder, &["solve", "case.toml"]);
     assert_eq!(output.status.code(), Some(3));
     assert!(text(&output.stderr).contains("3 of 3 points are not resolved"));
@@ -107,7 +76,7 @@ fn points_that_are_not_resolved_are_counted_and_their_warnings_merged() {
 
 #[test]
 fn studies_count_them_too() {
-    let folder = workspace(STARVED);
+    let folder = case_folder(&starved());
     std::fs::write(folder.path().join("study.toml"), STUDY).unwrap();
     let output = ertel(&folder, &["sweep", "study.toml"]);
     let message = text(&output.stderr);

@@ -26,6 +26,7 @@ mod fluid;
 pub mod heat_capacity;
 mod interpolation;
 mod linear;
+pub mod property;
 pub mod provenance;
 #[cfg(feature = "read")]
 mod read;

@@ -48,6 +48,16 @@ impl LinearFactor {
     }
 }
 
+/// `pressure`, or zero below ambient.
+#[inline]
+pub(crate) fn not_below_ambient<D: Scalar>(pressure: D) -> D {
+    if pressure.re() < 0.0 {
+        D::from(0.0)
+    } else {
+        pressure
+    }
+}
+
 /// `factor`, or the smallest share where it falls below.
 #[inline]
 pub(crate) fn at_least_smallest<D: Scalar>(factor: D) -> D {

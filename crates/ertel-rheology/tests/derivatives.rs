@@ -4,8 +4,8 @@ use ertel_rheology::density::{
     BulkModulusSoftening, DowsonHigginson, Murnaghan, Tait, TaitVolume, ThermalExpansion,
 };
 use ertel_rheology::viscosity::{
-    Cheng, Doolittle, Hybrid, ImprovedYasutomi, McEwen, ModifiedWlf, OccupiedVolume, Paluch,
-    PressureLaw, Roelands, TemperatureSlope, Walther,
+    Cheng, Doolittle, GlassTransition, Hybrid, ImprovedYasutomi, McEwen, ModifiedWlf,
+    OccupiedVolume, Paluch, PressureLaw, Roelands, TemperatureSlope, Walther,
 };
 use ertel_rheology::{DensityLaw, Isotherms, ViscosityLaw};
 use num_dual::{HyperDual64, second_derivative, second_partial_derivative};
@@ -58,14 +58,16 @@ fn viscosity_laws() -> Vec<ViscosityLaw> {
         ),
         ViscosityLaw::ModifiedWlf(
             ModifiedWlf::new(ModifiedWlf {
-                glass_viscosity: 1e12,
-                glass_temperature: 199.29,
-                a_1: 19.17,
-                a_2: 4.07e-9,
+                glass: GlassTransition {
+                    glass_viscosity: 1e12,
+                    glass_temperature: 199.29,
+                    a_1: 19.17,
+                    a_2: 4.07e-9,
+                    c_1: 16.04,
+                    c_2: 18.18,
+                },
                 b_1: 0.23,
                 b_2: 0.0249e-6,
-                c_1: 16.04,
-                c_2: 18.18,
             })
             .unwrap(),
         ),
@@ -84,14 +86,16 @@ fn viscosity_laws() -> Vec<ViscosityLaw> {
         ),
         ViscosityLaw::ImprovedYasutomi(
             ImprovedYasutomi::new(ImprovedYasutomi {
-                glass_viscosity: 1e12,
-                glass_temperature: 201.45,
-                a_1: 210.6,
-                a_2: 0.455e-9,
+                glass: GlassTransition {
+                    glass_viscosity: 1e12,
+                    glass_temperature: 201.45,
+                    a_1: 210.6,
+                    a_2: 0.455e-9,
+                    c_1: 16.372,
+                    c_2: 29.99,
+                },
                 b_1: 7.606e-9,
                 b_2: -0.4193,
-                c_1: 16.372,
-                c_2: 29.99,
             })
             .unwrap(),
         ),

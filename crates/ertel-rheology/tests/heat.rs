@@ -2,9 +2,10 @@
 //! positive numbers wherever a solver may stray.
 
 use approx::assert_relative_eq;
-use ertel_rheology::conductivity::{self, LinearFactor};
+use ertel_rheology::conductivity;
 use ertel_rheology::density::{BulkModulusSoftening, DowsonHigginson, Murnaghan, ThermalExpansion};
 use ertel_rheology::heat_capacity::{self, VolumetricConstants};
+use ertel_rheology::property::LinearFactor;
 use ertel_rheology::{ConductivityLaw, DensityLaw, HeatCapacityLaw, Isotherms, LawError};
 use num_dual::{Dual64, DualVec64, first_derivative};
 use proptest::prelude::*;
@@ -58,10 +59,7 @@ fn conductivity_laws() -> Vec<ConductivityLaw> {
     let (t, p, v) = knots(0.13);
     vec![
         ConductivityLaw::constant(0.29).unwrap(),
-        ConductivityLaw::Linear(
-            conductivity::Linear::new(0.13, LinearFactor::new(313.0, -1.2e-3, 0.8e-9).unwrap())
-                .unwrap(),
-        ),
+        ConductivityLaw::linear(0.13, LinearFactor::new(313.0, -1.2e-3, 0.8e-9).unwrap()).unwrap(),
         ConductivityLaw::LarssonAndersson(
             conductivity::LarssonAndersson::new(0.137, 1.72e-9, 0.54e-9).unwrap(),
         ),
@@ -87,10 +85,8 @@ fn heat_capacity_laws() -> Vec<HeatCapacityLaw> {
     let (t, p, v) = knots(1700.0);
     vec![
         HeatCapacityLaw::constant(2400.0).unwrap(),
-        HeatCapacityLaw::Linear(
-            heat_capacity::Linear::new(1700.0, LinearFactor::new(313.0, 1.5e-3, -0.1e-9).unwrap())
-                .unwrap(),
-        ),
+        HeatCapacityLaw::linear(1700.0, LinearFactor::new(313.0, 1.5e-3, -0.1e-9).unwrap())
+            .unwrap(),
         HeatCapacityLaw::LarssonAndersson(
             heat_capacity::LarssonAndersson::new(constants(), density()).unwrap(),
         ),

@@ -6,7 +6,9 @@ use approx::assert_relative_eq;
 use ertel_rheology::conductivity::{self, Scaling as ConductivityScaling};
 use ertel_rheology::density::{BulkModulusSoftening, DowsonHigginson, Murnaghan, ThermalExpansion};
 use ertel_rheology::heat_capacity::{self, Scaling as HeatCapacityScaling};
-use ertel_rheology::viscosity::{Hybrid, ImprovedYasutomi, McEwen, Paluch, PressureLaw, Walther};
+use ertel_rheology::viscosity::{
+    GlassTransition, Hybrid, ImprovedYasutomi, McEwen, Paluch, PressureLaw, Walther,
+};
 use ertel_rheology::{ConductivityLaw, DensityLaw, HeatCapacityLaw, LawError, ViscosityLaw};
 use num_dual::first_derivative;
 
@@ -26,14 +28,16 @@ fn t9_density() -> DensityLaw {
 /// Constants of a gear oil 80W-90 as two public programs print them, units repaired.
 fn gear_oil() -> ImprovedYasutomi {
     ImprovedYasutomi {
-        glass_viscosity: 1e12,
-        glass_temperature: 201.45,
-        a_1: 210.6,
-        a_2: 0.455e-9,
+        glass: GlassTransition {
+            glass_viscosity: 1e12,
+            glass_temperature: 201.45,
+            a_1: 210.6,
+            a_2: 0.455e-9,
+            c_1: 16.372,
+            c_2: 29.99,
+        },
         b_1: 7.606e-9,
         b_2: -0.4193,
-        c_1: 16.372,
-        c_2: 29.99,
     }
 }
 
@@ -335,10 +339,8 @@ fn impossible_constants_are_refused() {
     };
     let error = ImprovedYasutomi::new(growing).unwrap_err();
     assert!(error.to_string().contains("it must be negative"), "{error}");
-    let frozen = ImprovedYasutomi {
-        c_2: -30.0,
-        ..gear_oil()
-    };
+    let mut frozen = gear_oil();
+    frozen.glass.c_2 = -30.0;
     assert_eq!(key(ImprovedYasutomi::new(frozen).unwrap_err()), "c_2");
     assert_eq!(key(McEwen::new(0.04, 2e-8, 0.0).unwrap_err()), "q");
     assert_eq!(key(McEwen::new(0.04, -2e-8, 8.0).unwrap_err()), "alpha");

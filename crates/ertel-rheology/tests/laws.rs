@@ -8,7 +8,7 @@ use ertel_rheology::density::{
     BulkModulusSoftening, DowsonHigginson, Tait, TaitVolume, ThermalExpansion,
 };
 use ertel_rheology::viscosity::{
-    Cheng, Doolittle, ModifiedWlf, OccupiedVolume, Roelands, TemperatureSlope,
+    Cheng, Doolittle, GlassTransition, ModifiedWlf, OccupiedVolume, Roelands, TemperatureSlope,
 };
 use ertel_rheology::{DensityLaw, Isotherms, ViscosityLaw};
 
@@ -52,28 +52,32 @@ fn pao() -> ViscosityLaw {
 
 fn wlf_oil() -> ViscosityLaw {
     let constants = ModifiedWlf {
-        glass_viscosity: 1e12,
-        glass_temperature: 273.15 - 73.86,
-        a_1: 19.17,
-        a_2: 4.07e-9,
+        glass: GlassTransition {
+            glass_viscosity: 1e12,
+            glass_temperature: 273.15 - 73.86,
+            a_1: 19.17,
+            a_2: 4.07e-9,
+            c_1: 16.04,
+            c_2: 18.18,
+        },
         b_1: 0.23,
         b_2: 0.0249e-6,
-        c_1: 16.04,
-        c_2: 18.18,
     };
     ViscosityLaw::ModifiedWlf(ModifiedWlf::new(constants).unwrap())
 }
 
 fn polyphenyl_ether() -> ViscosityLaw {
     let constants = ModifiedWlf {
-        glass_viscosity: 1e12,
-        glass_temperature: 273.15 - 28.2,
-        a_1: 134.2,
-        a_2: 1.929e-9,
+        glass: GlassTransition {
+            glass_viscosity: 1e12,
+            glass_temperature: 273.15 - 28.2,
+            a_1: 134.2,
+            a_2: 1.929e-9,
+            c_1: 16.01,
+            c_2: 20.69,
+        },
         b_1: 4.815,
         b_2: 0.160e-9,
-        c_1: 16.01,
-        c_2: 20.69,
     };
     ViscosityLaw::ModifiedWlf(ModifiedWlf::new(constants).unwrap())
 }
@@ -310,14 +314,16 @@ fn modified_wlf_beyond_the_glass_transition() {
     }
     // A glass at ambient pressure already, where 1 + B₂p of the limit is below zero: finite, above μ_g and growing.
     let glass = ModifiedWlf::new(ModifiedWlf {
-        glass_viscosity: 1e12,
-        glass_temperature: 347.01,
-        a_1: 19.17,
-        a_2: 4.07e-9,
+        glass: GlassTransition {
+            glass_viscosity: 1e12,
+            glass_temperature: 347.01,
+            a_1: 19.17,
+            a_2: 4.07e-9,
+            c_1: 16.04,
+            c_2: 18.18,
+        },
         b_1: 0.23,
         b_2: 24.9e-9,
-        c_1: 16.04,
-        c_2: 18.18,
     })
     .unwrap();
     let limit = glass.limiting_pressure(333.0);
@@ -506,13 +512,11 @@ fn impossible_constants_are_rejected() {
         key(TaitVolume::new(8e9, 11.0, Some(vanishing)).unwrap_err()),
         "a_v"
     );
-    let ViscosityLaw::ModifiedWlf(wlf) = wlf_oil() else {
+    let ViscosityLaw::ModifiedWlf(mut frozen) = wlf_oil() else {
         unreachable!()
     };
-    assert_eq!(
-        key(ModifiedWlf::new(ModifiedWlf { c_2: -18.0, ..wlf }).unwrap_err()),
-        "c_2"
-    );
+    frozen.glass.c_2 = -18.0;
+    assert_eq!(key(ModifiedWlf::new(frozen).unwrap_err()), "c_2");
     assert_eq!(
         key(DensityLaw::dowson_higginson(-1.0).unwrap_err()),
         "rho_0"

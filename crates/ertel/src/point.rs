@@ -333,6 +333,27 @@ pub enum Section {
 }
 
 impl Section {
+    /// A figure of this part.
+    pub(crate) fn figure(
+        self,
+        name: &'static str,
+        words: &'static str,
+        estimate: Marked,
+        unit: &'static str,
+        source: &'static str,
+    ) -> MachineFigure {
+        MachineFigure {
+            name,
+            words,
+            estimate,
+            unit,
+            section: self,
+            source,
+        }
+    }
+}
+
+impl Section {
     /// Every section in its order.
     pub const ALL: [Section; 6] = [
         Section::Mechanics,

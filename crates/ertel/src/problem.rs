@@ -187,8 +187,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
         friction,
         entrainment: case.motion.entrainment(scales.length),
         load: scales.load,
-        // A film that starts too thick closes in from the safe side.
-        start_film: 1.5 * start_film,
+        start_film: START_FILM * start_film,
         heat,
         scales,
         plan,
@@ -270,6 +269,9 @@ fn rim_finesse(case: &Case) -> f64 {
     let load = groups(case, 0.0).moes_load;
     (MODERATE_LOAD / load).powf(2.0 / 15.0).clamp(0.5, 1.0)
 }
+
+/// Film of the start over that of the formula: a film that starts too thick closes in from the safe side.
+const START_FILM: f64 = 1.5;
 
 /// Load group up to which first meshes need no finer side lobes.
 const MODERATE_LOAD: f64 = 200.0;

@@ -15,7 +15,7 @@ use ertel::forms::energy::{FilmColumn, FilmPlace, Heat, film_column};
 use ertel::run::problem;
 use ertel::solve::sequence::Problem;
 use ertel_rheology::ConductivityLaw;
-use ertel_rheology::conductivity::{Linear, LinearFactor};
+use ertel_rheology::property::LinearFactor;
 use ertel_rheology::shear::{Rabinowitsch, ShearLaw, ShearThinning};
 
 /// The place, in half-widths, P, ∇P and H there; slide-to-roll ratio, and τ_c of the film that stress thins, Pa.
@@ -382,7 +382,7 @@ fn the_film_conducts_by_its_own_temperature() {
     let heat = problem.heat.as_ref().unwrap();
     let heights = &problem.plan.heat.as_ref().unwrap().column.heights;
     let factor = LinearFactor::new(ISOTHERMAL, -2e-3, 0.0).unwrap();
-    let conductivity = ConductivityLaw::Linear(Linear::new(0.13, factor).unwrap());
+    let conductivity = ConductivityLaw::linear(0.13, factor).unwrap();
     let law = Heat {
         conductivity,
         ..heat.clone()

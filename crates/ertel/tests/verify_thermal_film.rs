@@ -12,8 +12,8 @@ use ertel::run::problem;
 use ertel::solve::discretisation::Extents;
 use ertel::solve::heat::balance::heat_balance;
 use ertel::solve::heat::column::Column;
-use ertel_rheology::conductivity::{LarssonAndersson, LinearFactor};
-use ertel_rheology::heat_capacity::Linear;
+use ertel_rheology::conductivity::LarssonAndersson;
+use ertel_rheology::property::LinearFactor;
 use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
 
 /// k/h, ρch u_m/a and c ρ_R h_R u_m/a with laws written out here; below ambient pressure those of p = 0. No slide and no gradient of the
@@ -25,9 +25,7 @@ fn film_properties_follow_pressure_and_temperature() {
         LarssonAndersson::new(0.14, 1.7e-9, 0.7e-9).unwrap(),
     ));
     let factor = LinearFactor::new(313.15, 1e-3, 0.3e-9).unwrap();
-    case.lubricant.heat_capacity = Some(HeatCapacityLaw::Linear(
-        Linear::new(2000.0, factor).unwrap(),
-    ));
+    case.lubricant.heat_capacity = Some(HeatCapacityLaw::linear(2000.0, factor).unwrap());
     let problem = problem(&case);
     let heat = problem.heat.as_ref().unwrap();
     let heights = &problem.plan.heat.as_ref().unwrap().column.heights;

@@ -48,7 +48,7 @@ rows! {
         skew_angle: ANGLE, aside "angle from the velocity of the disc to that of the ball; optional, 0";
         body_1_spin, body_2_spin: ROTATION, aside "angular velocities of disc and ball about the contact normal; optional, 0";
     }
-    BALL_BEARING {
+    BALLS {
         ring: RINGS => "the raceway of the contact";
         ball_diameter: LENGTH, usual [RADII] => "D";
         pitch_diameter: LENGTH, usual [LENGTHS] => "d_m";
@@ -71,24 +71,12 @@ rows! {
         moment: Quantity(&[D::ENERGY]) => "tilting moment on the inner ring in the plane of the radial load; optional: the rings do not tilt";
         misalignment: ANGLE => "tilt of the inner ring in that plane, instead of `moment`";
         element: Count => "number of one ball, from 0 at the radial load on: with `ring`, its contact alone";
-        folders: Switch => "whether the results of each contact are written into a separate folder, too; optional, false";
-        dynamic_load_rating, static_load_rating, fatigue_load_limit: FORCE => "C, C_0 and C_u of the bearing's maker; optional";
-        contamination_factor: Number => "e_C of ISO 281, above 0 up to 1; without it, `cleanliness` or `grease_cleanliness` there is no modified life";
-        grease_cleanliness: Choice(&["high", "normal", "typical-contamination", "severe-contamination", "very-severe-contamination"]) => r"e_C of a
-            grease by its cleanliness, instead of `contamination_factor`";
-        cleanliness: Choice(&["extreme", "high", "normal", "slight-contamination", "typical-contamination", "severe-contamination",
-            "very-severe-contamination"]) => r"e_C by the cleanliness of any lubricant, instead of `contamination_factor`: the middle of the guide values of
-            ISO 281, table 13";
-        reliability: Number => "per cent, 90 to 99.95; optional, 90";
-        ep_additives: Switch => "whether effective extreme-pressure additives are in the lubricant; optional, false";
-        lubrication: Choice(&["oil-bath", "grease"]) => "lubrication of the bearing, for the friction models shown with the result; optional";
+    }
+    BALL_RESISTANCE {
         thermal_resistance: Quantity(&[PER_WATT]) => r#"from the bearing to its surroundings (`"0.5 K/W"`), optional: the report shows the temperature
             that results from the heat of the contacts"#;
-        ambient_temperature: Quantity(&[D::TEMPERATURE]) => "of the surroundings, with `thermal_resistance`";
-        heat_balance: Switch => r"whether the contacts are solved again, with the lubricant at the temperature that results from their heat, until both agree within 0.1 K;
-            starts at the temperature of the lubricant; optional, false";
     }
-    ROLLER_BEARING {
+    ROLLERS {
         ring: RINGS => "the raceway of the contact";
         roller_diameter: LENGTH, usual [RADII] => "D";
         roller_length: LENGTH, usual [LENGTHS] => "the effective (load-carrying) length l";
@@ -111,6 +99,12 @@ rows! {
         roller_contacts: Choice(&["lines", "finite"]), default "lines" => r#"how contacts are solved: `"lines"` under the mean load per length, or `"finite"`
             rollers over their whole length with relief and tilt"#;
         element: Count => "number of one roller, from 0 at the radial load on: with `ring`, its contact alone";
+    }
+    ROLLER_RESISTANCE {
+        thermal_resistance: Quantity(&[PER_WATT]) => r#"from the bearing to its surroundings (`"0.5 K/W"`), optional"#;
+    }
+    /// Ratings and life of both kinds of bearings.
+    BEARING_LIFE {
         folders: Switch => "whether the results of each contact are written into a separate folder, too; optional, false";
         dynamic_load_rating, static_load_rating, fatigue_load_limit: FORCE => "C, C_0 and C_u of the bearing's maker; optional";
         contamination_factor: Number => "e_C of ISO 281, above 0 up to 1; without it, `cleanliness` or `grease_cleanliness` there is no modified life";
@@ -122,12 +116,13 @@ rows! {
         reliability: Number => "per cent, 90 to 99.95; optional, 90";
         ep_additives: Switch => "whether effective extreme-pressure additives are in the lubricant; optional, false";
         lubrication: Choice(&["oil-bath", "grease"]) => "lubrication of the bearing, for the friction models shown with the result; optional";
-        thermal_resistance: Quantity(&[PER_WATT]) => r#"from the bearing to its surroundings (`"0.5 K/W"`), optional"#;
+    }
+    SURROUNDINGS {
         ambient_temperature: Quantity(&[D::TEMPERATURE]) => "of the surroundings, with `thermal_resistance`";
         heat_balance: Switch => r"whether the contacts are solved again, with the lubricant at the temperature that results from their heat, until both agree within 0.1 K;
             starts at the temperature of the lubricant; optional, false";
     }
-    SPUR_GEAR {
+    SPUR_TEETH {
         module: LENGTH, usual [MODULES] => "m";
         pinion_teeth, wheel_teeth: Count => "z_1 and z_2";
         pressure_angle: ANGLE => "α, below 45 deg";
@@ -140,37 +135,8 @@ rows! {
             `load_sharing`";
         addendum_pinion, addendum_wheel: LENGTH => r"h_a, optional; the module if absent. Pointed teeth and contact ratios below 1 are errors;
             undercut is a warning";
-        template: TEMPLATES => "optional: test gears of the FZG rig; every other key replaces one of their dimensions";
-        load_stage: Count => "stage of the FZG rig, 1 to 14, instead of `pinion_torque`; only with a template";
-        lever_arm: Choice(&["long", "short"]), default "long" => r#"of a load stage: `"long"` (0.5 m, ISO 14635-1) or `"short"` (0.35 m)"#;
-        pinion_profile_shift, wheel_profile_shift: Number => r"x_1 and x_2, optional; that of the pinion is 0 if absent, that of the wheel
-            follows from the centre distance, or is 0";
-        centre_distance: LENGTH, usual [LENGTHS] => "a_w, optional; that without backlash if absent";
-        pinion_tip_diameter, wheel_tip_diameter: LENGTH, usual [RADII] => r"d_a, optional, instead of the addenda; from the basic rack of ISO 53 if both are
-            absent";
-        pinion_root_diameter, wheel_root_diameter: LENGTH, usual [RADII] => "d_f, optional; from the basic rack if absent";
-        keep_tip_clearance: Switch => "tips from the basic rack are shortened so as to keep its clearance; optional";
-        internal: Switch => "whether the teeth of the wheel are inside; optional";
-        pinion_face_width, wheel_face_width: LENGTH, usual [LENGTHS], aside "of gears of two widths, instead of `face_width`";
-        tip_relief: LENGTH, usual [CLEARANCES] => "C_a of both gears, normal to the flank; optional. Load sharing by stiffness includes it";
-        pinion_tip_relief, wheel_tip_relief: LENGTH, usual [CLEARANCES], aside "of one gear, instead of `tip_relief`";
-        tip_relief_length: LENGTH => "along the path of contact, from its ends";
-        tip_relief_shape: Choice(&["linear", "parabolic"]), default "linear" => "optional";
-        load_sharing: SHARING => r#"optional: how pairs of teeth share the load. `"uniform"`: evenly over the contact lines (default of a path);
-            `"thirds"`: 1/3 to 2/3 with two pairs (ISO/TR 15144-1); `"mean-length"`: over the mean length of the lines; `"stiffness"`: by that of
-            ISO 6336-1 or `tooth_stiffness`; `"beams"`: by the stiffness of teeth as beams"#;
-        tooth_stiffness: PRESSURE => "c' per face width (`\"14 GPa\"` is 14 N/(mm µm)); optional";
-        blank_factor: Number => "C_R of ISO 6336-1; optional, 1";
-        pinion_bore_diameter, wheel_bore_diameter: LENGTH, usual [RADII] => "bore of the gear rim, for the teeth as beams";
-        points: Count => "equally spaced points of a path, plus B, C and D; optional, 30";
-        folders: Switch => "of a path: whether each contact has a folder of its results; optional";
-        bulk_temperature: TEMPERATURE => "of the teeth and of the oil that enters the contacts, which is assumed to be as warm; with `[thermal]` of both bodies, unless that gives `body_1_temperature` and `body_2_temperature`; optional, that of the lubricant";
-        scuffing_temperature: TEMPERATURE, usual [SCUFFING] => "contact temperature at which teeth scuff with this oil; optional, for a safety";
-        permissible_lambda: Number => "specific film λ_GFP without micropitting; optional, for a safety";
-        pinion_ra, wheel_ra: LENGTH, usual [HEIGHTS] => "roughness Ra of the flanks; optional, for specific films and models of friction";
-        oil_factor: Number => "X_L of models of friction; optional, 1 (mineral oils)";
     }
-    HELICAL_GEAR {
+    HELICAL_TEETH {
         normal_module: LENGTH, usual [MODULES] => "m_n, in the section across the teeth";
         pinion_teeth, wheel_teeth: Count => "z_1 and z_2";
         normal_pressure_angle: ANGLE => "α_n, in the section across the teeth";
@@ -182,6 +148,9 @@ rows! {
             action in a transverse section"#;
         load_share: Number => "of a single contact, optional: X in w = X T_1/(r_b1 b); `load_sharing` or 1/ε_α if absent";
         addendum_pinion, addendum_wheel: LENGTH => "h_a, optional; the normal module if absent";
+    }
+    /// What both kinds of teeth have.
+    GEARS {
         template: TEMPLATES => "optional: test gears of the FZG rig; every other key replaces one of their dimensions";
         load_stage: Count => "stage of the FZG rig, 1 to 14, instead of `pinion_torque`; only with a template";
         lever_arm: Choice(&["long", "short"]), default "long" => r#"of a load stage: `"long"` (0.5 m, ISO 14635-1) or `"short"` (0.35 m)"#;
@@ -252,4 +221,34 @@ rows! {
         angle: ANGLE => "cam angle that it covers";
         law: LIFT_LAWS => "motion law";
     }
+}
+
+/// Rows one after the other.
+macro_rules! joined {
+    ($($name:ident = $($part:ident),+;)*) => {$(
+        static $name: &[Row] = &{
+            const N: usize = 0 $(+ $part.len())+;
+            join::<N>(&[$($part),+])
+        };
+    )*};
+}
+
+joined! {
+    BALL_BEARING = BALLS, BEARING_LIFE, BALL_RESISTANCE, SURROUNDINGS;
+    ROLLER_BEARING = ROLLERS, BEARING_LIFE, ROLLER_RESISTANCE, SURROUNDINGS;
+    SPUR_GEAR = SPUR_TEETH, GEARS;
+    HELICAL_GEAR = HELICAL_TEETH, GEARS;
+}
+
+const fn join<const N: usize>(parts: &[&[Row]]) -> [Row; N] {
+    let mut all = [parts[0][0]; N];
+    let (mut part, mut own, mut n) = (0, 0, 0);
+    while n < N {
+        if own == parts[part].len() {
+            (part, own) = (part + 1, 0);
+        }
+        all[n] = parts[part][own];
+        (own, n) = (own + 1, n + 1);
+    }
+    all
 }

@@ -29,7 +29,7 @@ use crate::Bounds;
 use crate::usual::Usual;
 
 /// Keys of one table that mean the same, in the order of the reference.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Row {
     /// The keys.
     pub keys: &'static [&'static str],

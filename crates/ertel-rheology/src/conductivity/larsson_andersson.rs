@@ -34,7 +34,7 @@ impl LarssonAndersson {
 
     /// Conductivity (W/(m·K)) at `pressure` (Pa above ambient); the law continues with its ambient value below p = 0.
     #[inline]
-    pub fn conductivity<D: Scalar>(&self, pressure: D, _temperature: D) -> D {
+    pub fn conductivity<D: Scalar>(&self, pressure: D) -> D {
         if pressure.re() < 0.0 {
             return D::from(self.k_0);
         }

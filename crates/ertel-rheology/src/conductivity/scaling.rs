@@ -1,6 +1,7 @@
 //! Thermal conductivity by scaling with volume and temperature.
 
 use crate::error::{Check, LawError};
+use crate::linear::not_below_ambient;
 use crate::{DensityLaw, Scalar};
 
 /// Conductivity of lubricants as a function of one scaling variable (Habchi, Finite Element Modeling of
@@ -69,11 +70,7 @@ impl Scaling {
     #[inline]
     pub fn conductivity<D: Scalar>(&self, pressure: D, temperature: D) -> D {
         let c = &self.constants;
-        let p = if pressure.re() < 0.0 {
-            D::from(0.0)
-        } else {
-            pressure
-        };
+        let p = not_below_ambient(pressure);
         let ln_volume = -self
             .density
             .relative(p, temperature, c.reference_temperature)

@@ -2,6 +2,12 @@
 
 use super::{Estimate, Spread};
 
+/// Factor s and exponent t of the formula of Gold and others.
+const SLOPES_OF_MINERAL_OIL: [f64; 2] = [0.9904, 0.1390];
+const SLOPES_OF_PAO: [f64; 2] = [0.7382, 0.1335];
+const SLOPES_OF_ESTER: [f64; 2] = [0.6605, 0.1360];
+const SLOPES_OF_PAG: [f64; 2] = [0.5489, 0.1485];
+
 /// Measured initial slopes over the formula of Gold and others, mean of 44 ([`BaseOil::pressure_viscosity`]).
 const SLOPES_OVER_FORMULA: f64 = 1.36;
 /// The same of the five mineral oils with a viscosity index below 20, mean of 15.
@@ -72,13 +78,6 @@ impl BaseOil {
     /// α = 1.36 s ν^t 10⁻⁸ 1/Pa          ν in mm²/s
     /// ```
     ///
-    /// | base oil | s | t |
-    /// |---|---|---|
-    /// | mineral | 0.9904 | 0.1390 |
-    /// | PAO | 0.7382 | 0.1335 |
-    /// | ester | 0.6605 | 0.1360 |
-    /// | PAG | 0.5489 | 0.1485 |
-    ///
     /// The paper was not available. The constants are those of a public program, which exchanges the names s and t (as
     /// it stands there its coefficient of a mineral oil of 100 mm²/s would be 133 1/GPa). A second program of the same
     /// author exchanges PAO and ester.
@@ -92,11 +91,11 @@ impl BaseOil {
     ///
     /// Theory: Pressure-viscosity coefficient.
     pub fn pressure_viscosity(self, nu: f64) -> Estimate {
-        let (s, t) = match self {
-            Self::Mineral | Self::Naphthenic => (0.9904, 0.1390),
-            Self::Pao => (0.7382, 0.1335),
-            Self::Ester => (0.6605, 0.1360),
-            Self::Pag => (0.5489, 0.1485),
+        let [s, t] = match self {
+            Self::Mineral | Self::Naphthenic => SLOPES_OF_MINERAL_OIL,
+            Self::Pao => SLOPES_OF_PAO,
+            Self::Ester => SLOPES_OF_ESTER,
+            Self::Pag => SLOPES_OF_PAG,
             Self::GroupIII => {
                 return Estimate::midway(
                     &Self::Mineral.pressure_viscosity(nu),

@@ -5,7 +5,7 @@
 use super::{BaseOil, Estimate, Spread};
 
 /// Estimated thermal properties of an oil: the constants of the laws of Larsson and Andersson
-/// ([`crate::ConductivityLaw::LarssonAndersson`], [`crate::HeatCapacityLaw::LarssonAndersson`]).
+/// ([`crate::conductivity::LarssonAndersson`], [`crate::heat_capacity::LarssonAndersson`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeatEstimate {
     /// Conductivity k₀ at ambient pressure (W/(m·K)).
@@ -57,14 +57,7 @@ impl BaseOil {
     /// ρ c = (ρ c)₀ [1 + β₀ (1 + b₁ p + b₂ p²) (T - T_R)] [1 + k₁ p/(1 + k₂ p)]
     /// ```
     ///
-    /// | oil | k₀, W/(m·K) | (ρ c)₀, MJ/(m³·K) | T_R | β₀, 1/K | d₁, d₂; k₁, k₂, 1/GPa | b₁, 1/GPa; b₂, 1/GPa² |
-    /// |---|---|---|---|---|---|---|
-    /// | mineral, naphthenic | 0.137 | 1.71 | 295 K | 9.3e-4 | 1.72, 0.54; 0.47, 0.81 | 1.4; -0.51 |
-    /// | PAO | 0.157 | 1.725 | 40 °C | 6.5e-4 | 1.40, 0.34; 0.41, 1.05 | 2.7; -1.5 |
-    /// | ester | 0.153 | 1.90 | 40 °C | 8.5e-4 | as PAO | as PAO |
-    /// | PAG | 0.145 | 2.08 | 40 °C | as ester | as PAO | as PAO |
-    ///
-    /// Group III lies midway between mineral and PAO in k₀ and (ρ c)₀ and is as mineral otherwise. The first two rows are those of Larsson
+    /// Group III lies midway between mineral and PAO in k₀ and (ρ c)₀ and is as mineral otherwise. The constants of mineral oil and of PAO are those of Larsson
     /// and Andersson (Proc. IMechE J 214, 2000, 337-342) as public programs have them: paraffinic mineral oil, and the mean of five
     /// polyalphaolefins. The page lists the data within the ranges.
     ///

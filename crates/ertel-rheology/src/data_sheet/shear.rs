@@ -20,13 +20,6 @@ impl BaseOil {
     /// γ̇ = (τ₀/μ) sinh(τ/τ₀),   τ ≤ τ_L = τ₀ + Λ p
     /// ```
     ///
-    /// | oil | τ₀, MPa | Λ |
-    /// |---|---|---|
-    /// | mineral, naphthenic | 5 | 0.056 |
-    /// | PAO | 4 | 0.042 |
-    /// | ester | 5 | 0.043 |
-    /// | PAG | 5 | 0.041 |
-    ///
     /// Group III lies midway between mineral and PAO. Λ is taken as the friction coefficient of a full film in sliding, which it is where
     /// the stress of the whole contact is at its limit: elsewhere friction is lower, so that such figures lie at the lower end of Λ. The
     /// form, with τ₀ as the limit at ambient pressure, is that of a public program for polyalphaolefins.

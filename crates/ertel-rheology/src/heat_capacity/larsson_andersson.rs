@@ -1,7 +1,7 @@
 //! The heat capacity law of Larsson and Andersson.
 
 use crate::error::{Check, LawError};
-use crate::linear::at_least_smallest;
+use crate::linear::{at_least_smallest, not_below_ambient};
 use crate::{DensityLaw, Scalar};
 
 /// Heat capacity of lubricants after Larsson and Andersson (Proc. IMechE J 214, 2000, 337-342), who measured it per
@@ -70,20 +70,10 @@ impl LarssonAndersson {
     #[inline]
     pub fn volumetric<D: Scalar>(&self, pressure: D, temperature: D) -> D {
         let c = &self.constants;
-        let p = if pressure.re() < 0.0 {
-            D::from(0.0)
-        } else {
-            pressure
-        };
+        let p = not_below_ambient(pressure);
         let beta = (p * (p * c.b_2 + c.b_1) + 1.0) * c.beta_0;
         let warming = at_least_smallest(beta * (temperature - c.reference_temperature) + 1.0);
         let compression = p * c.k_1 / (p * c.k_2 + 1.0) + 1.0;
         warming * compression * c.rho_c_0
-    }
-
-    /// Heat capacity (J/(kg·K)) at `pressure` (Pa above ambient) and `temperature` (K).
-    #[inline]
-    pub fn heat_capacity<D: Scalar>(&self, pressure: D, temperature: D) -> D {
-        self.volumetric(pressure, temperature) / self.density.density(pressure, temperature)
     }
 }

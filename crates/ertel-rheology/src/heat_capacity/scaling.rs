@@ -1,6 +1,7 @@
 //! Heat capacity by scaling with volume and temperature.
 
 use crate::error::{Check, LawError};
+use crate::linear::not_below_ambient;
 use crate::{DensityLaw, Scalar};
 
 /// Heat capacity per volume of lubricants, linear in one scaling variable (Habchi, Finite Element Modeling of
@@ -59,21 +60,11 @@ impl Scaling {
     #[inline]
     pub fn volumetric<D: Scalar>(&self, pressure: D, temperature: D) -> D {
         let c = &self.constants;
-        let p = if pressure.re() < 0.0 {
-            D::from(0.0)
-        } else {
-            pressure
-        };
+        let p = not_below_ambient(pressure);
         let relative = self
             .density
             .relative(p, temperature, c.reference_temperature); // V_R/V
         let chi = temperature / c.reference_temperature * (relative.ln() * c.w).exp();
         chi * c.m + c.rho_c_0
-    }
-
-    /// Heat capacity (J/(kg·K)) at `pressure` (Pa above ambient) and `temperature` (K).
-    #[inline]
-    pub fn heat_capacity<D: Scalar>(&self, pressure: D, temperature: D) -> D {
-        self.volumetric(pressure, temperature) / self.density.density(pressure, temperature)
     }
 }

@@ -1,25 +1,14 @@
 //! Conductivity laws from a table.
 
 use super::{
-    Files, Material,
-    density::reference_temperature,
-    given_law, linear_factor, locate, required_density,
-    table::{Columns, Pressures},
+    Files, Material, density::reference_temperature, locate, property::Reader, required_density,
 };
-use crate::conductivity::{LarssonAndersson, Linear, Scaling, ScalingConstants};
-use crate::{ConductivityLaw, DensityLaw, Isotherms};
+use crate::conductivity::{LarssonAndersson, Scaling, ScalingConstants};
+use crate::{ConductivityLaw, DensityLaw};
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 
 const DIMENSION: Dimension = Dimension::THERMAL_CONDUCTIVITY;
-
-laws! {
-    Constant = "constant",
-    Linear = "linear",
-    LarssonAndersson = "larsson-andersson",
-    Scaling = "scaling",
-    Table = "table",
-}
 
 impl ConductivityLaw {
     /// Reads the law at `key` of `table`, `None` if there is none: a quantity such as `"0.13 W/(m.K)"` for a constant,
@@ -44,54 +33,33 @@ impl ConductivityLaw {
         density: Option<&DensityLaw>,
         files: Files<'_>,
     ) -> Result<Option<Self>, InputError> {
-        let Some(mut inner) = given_law(table, key)? else {
-            let value = table.optional_quantity(key, DIMENSION, Bounds::POSITIVE)?;
-            let law = value.map(Self::constant).transpose();
-            return law.map_err(|error| table.error(key, error.to_string()));
+        let reader = Reader {
+            name: "thermal conductivity",
+            dimension: DIMENSION,
+            larsson_andersson,
+            scaling: |table: &mut Table<'_>| scaling(table, density),
         };
-        let table = &mut inner;
-        let k_0 =
-            |table: &mut Table<'_>| table.required_quantity("k_0", DIMENSION, Bounds::POSITIVE);
-        let law = match table.required_choice("law", &material.suitable(LAWS))? {
-            Law::Constant => Self::constant(k_0(table)?).map_err(locate(table))?,
-            Law::Linear => {
-                let k_0 = k_0(table)?;
-                let factor = linear_factor(table, material)?;
-                Self::Linear(Linear::new(k_0, factor).map_err(locate(table))?)
-            }
-            Law::LarssonAndersson => {
-                let k_0 = k_0(table)?;
-                let mut read = |key: &str| {
-                    table.required_quantity(key, Dimension::INVERSE_PRESSURE, Bounds::NON_NEGATIVE)
-                };
-                let (d_1, d_2) = (read("d_1")?, read("d_2")?);
-                let law = LarssonAndersson::new(k_0, d_1, d_2);
-                Self::LarssonAndersson(law.map_err(locate(table))?)
-            }
-            Law::Scaling => {
-                let constants = ScalingConstants {
-                    b: table.required_quantity("b", DIMENSION, Bounds::NON_NEGATIVE)?,
-                    c: table.required_quantity("c", DIMENSION, Bounds::POSITIVE)?,
-                    s: table.required_number("s", Bounds::POSITIVE)?,
-                    a: table.required_number("a", Bounds::above_to(-0.5, 10.0))?,
-                    q: table.required_number("q", Bounds::ANY)?,
-                    reference_temperature: reference_temperature(table)?,
-                };
-                let density = required_density(table, density, "a function of the volume")?;
-                Self::Scaling(Scaling::new(constants, density).map_err(locate(table))?)
-            }
-            Law::Table => {
-                let columns = Columns::read(
-                    table,
-                    files,
-                    "thermal conductivity",
-                    DIMENSION,
-                    Pressures::Optional,
-                )?;
-                Self::Table(columns.law(table, Isotherms::held)?)
-            }
-        };
-        inner.finish()?;
-        Ok(Some(law))
+        reader.read(table, key, material, files)
     }
+}
+
+fn larsson_andersson(table: &mut Table<'_>) -> Result<LarssonAndersson, InputError> {
+    let k_0 = table.required_quantity("k_0", DIMENSION, Bounds::POSITIVE)?;
+    let mut read =
+        |key: &str| table.required_quantity(key, Dimension::INVERSE_PRESSURE, Bounds::NON_NEGATIVE);
+    let (d_1, d_2) = (read("d_1")?, read("d_2")?);
+    LarssonAndersson::new(k_0, d_1, d_2).map_err(locate(table))
+}
+
+fn scaling(table: &mut Table<'_>, density: Option<&DensityLaw>) -> Result<Scaling, InputError> {
+    let constants = ScalingConstants {
+        b: table.required_quantity("b", DIMENSION, Bounds::NON_NEGATIVE)?,
+        c: table.required_quantity("c", DIMENSION, Bounds::POSITIVE)?,
+        s: table.required_number("s", Bounds::POSITIVE)?,
+        a: table.required_number("a", Bounds::above_to(-0.5, 10.0))?,
+        q: table.required_number("q", Bounds::ANY)?,
+        reference_temperature: reference_temperature(table)?,
+    };
+    let density = required_density(table, density, "a function of the volume")?;
+    Scaling::new(constants, density).map_err(locate(table))
 }

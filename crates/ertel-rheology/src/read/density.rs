@@ -1,7 +1,7 @@
 //! Density laws from a table.
 
 use super::{
-    Files, group, locate,
+    Files, coefficient_of_temperature, group, locate,
     table::{Columns, Pressures},
 };
 use crate::density::{
@@ -120,18 +120,11 @@ fn dowson_higginson(table: &mut Table<'_>) -> Result<DowsonHigginson, InputError
     let per_pressure = Dimension::INVERSE_PRESSURE;
     let c_1 = table.optional_quantity("c_1", per_pressure, Bounds::NON_NEGATIVE)?;
     let c_2 = table.optional_quantity("c_2", per_pressure, Bounds::NON_NEGATIVE)?;
-    let thermal = if group(table, &["reference_temperature", "beta"])? {
-        Some(ThermalExpansion {
-            reference_temperature: reference_temperature(table)?,
-            temperature_coefficient: table.required_quantity(
-                "beta",
-                Dimension::INVERSE_TEMPERATURE,
-                Bounds::NON_NEGATIVE,
-            )?,
-        })
-    } else {
-        None
-    };
+    let thermal = coefficient_of_temperature(table, "beta", Bounds::NON_NEGATIVE)?;
+    let thermal = thermal.map(|(reference_temperature, beta)| ThermalExpansion {
+        reference_temperature,
+        temperature_coefficient: beta,
+    });
     DowsonHigginson::with_constants(
         rho_0,
         c_1.unwrap_or(DowsonHigginson::COMPRESSIBILITY),

@@ -279,11 +279,11 @@ impl Fluid {
             "shear_thinning" => named(self.shear_thinning.as_ref().map(ShearThinning::describe)),
             "reference_temperature" => (si(self.reference_temperature), "K"),
             "thermal_conductivity" => match &self.thermal_conductivity {
-                Some(ConductivityLaw::Constant(law)) => (law.k_0.to_string(), "W/(m.K)"),
+                Some(ConductivityLaw::Constant(k_0)) => (k_0.to_string(), "W/(m.K)"),
                 law => named(law.as_ref().map(|law| law.name().to_owned())),
             },
             "heat_capacity" => match &self.heat_capacity {
-                Some(HeatCapacityLaw::Constant(law)) => (law.c_0.to_string(), "J/(kg.K)"),
+                Some(HeatCapacityLaw::Constant(c_0)) => (c_0.to_string(), "J/(kg.K)"),
                 law => named(law.as_ref().map(|law| law.name().to_owned())),
             },
             _ => return,

@@ -1,27 +1,12 @@
 //! Heat capacity laws from a table.
 
 use super::{
-    Files, Material,
-    density::reference_temperature,
-    given_law, linear_factor, locate, required_density,
-    table::{Columns, Pressures},
+    Files, Material, density::reference_temperature, locate, property::Reader, required_density,
 };
-use crate::heat_capacity::{
-    LarssonAndersson, Linear, Scaling, ScalingConstants, VolumetricConstants,
-};
-use crate::{DensityLaw, HeatCapacityLaw, Isotherms};
+use crate::heat_capacity::{LarssonAndersson, Scaling, ScalingConstants, VolumetricConstants};
+use crate::{DensityLaw, HeatCapacityLaw};
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
-
-const DIMENSION: Dimension = Dimension::SPECIFIC_HEAT;
-
-laws! {
-    Constant = "constant",
-    Linear = "linear",
-    LarssonAndersson = "larsson-andersson",
-    Scaling = "scaling",
-    Table = "table",
-}
 
 impl HeatCapacityLaw {
     /// Reads the law at `key` of `table`, `None` if there is none: a quantity such as `"1.7 kJ/(kg.K)"` for a constant,
@@ -47,54 +32,37 @@ impl HeatCapacityLaw {
         density: Option<&DensityLaw>,
         files: Files<'_>,
     ) -> Result<Option<Self>, InputError> {
-        let Some(mut inner) = given_law(table, key)? else {
-            let value = table.optional_quantity(key, DIMENSION, Bounds::POSITIVE)?;
-            let law = value.map(Self::constant).transpose();
-            return law.map_err(|error| table.error(key, error.to_string()));
+        let reader = Reader {
+            name: "heat capacity",
+            dimension: Dimension::SPECIFIC_HEAT,
+            larsson_andersson: |table: &mut Table<'_>| larsson_andersson(table, density),
+            scaling: |table: &mut Table<'_>| scaling(table, density),
         };
-        let table = &mut inner;
-        let c_0 =
-            |table: &mut Table<'_>| table.required_quantity("c_0", DIMENSION, Bounds::POSITIVE);
-        let law = match table.required_choice("law", &material.suitable(LAWS))? {
-            Law::Constant => Self::constant(c_0(table)?).map_err(locate(table))?,
-            Law::Linear => {
-                let c_0 = c_0(table)?;
-                let factor = linear_factor(table, material)?;
-                Self::Linear(Linear::new(c_0, factor).map_err(locate(table))?)
-            }
-            Law::LarssonAndersson => {
-                let constants = volumetric_constants(table)?;
-                let density = required_density(table, density, "per volume")?;
-                let law = LarssonAndersson::new(constants, density);
-                Self::LarssonAndersson(law.map_err(locate(table))?)
-            }
-            Law::Scaling => {
-                let heat = Dimension::VOLUMETRIC_HEAT;
-                let constants = ScalingConstants {
-                    rho_c_0: table.required_quantity("rho_c_0", heat, Bounds::POSITIVE)?,
-                    m: table.required_quantity("m", heat, Bounds::NON_NEGATIVE)?,
-                    w: table
-                        .optional_number("w", Bounds::NON_NEGATIVE)?
-                        .unwrap_or(Scaling::VOLUME_EXPONENT),
-                    reference_temperature: reference_temperature(table)?,
-                };
-                let density = required_density(table, density, "per volume")?;
-                Self::Scaling(Scaling::new(constants, density).map_err(locate(table))?)
-            }
-            Law::Table => {
-                let columns = Columns::read(
-                    table,
-                    files,
-                    "heat capacity",
-                    DIMENSION,
-                    Pressures::Optional,
-                )?;
-                Self::Table(columns.law(table, Isotherms::held)?)
-            }
-        };
-        inner.finish()?;
-        Ok(Some(law))
+        reader.read(table, key, material, files)
     }
+}
+
+fn larsson_andersson(
+    table: &mut Table<'_>,
+    density: Option<&DensityLaw>,
+) -> Result<LarssonAndersson, InputError> {
+    let constants = volumetric_constants(table)?;
+    let density = required_density(table, density, "per volume")?;
+    LarssonAndersson::new(constants, density).map_err(locate(table))
+}
+
+fn scaling(table: &mut Table<'_>, density: Option<&DensityLaw>) -> Result<Scaling, InputError> {
+    let heat = Dimension::VOLUMETRIC_HEAT;
+    let constants = ScalingConstants {
+        rho_c_0: table.required_quantity("rho_c_0", heat, Bounds::POSITIVE)?,
+        m: table.required_quantity("m", heat, Bounds::NON_NEGATIVE)?,
+        w: table
+            .optional_number("w", Bounds::NON_NEGATIVE)?
+            .unwrap_or(Scaling::VOLUME_EXPONENT),
+        reference_temperature: reference_temperature(table)?,
+    };
+    let density = required_density(table, density, "per volume")?;
+    Scaling::new(constants, density).map_err(locate(table))
 }
 
 fn volumetric_constants(table: &mut Table<'_>) -> Result<VolumetricConstants, InputError> {

@@ -19,6 +19,7 @@ mod density;
 mod estimates;
 mod fluid;
 mod heat_capacity;
+mod property;
 mod shear;
 mod solid;
 mod table;
@@ -117,6 +118,20 @@ fn group(table: &mut Table<'_>, keys: &[&str]) -> Result<bool, InputError> {
             keys.join(", ")
         ))),
     }
+}
+
+/// `reference_temperature` (K) and the coefficient of the temperature at `key` (1/K), which belong together.
+fn coefficient_of_temperature(
+    table: &mut Table<'_>,
+    key: &str,
+    bounds: Bounds,
+) -> Result<Option<(f64, f64)>, InputError> {
+    if !group(table, &["reference_temperature", key])? {
+        return Ok(None);
+    }
+    let reference_temperature = density::reference_temperature(table)?;
+    let coefficient = table.required_quantity(key, Dimension::INVERSE_TEMPERATURE, bounds)?;
+    Ok(Some((reference_temperature, coefficient)))
 }
 
 /// The density of the same lubricant, which a law needs because it is `why`.

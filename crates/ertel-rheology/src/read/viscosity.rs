@@ -1,15 +1,15 @@
 //! Viscosity laws from a table.
 
 use super::{
-    Files,
+    Files, coefficient_of_temperature,
     density::reference_temperature,
-    group, locate, required_density,
+    locate, required_density,
     table::{Columns, Pressures},
 };
 use crate::density::TaitVolume;
 use crate::viscosity::{
-    Barus, Cheng, Doolittle, Hybrid, ImprovedYasutomi, McEwen, ModifiedWlf, OccupiedVolume, Paluch,
-    PressureLaw, Roelands, TemperatureSlope, Walther,
+    Barus, Cheng, Doolittle, GlassTransition, Hybrid, ImprovedYasutomi, McEwen, ModifiedWlf,
+    OccupiedVolume, Paluch, PressureLaw, Roelands, TemperatureSlope, Walther,
 };
 use crate::{DensityLaw, Isotherms, ViscosityLaw};
 use ertel_input::{Bounds, InputError, Table};
@@ -101,6 +101,18 @@ fn alpha(table: &mut Table<'_>) -> Result<f64, InputError> {
     table.required_quantity("alpha", Dimension::INVERSE_PRESSURE, Bounds::NON_NEGATIVE)
 }
 
+/// Whether a table has the second of two keys, of which one follows from the other.
+fn has_second(table: &mut Table<'_>, first: &str, second: &str) -> Result<bool, InputError> {
+    match (table.contains(first), table.contains(second)) {
+        (true, true) => Err(table.error(
+            second,
+            format!("`{first}` and `{second}` say the same thing: give one of them"),
+        )),
+        (false, true) => Ok(true),
+        (true | false, false) => Ok(false),
+    }
+}
+
 fn cheng(table: &mut Table<'_>) -> Result<Cheng, InputError> {
     let mu_0 = mu_0(table)?;
     let alpha = table.required_quantity("alpha", Dimension::INVERSE_PRESSURE, Bounds::ANY)?;
@@ -116,69 +128,64 @@ fn roelands(table: &mut Table<'_>) -> Result<Roelands, InputError> {
     let p_0 = table
         .optional_quantity("p_0", Dimension::PRESSURE, Bounds::POSITIVE)?
         .unwrap_or(Roelands::PRESSURE_CONSTANT);
-    let thermal = if group(table, &["reference_temperature", "beta"])? {
-        Some(TemperatureSlope {
-            reference_temperature: reference_temperature(table)?,
-            beta: table.required_quantity(
-                "beta",
-                Dimension::INVERSE_TEMPERATURE,
-                Bounds::NON_NEGATIVE,
-            )?,
-        })
-    } else {
-        None
-    };
-    match (table.contains("alpha"), table.contains("z")) {
-        (true, true) => {
-            Err(table.error("z", "`alpha` and `z` say the same thing: give one of them"))
-        }
-        (false, true) => {
+    let thermal = coefficient_of_temperature(table, "beta", Bounds::NON_NEGATIVE)?;
+    let thermal = thermal.map(|(reference_temperature, beta)| TemperatureSlope {
+        reference_temperature,
+        beta,
+    });
+    match has_second(table, "alpha", "z")? {
+        true => {
             let z = table.required_number("z", Bounds::NON_NEGATIVE)?;
             Roelands::from_index(mu_0, z, p_0, thermal).map_err(locate(table))
         }
-        _ => {
+        false => {
             let alpha = alpha(table)?;
             Roelands::from_alpha(mu_0, alpha, p_0, thermal).map_err(locate(table))
         }
     }
 }
 
-fn wlf(table: &mut Table<'_>) -> Result<ModifiedWlf, InputError> {
+/// The keys of a law with a glass transition; `expansivity` reads `b_1` and `b_2` of `F`.
+fn glass(
+    table: &mut Table<'_>,
+    expansivity: impl FnOnce(&mut Table<'_>) -> Result<[f64; 2], InputError>,
+) -> Result<(GlassTransition, [f64; 2]), InputError> {
     let difference = Dimension::TEMPERATURE_DIFFERENCE;
-    let per_pressure = Dimension::INVERSE_PRESSURE;
-    let constants = ModifiedWlf {
-        glass_viscosity: table.required_quantity("mu_g", Dimension::VISCOSITY, Bounds::POSITIVE)?,
-        glass_temperature: table.required_quantity(
-            "t_g0",
-            Dimension::TEMPERATURE,
-            Bounds::POSITIVE,
-        )?,
-        a_1: table.required_quantity("a_1", difference, Bounds::POSITIVE)?,
-        a_2: table.required_quantity("a_2", per_pressure, Bounds::POSITIVE)?,
-        b_1: table.required_number("b_1", Bounds::POSITIVE)?,
-        b_2: table.required_quantity("b_2", per_pressure, Bounds::POSITIVE)?,
+    let mu_g = table.required_quantity("mu_g", Dimension::VISCOSITY, Bounds::POSITIVE)?;
+    let t_g0 = table.required_quantity("t_g0", Dimension::TEMPERATURE, Bounds::POSITIVE)?;
+    let a_1 = table.required_quantity("a_1", difference, Bounds::POSITIVE)?;
+    let a_2 = table.required_quantity("a_2", Dimension::INVERSE_PRESSURE, Bounds::POSITIVE)?;
+    let b = expansivity(table)?;
+    let glass = GlassTransition {
+        glass_viscosity: mu_g,
+        glass_temperature: t_g0,
+        a_1,
+        a_2,
         c_1: table.required_number("c_1", Bounds::POSITIVE)?,
         c_2: table.required_quantity("c_2", difference, Bounds::POSITIVE)?,
     };
-    ModifiedWlf::new(constants).map_err(locate(table))
+    Ok((glass, b))
+}
+
+fn wlf(table: &mut Table<'_>) -> Result<ModifiedWlf, InputError> {
+    let (glass, [b_1, b_2]) = glass(table, |table| {
+        Ok([
+            table.required_number("b_1", Bounds::POSITIVE)?,
+            table.required_quantity("b_2", Dimension::INVERSE_PRESSURE, Bounds::POSITIVE)?,
+        ])
+    })?;
+    ModifiedWlf::new(ModifiedWlf { glass, b_1, b_2 }).map_err(locate(table))
 }
 
 fn doolittle(table: &mut Table<'_>, density: Option<&DensityLaw>) -> Result<Doolittle, InputError> {
     let mu_0 = mu_0(table)?;
     let b = table.required_number("b", Bounds::POSITIVE)?;
     let r_0 = table.required_number("r_0", Bounds::open(0.0, 1.0))?;
-    let thermal = if group(table, &["reference_temperature", "epsilon"])? {
-        Some(OccupiedVolume {
-            reference_temperature: reference_temperature(table)?,
-            expansivity: table.required_quantity(
-                "epsilon",
-                Dimension::INVERSE_TEMPERATURE,
-                Bounds::ANY,
-            )?,
-        })
-    } else {
-        None
-    };
+    let thermal = coefficient_of_temperature(table, "epsilon", Bounds::ANY)?;
+    let thermal = thermal.map(|(reference_temperature, expansivity)| OccupiedVolume {
+        reference_temperature,
+        expansivity,
+    });
     let volume = match (table.optional_table("equation_of_state")?, density) {
         (Some(mut equation), _) => {
             let volume = TaitVolume::read(&mut equation)?;
@@ -197,38 +204,24 @@ fn doolittle(table: &mut Table<'_>, density: Option<&DensityLaw>) -> Result<Dool
 }
 
 fn yasutomi(table: &mut Table<'_>) -> Result<ImprovedYasutomi, InputError> {
-    let difference = Dimension::TEMPERATURE_DIFFERENCE;
-    let per_pressure = Dimension::INVERSE_PRESSURE;
-    let constants = ImprovedYasutomi {
-        glass_viscosity: table.required_quantity("mu_g", Dimension::VISCOSITY, Bounds::POSITIVE)?,
-        glass_temperature: table.required_quantity(
-            "t_g0",
-            Dimension::TEMPERATURE,
-            Bounds::POSITIVE,
-        )?,
-        a_1: table.required_quantity("a_1", difference, Bounds::POSITIVE)?,
-        a_2: table.required_quantity("a_2", per_pressure, Bounds::POSITIVE)?,
-        b_1: table.required_quantity("b_1", per_pressure, Bounds::POSITIVE)?,
-        b_2: table.required_number("b_2", Bounds::NEGATIVE)?,
-        c_1: table.required_number("c_1", Bounds::POSITIVE)?,
-        c_2: table.required_quantity("c_2", difference, Bounds::POSITIVE)?,
-    };
-    ImprovedYasutomi::new(constants).map_err(locate(table))
+    let (glass, [b_1, b_2]) = glass(table, |table| {
+        Ok([
+            table.required_quantity("b_1", Dimension::INVERSE_PRESSURE, Bounds::POSITIVE)?,
+            table.required_number("b_2", Bounds::NEGATIVE)?,
+        ])
+    })?;
+    ImprovedYasutomi::new(ImprovedYasutomi { glass, b_1, b_2 }).map_err(locate(table))
 }
 
 fn paluch(table: &mut Table<'_>) -> Result<Paluch, InputError> {
     let (fragility, divergence_pressure) = divergence(table)?;
-    match (table.contains("mu_0"), table.contains("mu_inf")) {
-        (true, true) => Err(table.error(
-            "mu_inf",
-            "`mu_0` and `mu_inf` say the same thing: give one of them",
-        )),
-        (false, true) => {
+    match has_second(table, "mu_0", "mu_inf")? {
+        true => {
             let mu_inf =
                 table.required_quantity("mu_inf", Dimension::VISCOSITY, Bounds::POSITIVE)?;
             Paluch::from_factor(mu_inf, fragility, divergence_pressure).map_err(locate(table))
         }
-        _ => Paluch::new(mu_0(table)?, fragility, divergence_pressure).map_err(locate(table)),
+        false => Paluch::new(mu_0(table)?, fragility, divergence_pressure).map_err(locate(table)),
     }
 }
 

@@ -29,6 +29,9 @@ pub struct Carreau {
 const LARGEST_SQUARE: f64 = 1e12;
 const LARGEST_SLOPE: f64 = 10.0;
 
+/// Range of the width exponents.
+const TRANSITIONS: [f64; 2] = [0.2, 50.0];
+
 impl Carreau {
     /// `critical_stress` G_c in Pa; `exponent` n_c in \[0.01, 1\], `transition` β_c in \[0.2, 50\] and
     /// `plateau_ratio` `μ₂/μ₁` in \[0, 1\] without dimension.
@@ -82,7 +85,13 @@ pub(super) fn check_exponent(check: &Check, n: f64) -> Result<(), LawError> {
 /// Width exponents of the transition. With smaller ones the smoothing at zero stress would be seen, and the equation of
 /// Carreau and Yasuda's fluidity would have more than one root.
 pub(super) fn check_transition(check: &Check, key: &'static str, a: f64) -> Result<(), LawError> {
-    check.that((0.2..=50.0).contains(&a), key, a, "between 0.2 and 50")
+    let [lowest, highest] = TRANSITIONS;
+    check.that(
+        (lowest..=highest).contains(&a),
+        key,
+        a,
+        "between 0.2 and 50",
+    )
 }
 
 /// The second plateau must not lie above the first; the square of a smaller share would leave floating point.

@@ -2,6 +2,7 @@
 
 use std::f64::consts::LN_10;
 
+use super::GlassTransition;
 use crate::Scalar;
 use crate::error::{Check, LawError};
 
@@ -19,36 +20,21 @@ use crate::error::{Check, LawError};
 /// slope.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModifiedWlf {
-    /// Viscosity μ_g at the glass transition (Pa·s).
-    pub glass_viscosity: f64,
-    /// Glass transition temperature T_g0 at ambient pressure (K).
-    pub glass_temperature: f64,
-    /// A₁ (K).
-    pub a_1: f64,
-    /// A₂ (1/Pa).
-    pub a_2: f64,
+    /// μ_g, T_g0, A₁, A₂, C₁ and C₂.
+    pub glass: GlassTransition,
     /// B₁ (-).
     pub b_1: f64,
     /// B₂ (1/Pa).
     pub b_2: f64,
-    /// C₁ (-).
-    pub c_1: f64,
-    /// C₂ (K).
-    pub c_2: f64,
 }
 
 impl ModifiedWlf {
     /// Checks the constants: all positive.
     pub fn new(constants: Self) -> Result<Self, LawError> {
         let check = Check("wlf");
-        check.positive("mu_g", constants.glass_viscosity)?;
-        check.positive("t_g0", constants.glass_temperature)?;
-        check.positive("a_1", constants.a_1)?;
-        check.positive("a_2", constants.a_2)?;
+        constants.glass.check(&check)?;
         check.positive("b_1", constants.b_1)?;
         check.positive("b_2", constants.b_2)?;
-        check.positive("c_1", constants.c_1)?;
-        check.positive("c_2", constants.c_2)?;
         Ok(constants)
     }
 
@@ -56,7 +42,7 @@ impl ModifiedWlf {
     /// where `F` vanishes, whichever comes first. Negative below the ambient glass temperature.
     #[inline]
     pub fn limiting_pressure<D: Scalar>(&self, temperature: D) -> D {
-        let glass = ((temperature - self.glass_temperature) / self.a_1).exp_m1() / self.a_2;
+        let glass = self.glass.pressure(temperature);
         let expansion = (1.0 / self.b_1).exp_m1() / self.b_2;
         if glass.re() < expansion {
             glass
@@ -75,8 +61,7 @@ impl ModifiedWlf {
             limit
         };
 
-        let above_glass =
-            -(p * self.a_2).ln_1p() * self.a_1 + (temperature - self.glass_temperature); // T - T_g
+        let above_glass = self.glass.above(p, temperature); // T - T_g
         // Of a glass at ambient pressure p is below zero, where the logarithm may have no value: its tangent at zero has.
         let expansion = match limit.re() < 0.0 {
             true => p * self.b_2,
@@ -84,17 +69,17 @@ impl ModifiedWlf {
         };
         let f = -expansion * self.b_1 + 1.0;
         let x = above_glass * f;
-        let ln_mu = -x / (x + self.c_2) * (self.c_1 * LN_10) + self.glass_viscosity.ln();
+        let ln_mu = self.glass.ln_viscosity(x, LN_10);
         if pressure.re() < limit.re() {
             return ln_mu;
         }
         // Here x = 0, and d ln μ/dp = -ln 10 (C₁/C₂) dx/dp with dx/dp = -T_g' F + (T - T_g) F'.
-        let glass_slope = (p * self.a_2 + 1.0).recip() * (self.a_1 * self.a_2);
         let f_slope = match limit.re() < 0.0 {
             true => D::from(self.b_1 * self.b_2),
             false => (p * self.b_2 + 1.0).recip() * (self.b_1 * self.b_2),
         };
-        let slope = (glass_slope * f + above_glass * f_slope) * (LN_10 * self.c_1 / self.c_2);
+        let slope = (self.glass.slope(p) * f + above_glass * f_slope)
+            * (LN_10 * self.glass.c_1 / self.glass.c_2);
         slope * (pressure - limit) + ln_mu
     }
 }

@@ -5,8 +5,8 @@ use ertel_rheology::density::{
     BulkModulusSoftening, DowsonHigginson, Tait, TaitVolume, ThermalExpansion,
 };
 use ertel_rheology::viscosity::{
-    Barus, Cheng, Doolittle, Hybrid, ImprovedYasutomi, McEwen, ModifiedWlf, OccupiedVolume, Paluch,
-    PressureLaw, Roelands, TemperatureSlope, Walther,
+    Barus, Cheng, Doolittle, GlassTransition, Hybrid, ImprovedYasutomi, McEwen, ModifiedWlf,
+    OccupiedVolume, Paluch, PressureLaw, Roelands, TemperatureSlope, Walther,
 };
 use ertel_rheology::{DensityLaw, LawError, ViscosityLaw};
 
@@ -528,6 +528,14 @@ impl Model {
     /// The law with these constants, checked.
     pub(super) fn build_checked(&self, v: &[f64]) -> Result<FittedLaw, LawError> {
         let viscosity = |law| Ok(FittedLaw::Viscosity(law));
+        let glass = |v: &[f64]| GlassTransition {
+            glass_viscosity: v[0],
+            glass_temperature: v[1],
+            a_1: v[2],
+            a_2: v[3],
+            c_1: v[6],
+            c_2: v[7],
+        };
         let density = |law| Ok(FittedLaw::Density(law));
         let (t_r, thermal) = (self.t_r, self.thermal);
         match self.law {
@@ -544,25 +552,15 @@ impl Model {
                 viscosity(ViscosityLaw::Roelands(law))
             }
             LawName::Wlf => viscosity(ViscosityLaw::ModifiedWlf(ModifiedWlf::new(ModifiedWlf {
-                glass_viscosity: v[0],
-                glass_temperature: v[1],
-                a_1: v[2],
-                a_2: v[3],
+                glass: glass(v),
                 b_1: v[4],
                 b_2: v[5],
-                c_1: v[6],
-                c_2: v[7],
             })?)),
             LawName::Yasutomi => {
                 let constants = ImprovedYasutomi {
-                    glass_viscosity: v[0],
-                    glass_temperature: v[1],
-                    a_1: v[2],
-                    a_2: v[3],
+                    glass: glass(v),
                     b_1: v[4],
                     b_2: v[5],
-                    c_1: v[6],
-                    c_2: v[7],
                 };
                 viscosity(ViscosityLaw::ImprovedYasutomi(ImprovedYasutomi::new(
                     constants,

@@ -43,13 +43,8 @@ pub(super) fn figures(
     let [load, pressure] = heaviest.fold([0.0_f64; 2], |[q, p], [load, pressure]| {
         [q.max(load), p.max(pressure)]
     });
-    let figure = |name, words, value, unit| MachineFigure {
-        name,
-        words,
-        estimate: Marked::exact(value),
-        unit,
-        section: Section::Mechanics,
-        source: "",
+    let figure = |name, words, value, unit| {
+        Section::Mechanics.figure(name, words, Marked::exact(value), unit, "")
     };
     figures.push(figure(
         "element_load_maximum",
@@ -115,14 +110,13 @@ fn heaviest_slice(
             ),
         ));
     }
-    Some(MachineFigure {
-        name: "slice_load_ratio",
-        words: "its heaviest slice over the mean of the roller",
-        estimate: Marked::exact(share),
-        unit: "",
-        section: Section::Mechanics,
-        source: "",
-    })
+    Some(Section::Mechanics.figure(
+        "slice_load_ratio",
+        "its heaviest slice over the mean of the roller",
+        Marked::exact(share),
+        "",
+        "",
+    ))
 }
 
 /// Friction by its parts, torque and temperature, from the powers of films and of rolling.
@@ -134,15 +128,8 @@ fn friction(
     warnings: &mut Vec<Warning>,
 ) -> Vec<MachineFigure> {
     let mut figures = Vec::new();
-    let mut add = |section, name, words, estimate, unit, source| {
-        figures.push(MachineFigure {
-            name,
-            words,
-            estimate,
-            unit,
-            section,
-            source,
-        });
+    let mut add = |section: Section, name, words, estimate, unit, source| {
+        figures.push(section.figure(name, words, estimate, unit, source));
     };
     let is_ball = matches!(mechanics.bearing.geometry, Geometry::Ball(_));
     add(

@@ -35,13 +35,8 @@ pub(super) fn figures(cam: &CamMechanics, solved: &MachineSolution) -> Vec<Machi
 
 /// Pressure and torque.
 fn mechanics(cam: &CamMechanics, turn: &[CamPoint]) -> Vec<MachineFigure> {
-    let figure = |name, words, value, unit| MachineFigure {
-        name,
-        words,
-        estimate: Marked::exact(value),
-        unit,
-        section: Section::Mechanics,
-        source: "",
+    let figure = |name, words, value, unit| {
+        Section::Mechanics.figure(name, words, Marked::exact(value), unit, "")
     };
     let mut figures = Vec::new();
     // A slight excess, so that the first of equal values is taken.
@@ -94,14 +89,13 @@ fn mechanics(cam: &CamMechanics, turn: &[CamPoint]) -> Vec<MachineFigure> {
 /// Where the film is thinnest.
 fn thinnest(cam: &CamMechanics, solved: &MachineSolution) -> Option<MachineFigure> {
     let i = super::thinnest(solved)?;
-    Some(MachineFigure {
-        name: "film_minimum_angle",
-        words: "smallest film at the angle of the cam",
-        estimate: Marked::exact(cam.points[i].angle),
-        unit: "rad",
-        section: Section::Films,
-        source: "steady films: where the entrainment nearly vanishes, squeeze keeps the real film thicker",
-    })
+    Some(Section::Films.figure(
+        "film_minimum_angle",
+        "smallest film at the angle of the cam",
+        Marked::exact(cam.points[i].angle),
+        "rad",
+        "steady films: where the entrainment nearly vanishes, squeeze keeps the real film thicker",
+    ))
 }
 
 /// The smallest of values at angles. Next to where the entrainment reverses, steady films vanish between the contacts: no parabola leads there, and the bar
@@ -205,13 +199,8 @@ fn friction(
         marks: all.coefficient.marks(),
     };
     let power = power.wider(DIFFERENCES * spacing.fold(0.0, f64::max));
-    let figure = |name, words, estimate, unit, source| MachineFigure {
-        name,
-        words,
-        estimate,
-        unit,
-        section: Section::Friction,
-        source,
+    let figure = |name, words, estimate, unit, source| {
+        Section::Friction.figure(name, words, estimate, unit, source)
     };
     Some([
         figure(

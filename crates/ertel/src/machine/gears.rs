@@ -46,13 +46,8 @@ pub(super) fn figures(
 
 /// Contact ratios and the largest pressure.
 fn mechanics(gears: &GearMechanics) -> Vec<MachineFigure> {
-    let figure = |name, words, value, unit| MachineFigure {
-        name,
-        words,
-        estimate: Marked::exact(value),
-        unit,
-        section: Section::Mechanics,
-        source: "",
+    let figure = |name, words, value, unit| {
+        Section::Mechanics.figure(name, words, Marked::exact(value), unit, "")
     };
     let pair = &gears.pair;
     let mut figures = vec![figure(
@@ -98,14 +93,13 @@ fn mechanics(gears: &GearMechanics) -> Vec<MachineFigure> {
 /// Where the film is thinnest.
 fn thinnest(gears: &GearMechanics, solved: &MachineSolution) -> Option<MachineFigure> {
     let i = super::thinnest(solved)?;
-    Some(MachineFigure {
-        name: "film_minimum_position",
-        words: "smallest film at the distance from the pitch point",
-        estimate: Marked::exact(gears.path[i].position),
-        unit: "m",
-        section: Section::Films,
-        source: "",
-    })
+    Some(Section::Films.figure(
+        "film_minimum_position",
+        "smallest film at the distance from the pitch point",
+        Marked::exact(gears.path[i].position),
+        "m",
+        "",
+    ))
 }
 
 /// Composite rms roughness of the flanks by their Ra, m.
@@ -171,13 +165,8 @@ fn rubbing(gears: &GearMechanics, at: &PathPoint, point: &PointSolution) -> Opti
 
 /// Losses of the mesh, from the solved contacts and from separate models.
 fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec<MachineFigure> {
-    let figure = |name, words, estimate, unit, source| MachineFigure {
-        name,
-        words,
-        estimate,
-        unit,
-        section: Section::Friction,
-        source,
+    let figure = |name, words, estimate, unit, source| {
+        Section::Friction.figure(name, words, estimate, unit, source)
     };
     let mut figures = Vec::new();
     if let Some(loss) = loss(gears, solved) {
@@ -431,13 +420,8 @@ fn temperatures(
         Some(heat) => heat.body_1.temperature.max(heat.body_2.temperature),
         None => given.unwrap_or(case.lubricant.temperature),
     };
-    let figure = |name, words, estimate, unit, source| MachineFigure {
-        name,
-        words,
-        estimate,
-        unit,
-        section: Section::Temperature,
-        source,
+    let figure = |name, words, estimate, unit, source| {
+        Section::Temperature.figure(name, words, estimate, unit, source)
     };
     let of_films = match given {
         Some(_) => "films and specific films are those at the bulk temperature of the teeth",
@@ -579,14 +563,13 @@ fn scuffing_safety(
     let (_, flash) = hottest(rises)?;
     let safety = |flash: f64| scuffing(&[flash.max(0.0)], bulk, oil, limit).map(|s| s.safety);
     let nominal = safety(flash.value).ok()?;
-    Some(MachineFigure {
-        name: "scuffing_safety",
-        words: "safety against scuffing S_B",
-        estimate: flash.map(|flash| safety(flash).unwrap_or(nominal)),
-        unit: "",
-        section: Section::Safety,
-        source: "S_B = (Θ_S − Θ_oil)/(Θ_B,max − Θ_oil): ISO/TS 6336-20",
-    })
+    Some(Section::Safety.figure(
+        "scuffing_safety",
+        "safety against scuffing S_B",
+        flash.map(|flash| safety(flash).unwrap_or(nominal)),
+        "",
+        "S_B = (Θ_S − Θ_oil)/(Θ_B,max − Θ_oil): ISO/TS 6336-20",
+    ))
 }
 
 /// Specific film and safety against micropitting.
@@ -608,13 +591,9 @@ fn specific_film(
     let Ok(found) = micropitting(&[thinnest.value], roughness, limit.unwrap_or(1.0)) else {
         return Vec::new();
     };
-    let figure = |name, words, value: f64, source| MachineFigure {
-        name,
-        words,
-        estimate: thinnest * (value / thinnest.value),
-        unit: "",
-        section: Section::Safety,
-        source,
+    let figure = |name, words, value: f64, source| {
+        let estimate = thinnest * (value / thinnest.value);
+        Section::Safety.figure(name, words, estimate, "", source)
     };
     let mut figures = vec![figure(
         "specific_film_minimum",

@@ -67,14 +67,8 @@ impl Collected {
         unit: &'static str,
         source: &'static str,
     ) {
-        self.figures.push(MachineFigure {
-            name,
-            words,
-            estimate: estimate.into(),
-            unit,
-            section,
-            source,
-        });
+        let figure = section.figure(name, words, estimate.into(), unit, source);
+        self.figures.push(figure);
     }
 }
 

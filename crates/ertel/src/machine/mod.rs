@@ -113,14 +113,7 @@ fn films(solved: &MachineSolution) -> Vec<MachineFigure> {
         Some(Marked::from(mixed.lambda_minimum))
     });
     let figure = |name, words, unit, estimate: Option<Marked>| {
-        Some(MachineFigure {
-            name,
-            words,
-            estimate: estimate?,
-            unit,
-            section: Section::Films,
-            source: "",
-        })
+        Some(Section::Films.figure(name, words, estimate?, unit, ""))
     };
     [
         figure("film_central", "smallest central film", "m", central),

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use ertel_quantity::Unit;
 
 use super::machine::{DRAWN, DRAWN_IN_TIME, Drawn};
-use super::pictures::{ERROR_BARS, film_unit};
+use super::pictures::{ERROR_BARS, film_unit, is_wide, legend_entry};
 use crate::run::over_time::words_of;
 use crate::solution::Figure;
 use crate::study::journal::{PointKey, Record};
@@ -15,16 +15,12 @@ use ertel_plot::{Axis, Chart, Drawing, ErrorBars, Look, PALETTE, Series, side_by
 
 /// Minimum number of axis values for a picture.
 const FEWEST_POINTS: usize = 3;
-/// Smallest ratio of the largest to the smallest value for a logarithmic axis.
-const LOG_FROM: f64 = 5.0;
 
 /// Fraction of the largest value below which a value is round-off.
 const ROUND_OFF: f64 = 1e-6;
 /// Maximum number of panels in a picture, and in a row.
 const MOST_PANELS: usize = 12;
 const PANELS_IN_A_ROW: usize = 3;
-/// Colour of legend entries for curves of all colours.
-const LEGEND_GREY: &str = "#404040";
 
 /// A figure of the points with its line style.
 struct Shown {
@@ -314,7 +310,7 @@ impl Layout {
         panel: usize,
     ) -> Chart {
         let x_range = range(self.xs.iter().copied());
-        let x_axis = match is_wide(x_range) {
+        let x_axis = match is_wide(x_range.into_iter()) {
             true => Axis::log_close_around(&self.x_label, self.xs.iter().copied()),
             false => Axis::linear_around(&self.x_label, self.xs.iter().copied()),
         };
@@ -325,7 +321,7 @@ impl Layout {
         let largest = heights().fold(0.0, |l: f64, h| l.max(h.abs()));
         // The traction of a contact in pure rolling is round-off of either sign.
         let heights = || heights().filter(|h| h.abs() > ROUND_OFF * largest);
-        let y_axis = match is_wide(x_range) && is_wide(range(heights())) {
+        let y_axis = match is_wide(x_range.into_iter()) && is_wide(heights()) {
             true => Axis::log_close_around(y_label, heights()),
             false => Axis::linear_around(y_label, heights().chain([0.0])),
         };
@@ -377,18 +373,14 @@ impl Layout {
                 });
             }
         }
-        let entry = |label: &str, look| Series {
-            label: label.to_owned(),
-            look,
-            colour: LEGEND_GREY.to_owned(),
-            ..Series::default()
-        };
         if !single && figures.len() > 1 {
-            let looks = figures.iter().map(|f| entry(&f.words, f.look));
+            let looks = figures.iter().map(|f| legend_entry(f.look, &f.words));
             chart.series.extend(looks);
         }
         if self.curves.iter().any(|curve| curve.is_isothermal) {
-            chart.series.push(entry("without heat", Look::Dashed));
+            chart
+                .series
+                .push(legend_entry(Look::Dashed, "without heat"));
         }
         chart
     }
@@ -487,10 +479,6 @@ fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], v| {
         [l.min(v), h.max(v)]
     })
-}
-
-fn is_wide([low, high]: [f64; 2]) -> bool {
-    low > 0.0 && high >= LOG_FROM * low
 }
 
 #[cfg(test)]

@@ -12,8 +12,26 @@ use crate::solve::discretisation::Extents;
 /// must be: measured at M = 5, L = 0, the central film still grows by 3 % from 20 to 40
 /// half-widths.
 fn flooded(film: f64) -> f64 {
-    (80.0 * (film / 0.1).powf(1.5)).clamp(80.0, 1e4)
+    let [thin, thick] = FLOODED;
+    (thin * (film / 0.1).powf(1.5)).clamp(thin, thick)
 }
+
+/// That ratio for thin films, and the largest.
+const FLOODED: [f64; 2] = [80.0, 1e4];
+
+/// Distance of the inlet edge under thin films, in half-widths, as in the thesis.
+const INLET: f64 = 4.5;
+
+/// Distance of the side edge at least, in half-widths, as in the thesis.
+const SIDE: f64 = 3.0;
+
+/// Width and depth of bodies at least, in half-widths, and over the farthest edge of the area.
+const BODY: f64 = 60.0;
+const BODY_OVER_AREA: f64 = 4.0;
+
+/// How much wider the area is above half-spaces in line contacts, and in point contacts whose film is thin.
+const WIDENING_OF_LINES: f64 = 2.5;
+const WIDENING_OF_POINTS: f64 = 5.0;
 
 /// How much wider the area is above half-spaces, where no body grows with it and far cells are few.
 ///
@@ -22,10 +40,10 @@ fn flooded(film: f64) -> f64 {
 /// line contacts it is 4e-6 at 2.5.
 fn widening(family: Family, film: f64) -> f64 {
     match family {
-        Family::Cylinder => 2.5,
+        Family::Cylinder => WIDENING_OF_LINES,
         Family::Point => {
             let film = film.min(1.0);
-            5.0 + 15.0 * film * (1.0 + film)
+            WIDENING_OF_POINTS + 15.0 * film * (1.0 + film)
         }
     }
 }
@@ -39,7 +57,7 @@ pub(super) struct Reach {
 
 /// The thesis's contact area where the film is thin; longer where a thick film builds up further out.
 pub(super) fn reach(family: Family, model: ElasticModel, heats: bool, film: f64) -> Reach {
-    let mut inlet: f64 = 4.5;
+    let mut inlet = INLET;
     let target = flooded(film) * film;
     while hertz::dry_gap(family, inlet) < target {
         inlet = (1.05 * inlet).ceil_half();
@@ -80,21 +98,17 @@ pub(super) fn extents(reach: Reach, mesh: &MeshParams, film: f64, shape: &Shape)
         if let Some(roller) = &shape.zone.roller {
             return roller.side();
         }
-        3.0_f64
-            .max(reach.side.ceil_half())
+        SIDE.max(reach.side.ceil_half())
             .min(end_across(shape, inlet.abs()))
     });
     let widest = inlet.abs().max(outlet).max(side);
+    let body = BODY.max(BODY_OVER_AREA * widest);
     Extents {
         inlet,
         outlet,
         side,
-        body_width: mesh
-            .body_width
-            .unwrap_or_else(|| 60.0_f64.max(4.0 * widest)),
-        body_depth: mesh
-            .body_depth
-            .unwrap_or_else(|| 60.0_f64.max(4.0 * widest)),
+        body_width: mesh.body_width.unwrap_or(body),
+        body_depth: mesh.body_depth.unwrap_or(body),
     }
 }
 

@@ -18,6 +18,12 @@ const THICK: f64 = 0.3;
 /// (H_f = 2.7, edges at 2 to 300 half-widths, and 4000).
 const FAR: f64 = 60.0;
 
+/// Distance of the outlet edge at least, in half-widths, as in the thesis.
+const OUTLET: f64 = 1.5;
+
+/// Distance of the outlet edge behind a dry contact, in lengths √H_f of the rupture.
+const RUPTURE: f64 = 1.5;
+
 /// Where the outlet edge lies behind thin films, in lines: behind the rupture on the centreline.
 pub(super) fn near(film: f64) -> f64 {
     behind(1.0, film)
@@ -25,12 +31,12 @@ pub(super) fn near(film: f64) -> f64 {
 
 /// The same where the dry contact is up to this wide, in half-widths, as along rollers: the distance from it to the rupture depends on the film alone.
 pub(super) fn behind(widest: f64, film: f64) -> f64 {
-    1.5_f64.max((widest + 1.5 * film.sqrt()).ceil_half())
+    OUTLET.max((widest + RUPTURE * film.sqrt()).ceil_half())
 }
 
 /// Where it lies for ellipses at an angle, whose thin films break off at an angle to the motion.
 pub(super) fn at_an_angle(film: f64) -> f64 {
-    1.5_f64.max((1.0 + 1.5 * film.sqrt() + 4.0 * film).ceil_half())
+    OUTLET.max((1.0 + RUPTURE * film.sqrt() + 4.0 * film).ceil_half())
 }
 
 /// Where it lies for flooded circles and ellipses with a thick film, no farther than the inlet; `None` for thin films.

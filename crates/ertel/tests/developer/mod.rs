@@ -6,6 +6,7 @@
 //! ```
 
 mod architecture;
+mod constants;
 mod decisions;
 mod equations;
 mod links;

@@ -3,6 +3,7 @@
 use ertel::solution::Figure;
 use ertel::warning::{Severity, WarningKind};
 use ertel_input::keys::{self, Row, table, table_of_laws};
+use ertel_rheology::data_sheet::{BaseOil, Estimate};
 
 use super::pages::generated;
 
@@ -56,6 +57,47 @@ fn the_table_of_machines_has_every_figure() {
         .collect();
     assert!(names.len() > 40, "{names:?}");
     assert_eq!(listed, names);
+}
+
+/// What is estimated for each kind of base oil, with the range.
+#[test]
+fn the_tables_of_base_oils_are_those_of_the_source() {
+    let number = |value: f64| format!("{}", (value * 1e4).round() / 1e4).replace('-', "−");
+    let range = |e: Estimate| match [e.below, e.above].map(|share| number(100.0 * share)) {
+        [below, above] if below == above => format!("± {below} %"),
+        [below, above] => format!("−{below} to +{above} %"),
+    };
+    let scaled = |e: Estimate, unit: f64| format!("{} | {}", number(e.value / unit), range(e));
+    let mut tables = [
+        "| oil | `β`, 1/K | range | `k₀`, W/(m·K) | range | `(ρ c)₀`, MJ/(m³·K) | range | `τ₀`, MPa | range | `Λ` | range |\n".to_owned()
+            + &"|---".repeat(11)
+            + "|\n",
+        "| oil | `T_R`, K | `d₁`, `d₂`, 1/GPa | `k₁`, `k₂`, 1/GPa | `β₀`, 1/K | `b₁`, 1/GPa; `b₂`, 1/GPa² |\n".to_owned()
+            + &"|---".repeat(6)
+            + "|\n",
+    ];
+    for oil in [BaseOil::Mineral, BaseOil::Pao, BaseOil::Ester, BaseOil::Pag] {
+        let (name, heat, shear) = (oil.name(), oil.heat(), oil.shear());
+        let expansion = oil.expansion();
+        tables[0] += &format!(
+            "| {name} | {:e} | {} | {} | {} | {} | {} |\n",
+            expansion.value,
+            range(expansion),
+            scaled(heat.conductivity, 1.0),
+            scaled(heat.volumetric_heat, 1e6),
+            scaled(shear.eyring_stress, 1e6),
+            scaled(shear.pressure_coefficient, 1.0),
+        );
+        let [d_1, d_2, k_1, k_2, b_1] =
+            [heat.d_1, heat.d_2, heat.k_1, heat.k_2, heat.b_1].map(|value| number(value * 1e9));
+        tables[1] += &format!(
+            "| {name} | {} | {d_1}, {d_2} | {k_1}, {k_2} | {:e} | {b_1}; {} |\n",
+            heat.reference_temperature,
+            heat.beta_0,
+            number(heat.b_2 * 1e18),
+        );
+    }
+    generated("docs/theory/rheology.md", "base oils", &tables.join("\n"));
 }
 
 /// The page of warnings, and the codes of the schema, are the registry.

@@ -71,34 +71,59 @@ pub enum Internal {
     },
     /// Of cylindrical roller bearings.
     Cylindrical {
-        /// Roller diameter D_w, m.
-        roller_diameter: Sourced<f64>,
-        /// Contact length of a roller, m.
-        length: Sourced<f64>,
-        /// Pitch diameter d_m, m.
-        pitch_diameter: Sourced<f64>,
-        /// Number of rollers Z.
-        number: Sourced<usize>,
+        /// The rollers.
+        rollers: Rollers,
         /// Radial clearance, m.
         clearance: Sourced<f64>,
-        /// Relief of the rollers.
-        profile: Sourced<RollerProfile>,
     },
     /// Of tapered roller bearings.
     Tapered {
-        /// Roller diameter in the middle D_w, m.
-        roller_diameter: Sourced<f64>,
-        /// Contact length of a roller, m.
-        length: Sourced<f64>,
-        /// Pitch diameter d_m through the middles of the rollers, m.
-        pitch_diameter: Sourced<f64>,
-        /// Number of rollers Z.
-        number: Sourced<usize>,
+        /// The rollers.
+        rollers: Rollers,
         /// Contact angle of the outer raceway, rad.
         contact_angle: Sourced<f64>,
-        /// Relief of the rollers.
-        profile: Sourced<RollerProfile>,
     },
+}
+
+/// Rollers and their circle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rollers {
+    /// Diameter D_w, of tapered rollers in the middle, m.
+    pub diameter: Sourced<f64>,
+    /// Contact length, m.
+    pub length: Sourced<f64>,
+    /// Pitch diameter d_m, through the middles of the rollers, m.
+    pub pitch_diameter: Sourced<f64>,
+    /// Number Z.
+    pub number: Sourced<usize>,
+    /// Relief.
+    pub profile: Sourced<RollerProfile>,
+}
+
+impl Rollers {
+    /// A cylindrical roller bearing with this radial clearance (m).
+    pub fn cylindrical(&self, clearance: f64) -> RollerGeometry {
+        RollerGeometry {
+            roller_diameter: self.diameter.value,
+            length: self.length.value,
+            pitch_diameter: self.pitch_diameter.value,
+            number: self.number.value,
+            clearance,
+            profile: self.profile.value,
+        }
+    }
+
+    /// A tapered roller bearing with this contact angle of the outer raceway (rad).
+    pub fn tapered(&self, cup_angle: f64) -> TaperedGeometry {
+        TaperedGeometry {
+            roller_diameter: self.diameter.value,
+            length: self.length.value,
+            pitch_diameter: self.pitch_diameter.value,
+            number: self.number.value,
+            cup_angle,
+            profile: self.profile.value,
+        }
+    }
 }
 
 impl Internal {
@@ -118,36 +143,13 @@ impl Internal {
                 groove: groove.value,
                 play: play.value,
             }),
-            Internal::Cylindrical {
-                roller_diameter,
-                length,
-                pitch_diameter,
-                number,
-                clearance,
-                profile,
-            } => Geometry::CylindricalRoller(RollerGeometry {
-                roller_diameter: roller_diameter.value,
-                length: length.value,
-                pitch_diameter: pitch_diameter.value,
-                number: number.value,
-                clearance: clearance.value,
-                profile: profile.value,
-            }),
+            Internal::Cylindrical { rollers, clearance } => {
+                Geometry::CylindricalRoller(rollers.cylindrical(clearance.value))
+            }
             Internal::Tapered {
-                roller_diameter,
-                length,
-                pitch_diameter,
-                number,
+                rollers,
                 contact_angle,
-                profile,
-            } => Geometry::TaperedRoller(TaperedGeometry {
-                roller_diameter: roller_diameter.value,
-                length: length.value,
-                pitch_diameter: pitch_diameter.value,
-                number: number.value,
-                cup_angle: contact_angle.value,
-                profile: profile.value,
-            }),
+            } => Geometry::TaperedRoller(rollers.tapered(contact_angle.value)),
         }
     }
 }
@@ -212,12 +214,14 @@ pub(super) fn internal(designation: &Designation, boundary: &Boundary) -> Intern
             let (diameter, pitch) = (0.5 * (outer - inner), 0.5 * (outer + inner));
             let number = filled(0.8, pitch, diameter);
             Internal::Cylindrical {
-                roller_diameter: Sourced::published(diameter, RACEWAYS),
-                length: Sourced::estimated(0.62 * boundary.width, LENGTH_RULE),
-                pitch_diameter: Sourced::published(pitch, RACEWAYS),
-                number: Sourced::estimated(number, FULL_NUMBER_RULE),
+                rollers: Rollers {
+                    diameter: Sourced::published(diameter, RACEWAYS),
+                    length: Sourced::estimated(0.62 * boundary.width, LENGTH_RULE),
+                    pitch_diameter: Sourced::published(pitch, RACEWAYS),
+                    number: Sourced::estimated(number, FULL_NUMBER_RULE),
+                    profile: Sourced::estimated(RollerProfile::Logarithmic, PROFILE_RULE),
+                },
                 clearance: middle(true, designation.clearance, boundary.bore),
-                profile: Sourced::estimated(RollerProfile::Logarithmic, PROFILE_RULE),
             }
         }
         Special::Taper {
@@ -229,12 +233,14 @@ pub(super) fn internal(designation: &Designation, boundary: &Boundary) -> Intern
             let pitch = boundary.mean_diameter();
             let number = filled(0.9, pitch, diameter);
             Internal::Tapered {
-                roller_diameter: Sourced::estimated(diameter, TAPER_DIAMETER_RULE),
-                length: Sourced::estimated(0.8 * cup_width, TAPER_LENGTH_RULE),
-                pitch_diameter: Sourced::estimated(pitch, PITCH_RULE),
-                number: Sourced::estimated(number, TAPER_NUMBER_RULE),
+                rollers: Rollers {
+                    diameter: Sourced::estimated(diameter, TAPER_DIAMETER_RULE),
+                    length: Sourced::estimated(0.8 * cup_width, TAPER_LENGTH_RULE),
+                    pitch_diameter: Sourced::estimated(pitch, PITCH_RULE),
+                    number: Sourced::estimated(number, TAPER_NUMBER_RULE),
+                    profile: Sourced::estimated(RollerProfile::Logarithmic, PROFILE_RULE),
+                },
                 contact_angle: Sourced::published(contact_angle, TAPER_ANGLE),
-                profile: Sourced::estimated(RollerProfile::Logarithmic, PROFILE_RULE),
             }
         }
     }

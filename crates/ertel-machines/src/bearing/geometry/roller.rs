@@ -16,6 +16,27 @@ pub enum RollerProfile {
     Logarithmic,
 }
 
+impl RollerProfile {
+    /// Whether a roller of a length (m) can have it.
+    pub(super) fn check(self, length: f64) -> Result<(), GeometryError> {
+        match self {
+            Self::Crown(radius) if radius.is_nan() || radius <= 0.5 * length => {
+                Err(GeometryError::Crown(radius))
+            }
+            Self::Cylinder | Self::Crown(_) | Self::Logarithmic => Ok(()),
+        }
+    }
+
+    /// Relief of a roller of a length and a diameter (m); none of a cylinder or cone.
+    pub(super) fn relief(self, length: f64, diameter: f64) -> Option<Profile> {
+        match self {
+            Self::Cylinder => None,
+            Self::Crown(crown_radius) => Some(Profile::Crown { crown_radius }),
+            Self::Logarithmic => Some(Profile::iso_16281(length, diameter)),
+        }
+    }
+}
+
 /// Internal geometry of a single-row cylindrical roller bearing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RollerGeometry {
@@ -47,23 +68,12 @@ impl RollerGeometry {
                 value: self.clearance,
             });
         }
-        match self.profile {
-            RollerProfile::Crown(radius) if radius.is_nan() || radius <= 0.5 * self.length => {
-                Err(GeometryError::Crown(radius))
-            }
-            _ => Ok(()),
-        }
+        self.profile.check(self.length)
     }
 
     /// Relief of a roller as solvers of lubricated contacts take it; none of a cylinder.
     pub fn relief(&self) -> Option<Profile> {
-        match self.profile {
-            RollerProfile::Cylinder => None,
-            RollerProfile::Crown(crown_radius) => Some(Profile::Crown { crown_radius }),
-            RollerProfile::Logarithmic => {
-                Some(Profile::iso_16281(self.length, self.roller_diameter))
-            }
-        }
+        self.profile.relief(self.length, self.roller_diameter)
     }
 
     /// Drop from the cylinder at z from the middle (m), m.

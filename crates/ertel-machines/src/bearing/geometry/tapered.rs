@@ -36,11 +36,7 @@ impl TaperedGeometry {
     pub fn check(&self) -> Result<(), GeometryError> {
         check_row(self.roller_diameter, self.pitch_diameter, self.number)?;
         positive("roller length", self.length)?;
-        if let RollerProfile::Crown(radius) = self.profile
-            && (radius.is_nan() || radius <= 0.5 * self.length)
-        {
-            return Err(GeometryError::Crown(radius));
-        }
+        self.profile.check(self.length)?;
         let good = self.cup_angle > 0.0 && self.cup_angle <= STEEPEST;
         match good && self.angle(Ring::Inner) > 0.0 {
             true => Ok(()),
@@ -105,13 +101,7 @@ impl TaperedGeometry {
 
     /// Relief of a roller along its generator; none of a cone.
     pub fn relief(&self) -> Option<Profile> {
-        match self.profile {
-            RollerProfile::Cylinder => None,
-            RollerProfile::Crown(crown_radius) => Some(Profile::Crown { crown_radius }),
-            RollerProfile::Logarithmic => {
-                Some(Profile::iso_16281(self.length, self.roller_diameter))
-            }
-        }
+        self.profile.relief(self.length, self.roller_diameter)
     }
 
     /// Mass of a roller of the given density (kg/m³), kg: a truncated cone.

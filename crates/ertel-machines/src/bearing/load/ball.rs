@@ -4,6 +4,7 @@ use ertel_ehl::contact::Ellipse;
 use nalgebra::{Matrix2, RowVector2, Vector2};
 
 use super::CurvatureAngle;
+use super::newton::{ACCEPTED, NEGLIGIBLE, RESIDUAL, STEPS};
 use crate::bearing::geometry::{BallGeometry, Ring};
 use crate::bearing::kinematics::{BallMotion, RacewayControl, Speeds};
 
@@ -78,17 +79,10 @@ impl Side {
     }
 }
 
-/// Most steps of the equilibrium of a ball, and the residual allowed over the largest force.
-const STEPS: usize = 100;
-const RESIDUAL: f64 = 1e-12;
 /// Rounds for the place of a loose ball.
 const ROUNDS: usize = 20;
 /// Largest angle towards the inner ring that counts for the speed of cage and ball, rad: balls that touch nothing may lie anywhere to it.
 const MAX_INNER_ANGLE: f64 = 1.4;
-/// Residual that is accepted where round-off prevents a lower one.
-const ACCEPTED: f64 = 1e-9;
-/// Approach whose force does not count, in ball diameters: round-off of the ball's place is not far below.
-const NEGLIGIBLE: f64 = 1e-6;
 
 impl Ball<'_> {
     pub fn new<'a>(

@@ -6,12 +6,11 @@ use ertel_ehl::contact::Ellipse;
 use nalgebra::{SMatrix, Vector2};
 
 use super::ball::{Ball, BallState};
-use super::newton::{Reaction, Row, Vector, balance};
-use super::solve::{direction, finish};
-use super::{Distribution, Element, Error, Given, Params, RingContact};
-use crate::bearing::Material;
+use super::newton::{Push, Row, Vector};
+use super::solve::direction;
+use super::{Element, RingContact};
 use crate::bearing::geometry::{BallGeometry, Ring};
-use crate::bearing::kinematics::{BallMotion, RacewayControl, Speeds};
+use crate::bearing::kinematics::{BallMotion, RacewayControl};
 
 /// Contact angles of a ball, both that of the outer ring where the ball does not touch the inner one.
 fn motion_angles(state: &BallState) -> [f64; 2] {
@@ -26,37 +25,11 @@ pub(super) struct Balls<'a> {
     pub geometry: &'a BallGeometry,
     pub ball: Ball<'a>,
     pub angles: Vec<f64>,
+    /// Which raceway controls the balls.
+    pub control: RacewayControl,
 }
 
 impl Balls<'_> {
-    /// Radial and axial shift of the groove at ψ.
-    fn map(&self, angle: f64) -> SMatrix<f64, 2, 5> {
-        let (s, c) = angle.sin_cos();
-        let arm = self.geometry.arm();
-        SMatrix::<f64, 2, 5>::from_row_slice(&[
-            c,
-            s,
-            0.0,
-            0.0,
-            0.0, //
-            0.0,
-            0.0,
-            1.0,
-            arm * s,
-            -arm * c,
-        ])
-    }
-
-    fn state(&self, angle: f64, shift: &Vector) -> Result<BallState, Error> {
-        let moved = self.map(angle) * shift;
-        let [radial, axial] = self.geometry.centres();
-        let centre = Vector2::new(radial + moved[0], axial + moved[1]);
-        let found = (centre.norm() > 0.0).then(|| self.ball.state(centre));
-        found.flatten().ok_or(Error::Element {
-            degrees: angle.to_degrees(),
-        })
-    }
-
     /// δ/Q^(2/3) of a ball between both rings at the free angle, m/N^(2/3).
     fn compliance(&self) -> f64 {
         let angle = self.geometry.free_angle();
@@ -84,42 +57,57 @@ impl Balls<'_> {
         }
         0.5 * (low + high)
     }
+}
 
-    pub fn solve(
-        &self,
-        given: [Given; 5],
-        material: Material,
-        speeds: Speeds,
-        params: &Params,
-    ) -> Result<Distribution, Error> {
-        let (shift, reaction, info) = balance(self, given, params.tolerance, params.iterations)?;
-        let elements = self
-            .angles
-            .iter()
-            .map(|angle| {
-                let state = self.state(*angle, &shift)?;
-                Ok(self.element(*angle, &state, material, speeds, params.control))
-            })
-            .collect::<Result<Vec<_>, Error>>()?;
-        finish(elements, &shift, &reaction, info)
+impl Row for Balls<'_> {
+    type State = BallState;
+
+    fn angles(&self) -> &[f64] {
+        &self.angles
     }
 
-    fn element(
-        &self,
-        position: f64,
-        state: &BallState,
-        material: Material,
-        speeds: Speeds,
-        control: RacewayControl,
-    ) -> Element {
-        let g = self.geometry;
+    /// Radial and axial shift of the groove at ψ.
+    fn map(&self, angle: f64) -> SMatrix<f64, 2, 5> {
+        let (s, c) = angle.sin_cos();
+        let arm = self.geometry.arm();
+        SMatrix::<f64, 2, 5>::from_row_slice(&[
+            c,
+            s,
+            0.0,
+            0.0,
+            0.0, //
+            0.0,
+            0.0,
+            1.0,
+            arm * s,
+            -arm * c,
+        ])
+    }
+
+    fn state(&self, moved: Vector2<f64>) -> Option<BallState> {
+        let [radial, axial] = self.geometry.centres();
+        let centre = Vector2::new(radial + moved[0], axial + moved[1]);
+        (centre.norm() > 0.0).then(|| self.ball.state(centre))?
+    }
+
+    fn push(&self, _angle: f64, state: &BallState) -> Push {
+        Push {
+            force: state.force,
+            stiffness: state.stiffness,
+            load: state.loads[0],
+            thrust: Vector::zeros(),
+        }
+    }
+
+    fn element(&self, position: f64, state: &BallState) -> Element {
+        let (g, speeds) = (self.geometry, self.ball.speeds);
         let ratio = g.ball_diameter / g.pitch_diameter;
         let angles = motion_angles(state);
-        let motion = BallMotion::new(ratio, angles, speeds, control);
+        let motion = BallMotion::new(ratio, angles, speeds, self.control);
         let contacts = Ring::BOTH.map(|ring| {
             let (load, angle) = (state.loads[ring.index()], angles[ring.index()]);
             let radii = g.radii(ring, angle);
-            let semi_axes = Ellipse::of_radii(radii).semi_axes(load, material.reduced_modulus);
+            let semi_axes = Ellipse::of_radii(radii).semi_axes(load, self.ball.reduced_modulus);
             let area = PI * semi_axes[0] * semi_axes[1];
             RingContact {
                 ring,
@@ -151,20 +139,6 @@ impl Balls<'_> {
             gyroscopic_moment: state.gyroscopic_moment,
             rib_load: 0.0,
         }
-    }
-}
-
-impl Row for Balls<'_> {
-    fn reaction(&self, shift: &Vector) -> Result<Reaction, Error> {
-        let mut sum = Reaction::none();
-        for angle in &self.angles {
-            let map = self.map(*angle);
-            let state = self.state(*angle, shift)?;
-            sum.force += map.transpose() * state.force;
-            sum.stiffness += map.transpose() * state.stiffness * map;
-            sum.largest = sum.largest.max(state.loads[0]);
-        }
-        Ok(sum)
     }
 
     fn start(&self, load: &Vector) -> Vector {

@@ -1,8 +1,8 @@
 //! Newton's method for the five degrees of freedom of a ring.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{Matrix2, SMatrix, SVector, Vector2};
 
-use super::{Error, Given, Info};
+use super::{Distribution, Element, Error, Given, Info, Params};
 
 pub(crate) type Vector = SVector<f64, 5>;
 pub(crate) type Matrix = SMatrix<f64, 5, 5>;
@@ -16,10 +16,31 @@ pub(crate) struct Reaction {
     pub largest: f64,
 }
 
+/// Force of one element on the inner ring in the two coordinates of [`Row::map`], and its change with them.
+pub(crate) struct Push {
+    pub force: Vector2<f64>,
+    pub stiffness: Matrix2<f64>,
+    /// Load on the inner ring, N.
+    pub load: f64,
+    /// Force on the inner ring in addition, in its own coordinates.
+    pub thrust: Vector,
+}
+
 /// A row of rolling elements whose ring equilibrium is sought.
 pub(crate) trait Row {
-    /// Forces at given shifts.
-    fn reaction(&self, shift: &Vector) -> Result<Reaction, Error>;
+    /// An element in balance.
+    type State;
+
+    /// Places ψ of the elements, rad.
+    fn angles(&self) -> &[f64];
+    /// The two coordinates of an element at ψ by the shifts of the inner ring.
+    fn map(&self, angle: f64) -> SMatrix<f64, 2, 5>;
+    /// The element in balance where the inner ring moves its groove by `moved`; `None` where no balance is found.
+    fn state(&self, moved: Vector2<f64>) -> Option<Self::State>;
+    /// Its force.
+    fn push(&self, angle: f64, state: &Self::State) -> Push;
+    /// All about it.
+    fn element(&self, angle: f64, state: &Self::State) -> Element;
     /// Where to begin, with the given loads (0 where shifts are given).
     fn start(&self, load: &Vector) -> Vector;
     /// Longest step, m.
@@ -28,6 +49,80 @@ pub(crate) trait Row {
     fn arm(&self) -> f64;
     /// A stiffness of the order of the bearing's, N/m.
     fn typical_stiffness(&self) -> f64;
+
+    /// The element at ψ in balance at given shifts.
+    fn state_at(&self, angle: f64, shift: &Vector) -> Result<Self::State, Error> {
+        let found = self.state(self.map(angle) * shift);
+        found.ok_or(Error::Element {
+            degrees: angle.to_degrees(),
+        })
+    }
+
+    /// Forces at given shifts.
+    fn reaction(&self, shift: &Vector) -> Result<Reaction, Error> {
+        let mut sum = Reaction::none();
+        for angle in self.angles() {
+            let map = self.map(*angle);
+            let push = self.push(*angle, &self.state_at(*angle, shift)?);
+            sum.force += map.transpose() * push.force + push.thrust;
+            sum.stiffness += map.transpose() * push.stiffness * map;
+            sum.largest = sum.largest.max(push.load);
+        }
+        Ok(sum)
+    }
+
+    /// The distribution in balance with the given loads.
+    fn solve(&self, given: [Given; 5], params: &Params) -> Result<Distribution, Error>
+    where
+        Self: Sized,
+    {
+        let (shift, reaction, info) = balance(self, given, params.tolerance, params.iterations)?;
+        let elements = self.angles().iter().map(|angle| {
+            let state = self.state_at(*angle, &shift)?;
+            Ok(self.element(*angle, &state))
+        });
+        finish(
+            elements.collect::<Result<_, Error>>()?,
+            &shift,
+            &reaction,
+            info,
+        )
+    }
+}
+
+/// Most steps of the equilibrium of an element, the residual allowed over the largest force, and the one that is accepted where round-off
+/// prevents a lower one.
+pub(super) const STEPS: usize = 100;
+pub(super) const RESIDUAL: f64 = 1e-12;
+pub(super) const ACCEPTED: f64 = 1e-9;
+/// Approach whose force does not count, in diameters of a ball or lengths of a roller: round-off of its place is not far below.
+pub(super) const NEGLIGIBLE: f64 = 1e-6;
+
+/// The part of a step at which a convex energy is low enough, and what `at` gives there: state and work, which is the slope of the energy
+/// along the step over its size at the start.
+///
+/// Where a step ends beyond the balance by more than [`SLACK`], the place of balance along it is enclosed by halves until it is not, or the state
+/// `is_good`, at most in `trials`.
+pub(super) fn part_of_step<T, E>(
+    trials: usize,
+    mut at: impl FnMut(f64) -> Result<(T, f64), E>,
+    is_good: impl Fn(&T) -> bool,
+) -> Result<(f64, T), E> {
+    let (mut low, mut part, mut high) = (0.0, 1.0, 1.0);
+    let mut trial = 1;
+    loop {
+        let (there, work) = at(part)?;
+        let is_short = work < -SLACK && part < high;
+        if trial == trials || (work <= SLACK && !is_short) || is_good(&there) {
+            return Ok((part, there));
+        }
+        match is_short {
+            true => low = part,
+            false => high = part,
+        }
+        part = 0.5 * (low + high);
+        trial += 1;
+    }
 }
 
 /// Most trials along a step.
@@ -40,9 +135,8 @@ const SOFT: f64 = 1e-6;
 
 /// Shifts in balance with the given loads.
 ///
-/// The elastic energy of the elements is convex in the shifts, and the unbalanced force its slope, which only grows along a step. Where a
-/// step ends beyond the balance by more than [`SLACK`], the place of balance along it is enclosed by halves until it is not: the energy
-/// falls with each step, also where elements come into touch. Steps are no longer than [`Row::longest_step`].
+/// The elastic energy of the elements is convex in the shifts, and the unbalanced force its slope, which only grows along a step. By
+/// [`part_of_step`] the energy falls with each step, also where elements come into touch. Steps are no longer than [`Row::longest_step`].
 pub(crate) fn balance(
     row: &impl Row,
     given: [Given; 5],
@@ -111,25 +205,47 @@ pub(crate) fn balance(
             step *= row.longest_step() / length;
         }
         let before = step.dot(&residual).abs();
-        let (mut low, mut part, mut high) = (0.0, 1.0, 1.0);
-        for trial in 1..=TRIALS {
-            let next = shift + step * part;
-            let there = row.reaction(&next)?;
+        let at = |part| {
+            let there = row.reaction(&(shift + step * part))?;
             let work = step.dot(&rest(&there)) / before;
-            let is_short = work < -SLACK && part < high;
-            if trial == TRIALS || (work <= SLACK && !is_short) || size(&there) <= tolerance {
-                (shift, reaction) = (next, there);
-                break;
-            }
-            match is_short {
-                true => low = part,
-                false => high = part,
-            }
-            part = 0.5 * (low + high);
-        }
+            Ok::<_, Error>((there, work))
+        };
+        let (part, there) = part_of_step(TRIALS, at, |there| size(there) <= tolerance)?;
+        (shift, reaction) = (shift + step * part, there);
     }
     Err(Error::NoConvergence {
         iterations: info.iterations,
         residual: info.residual,
+    })
+}
+
+impl Reaction {
+    fn none() -> Reaction {
+        Reaction {
+            force: Vector::zeros(),
+            stiffness: Matrix::zeros(),
+            largest: 0.0,
+        }
+    }
+}
+
+/// The distribution of elements in balance.
+fn finish(
+    elements: Vec<Element>,
+    shift: &Vector,
+    reaction: &Reaction,
+    info: Info,
+) -> Result<Distribution, Error> {
+    if reaction.largest <= 0.0 {
+        return Err(Error::Unloaded);
+    }
+    Ok(Distribution {
+        elements,
+        shift: [shift[0], shift[1], shift[2]],
+        tilt: [shift[3], shift[4]],
+        force: [reaction.force[0], reaction.force[1], reaction.force[2]],
+        moment: [reaction.force[3], reaction.force[4]],
+        stiffness: std::array::from_fn(|i| std::array::from_fn(|j| reaction.stiffness[(i, j)])),
+        info,
     })
 }

@@ -1,7 +1,10 @@
 //! A roller between its raceways, slice by slice.
 
+use std::convert::Infallible;
+
 use nalgebra::{Matrix2, Vector2};
 
+use super::newton::{ACCEPTED, NEGLIGIBLE, RESIDUAL, STEPS, part_of_step};
 use crate::bearing::Material;
 
 /// Exponent of the load of a slice.
@@ -52,12 +55,8 @@ struct Contact {
     slices: Vec<f64>,
 }
 
-const STEPS: usize = 100;
+/// Most trials along a step.
 const TRIALS: usize = 40;
-const RESIDUAL: f64 = 1e-12;
-const ACCEPTED: f64 = 1e-9;
-/// Approach whose force does not count, in lengths of the roller.
-const NEGLIGIBLE: f64 = 1e-6;
 
 impl Roller {
     /// Of a length (m), a drop (m) along it, and a force outwards (N) along the normal.
@@ -155,23 +154,14 @@ impl Roller {
             let slope = inner.slope + outer.slope + soft;
             let step = slope.lu().solve(&-rest)?;
             let before = step.dot(&rest).abs();
-            // The energy is convex: the place of balance along the step is enclosed where it goes too far.
-            let (mut low, mut part, mut high) = (0.0, 1.0, 1.0);
-            for trial in 1..=TRIALS {
+            let along = |part: f64| {
                 let there = at(place + part * step);
                 let work = step.dot(&there.2) / before;
-                let is_short = work < -0.5 && part < high;
-                if trial == TRIALS || (work <= 0.5 && !is_short) {
-                    place += part * step;
-                    (inner, outer, rest) = there;
-                    break;
-                }
-                match is_short {
-                    true => low = part,
-                    false => high = part,
-                }
-                part = 0.5 * (low + high);
-            }
+                Ok::<_, Infallible>((there, work))
+            };
+            let Ok((part, there)) = part_of_step(TRIALS, along, |_| false);
+            place += part * step;
+            (inner, outer, rest) = there;
         }
         if size(&rest, &inner) > ACCEPTED {
             return None;

@@ -1,12 +1,12 @@
 //! The rollers of a bearing together.
 
 use ertel_ehl::contact::{Contact, Curvatures, Hertz};
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, Vector2};
 
-use super::newton::{Reaction, Row, Vector, balance};
+use super::newton::{Push, Row, Vector};
 use super::roller::{Roller, RollerState};
-use super::solve::{angles, direction, finish};
-use super::{Distribution, Element, Error, Given, Params, RingContact, Slice};
+use super::solve::{angles, direction};
+use super::{Element, Params, RingContact, Slice};
 use crate::bearing::Material;
 use crate::bearing::geometry::{Ring, RollerGeometry, TaperedGeometry};
 use crate::bearing::kinematics::{RollerMotion, Speeds};
@@ -29,6 +29,8 @@ pub(super) struct Rollers {
     /// Half angle of the rollers and inclination of their axes, rad.
     half_angle: f64,
     axis_angle: f64,
+    /// E', Pa.
+    reduced_modulus: f64,
 }
 
 struct Raceway {
@@ -63,6 +65,7 @@ impl Rollers {
             centrifugal,
             half_angle: 0.0,
             axis_angle: 0.0,
+            reduced_modulus: material.reduced_modulus,
         }
     }
 
@@ -104,26 +107,8 @@ impl Rollers {
             centrifugal,
             half_angle,
             axis_angle,
+            reduced_modulus: material.reduced_modulus,
         }
-    }
-
-    /// Shift along the normal of the outer raceway, and tilt of the generator, at ψ.
-    fn map(&self, angle: f64) -> SMatrix<f64, 2, 5> {
-        let (s, c) = angle.sin_cos();
-        let (axial, radial) = self.raceways[1].angle.sin_cos();
-        let arm = self.pitch_radius * axial;
-        SMatrix::<f64, 2, 5>::from_row_slice(&[
-            c * radial,
-            s * radial,
-            axial,
-            arm * s,
-            -arm * c, //
-            0.0,
-            0.0,
-            0.0,
-            -s,
-            c,
-        ])
     }
 
     /// Load on the rib of the inner ring, in addition to Q_i along the normal of the cup: Q_o − Q_i along that normal, less F_c. Zero for
@@ -137,57 +122,19 @@ impl Rollers {
         Vector::from([radial * c, radial * s, axial, moment * s, -moment * c])
     }
 
-    fn state(&self, angle: f64, shift: &Vector) -> Result<RollerState, Error> {
-        let moved = self.map(angle) * shift;
-        let found = (self.roller).state(moved[0] - 0.5 * self.clearance, moved[1]);
-        found.ok_or(Error::Element {
-            degrees: angle.to_degrees(),
-        })
-    }
-
-    pub fn solve(
-        &self,
-        given: [Given; 5],
-        material: Material,
-        params: &Params,
-    ) -> Result<Distribution, Error> {
-        let (shift, reaction, info) = balance(self, given, params.tolerance, params.iterations)?;
-        let elements = self
-            .angles
-            .iter()
-            .map(|angle| {
-                let state = self.state(*angle, &shift)?;
-                let contacts = Ring::BOTH.map(|ring| self.contact(ring, &state, material));
-                let both = contacts[0].load + contacts[1].load;
-                Ok(Element {
-                    position: *angle,
-                    rib_load: both * self.half_angle.sin()
-                        + self.centrifugal * self.axis_angle.sin(),
-                    contacts,
-                    cage_speed: self.motion.cage,
-                    own_speed: self.motion.element,
-                    attitude: self.axis_angle,
-                    centrifugal_force: self.centrifugal,
-                    gyroscopic_moment: 0.0,
-                })
-            })
-            .collect::<Result<Vec<_>, Error>>()?;
-        finish(elements, &shift, &reaction, info)
-    }
-
     /// Spin of ring and roller about the normal from ring to roller, seen from the cage: cones with one apex have the same, ω_R sin ν, at
     /// both rings.
     fn spin(&self) -> [f64; 2] {
         [self.motion.element * self.half_angle.sin(); 2]
     }
 
-    fn contact(&self, ring: Ring, state: &RollerState, material: Material) -> RingContact {
+    fn contact(&self, ring: Ring, state: &RollerState) -> RingContact {
         let raceway = &self.raceways[ring.index()];
         let radius = raceway.radius;
         let hertz = |line_load| {
             let line = Contact::line(radius, line_load);
             match line_load > 0.0 {
-                true => Hertz::new(&line, material.reduced_modulus),
+                true => Hertz::new(&line, self.reduced_modulus),
                 false => Hertz {
                     half_width: 0.0,
                     half_width_y: None,
@@ -227,16 +174,57 @@ impl Rollers {
 }
 
 impl Row for Rollers {
-    fn reaction(&self, shift: &Vector) -> Result<Reaction, Error> {
-        let mut sum = Reaction::none();
-        for angle in &self.angles {
-            let map = self.map(*angle);
-            let state = self.state(*angle, shift)?;
-            sum.force += map.transpose() * state.force + self.thrust(*angle);
-            sum.stiffness += map.transpose() * state.stiffness * map;
-            sum.largest = sum.largest.max(state.force[0]);
+    type State = RollerState;
+
+    fn angles(&self) -> &[f64] {
+        &self.angles
+    }
+
+    /// Shift along the normal of the outer raceway, and tilt of the generator, at ψ.
+    fn map(&self, angle: f64) -> SMatrix<f64, 2, 5> {
+        let (s, c) = angle.sin_cos();
+        let (axial, radial) = self.raceways[1].angle.sin_cos();
+        let arm = self.pitch_radius * axial;
+        SMatrix::<f64, 2, 5>::from_row_slice(&[
+            c * radial,
+            s * radial,
+            axial,
+            arm * s,
+            -arm * c, //
+            0.0,
+            0.0,
+            0.0,
+            -s,
+            c,
+        ])
+    }
+
+    fn state(&self, moved: Vector2<f64>) -> Option<RollerState> {
+        (self.roller).state(moved[0] - 0.5 * self.clearance, moved[1])
+    }
+
+    fn push(&self, angle: f64, state: &RollerState) -> Push {
+        Push {
+            force: state.force,
+            stiffness: state.stiffness,
+            load: state.force[0],
+            thrust: self.thrust(angle),
         }
-        Ok(sum)
+    }
+
+    fn element(&self, position: f64, state: &RollerState) -> Element {
+        let contacts = Ring::BOTH.map(|ring| self.contact(ring, state));
+        let both = contacts[0].load + contacts[1].load;
+        Element {
+            position,
+            rib_load: both * self.half_angle.sin() + self.centrifugal * self.axis_angle.sin(),
+            contacts,
+            cage_speed: self.motion.cage,
+            own_speed: self.motion.element,
+            attitude: self.axis_angle,
+            centrifugal_force: self.centrifugal,
+            gyroscopic_moment: 0.0,
+        }
     }
 
     fn start(&self, load: &Vector) -> Vector {

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use super::ball::Ball;
 use super::ball_row::Balls;
-use super::newton::{Matrix, Reaction, Vector};
+use super::newton::{Row, Vector};
 use super::roller_row::Rollers;
-use super::{Distribution, Element, Error, Given, Info, Loads, Params};
+use super::{Distribution, Error, Given, Loads, Params};
 use crate::bearing::kinematics::Speeds;
 use crate::bearing::{Bearing, Geometry, Material};
 
@@ -30,8 +30,9 @@ pub fn solve(
                     geometry,
                     ball: Ball::new(geometry, bearing.material, speeds, params),
                     angles: angles(geometry.number, params),
+                    control: params.control,
                 };
-                row.solve(given, bearing.material, speeds, params)
+                row.solve(given, params)
             };
             match solved(params) {
                 Err(Error::Element { .. } | Error::NoConvergence { .. })
@@ -56,7 +57,7 @@ pub fn solve(
                 _ => given[2] = Given::Shift(0.0),
             }
             let row = Rollers::cylindrical(geometry, bearing.material, speeds, params);
-            row.solve(given, bearing.material, params)
+            row.solve(given, params)
         }
         Geometry::TaperedRoller(geometry) => {
             if let Given::Load(load) = given[2]
@@ -65,7 +66,7 @@ pub fn solve(
                 return Err(Error::Separation(load));
             }
             let row = Rollers::tapered(geometry, bearing.material, speeds, params);
-            row.solve(given, bearing.material, params)
+            row.solve(given, params)
         }
     }
 }
@@ -116,34 +117,4 @@ pub(super) fn direction(load: &Vector) -> [f64; 2] {
         0.0 => [1.0, 0.0],
         size => [load[0] / size, load[1] / size],
     }
-}
-
-impl Reaction {
-    pub(super) fn none() -> Reaction {
-        Reaction {
-            force: Vector::zeros(),
-            stiffness: Matrix::zeros(),
-            largest: 0.0,
-        }
-    }
-}
-
-pub(super) fn finish(
-    elements: Vec<Element>,
-    shift: &Vector,
-    reaction: &Reaction,
-    info: Info,
-) -> Result<Distribution, Error> {
-    if reaction.largest <= 0.0 {
-        return Err(Error::Unloaded);
-    }
-    Ok(Distribution {
-        elements,
-        shift: [shift[0], shift[1], shift[2]],
-        tilt: [shift[3], shift[4]],
-        force: [reaction.force[0], reaction.force[1], reaction.force[2]],
-        moment: [reaction.force[3], reaction.force[4]],
-        stiffness: std::array::from_fn(|i| std::array::from_fn(|j| reaction.stiffness[(i, j)])),
-        info,
-    })
 }

@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+use super::super::pictures::{LEGEND_GREY, is_wide, legend_entry};
 use super::super::study::words;
 use super::report::unit_of;
 use super::settings::{n_apart, settings};
@@ -10,12 +11,8 @@ use crate::compare::{ComparedRow, Comparison, Measurand};
 use crate::words::digits;
 use ertel_plot::{Axis, AxisScale, Chart, Drawing, ErrorBars, Look, PALETTE, Series, side_by_side};
 
-/// Smallest ratio of the largest to the smallest value for a logarithmic axis.
-const LOG_FROM: f64 = 5.0;
 /// Margin of a logarithmic axis around the points.
 const ROOM: f64 = 1.1;
-/// Colour of rows when the other quantities have more settings than there are colours.
-const MANY: &str = "#404040";
 
 /// Films in one diagram, traction and machine figures in others, over the column with the most settings. Each setting of the other
 /// columns has a colour. `None` without a numeric column.
@@ -99,7 +96,7 @@ impl Layout {
                 let own = rows().filter(|(_, own)| is_crowded || **own == group);
                 let own: Vec<&ComparedRow> = own.map(|(row, _)| row).collect();
                 let colour = match is_crowded {
-                    true => MANY,
+                    true => LEGEND_GREY,
                     false => PALETTE[group * figures.len() + i],
                 };
                 let label = match (is_crowded, self.labels[group].as_str()) {
@@ -202,16 +199,6 @@ impl Layout {
     }
 }
 
-/// Legend entry for all colours.
-fn legend_entry(look: Look, label: &str) -> Series {
-    Series {
-        label: label.to_owned(),
-        look,
-        colour: MANY.to_owned(),
-        ..Series::default()
-    }
-}
-
 /// The left axis. It is logarithmic if the lower axis is, because power laws are then straight lines.
 fn y_axis(chart: &Chart, label: &str) -> Axis {
     let points = chart.series.iter().flat_map(|s| &s.points).map(|p| p[1]);
@@ -225,13 +212,6 @@ fn y_axis(chart: &Chart, label: &str) -> Axis {
     let all = heights.into_iter().chain(ends).chain([0.0]);
     let (low, high) = all.fold((0.0, 0.0), |(l, h): (f64, f64), v| (l.min(v), h.max(v)));
     Axis::linear_around(label, [low, high])
-}
-
-fn is_wide(values: impl Iterator<Item = f64>) -> bool {
-    let (low, high) = values.fold((f64::INFINITY, 0.0), |(l, h): (f64, f64), v| {
-        (l.min(v), h.max(v))
-    });
-    low > 0.0 && high >= LOG_FROM * low
 }
 
 /// `load 20 N, temperature 40 °C`.

@@ -2,13 +2,11 @@
 
 use ertel_quantity::Dimension;
 
+use super::super::pictures::is_wide;
 use crate::case::curve::Quantity;
 use crate::study::{CurveSolution, PointSolution, RPM};
 use crate::words::pressure_unit;
 use ertel_plot::{Axis, AxisScale, Chart, Marker};
-
-/// Smallest ratio of the largest to the smallest value for a logarithmic axis.
-const LOG_FROM: f64 = 5.0;
 
 /// Diagram over the quantity of a curve, without series; call [`fit_y`] after adding them.
 pub(super) fn curve_chart(title: &str, curve: &CurveSolution, y_label: &str) -> Chart {
@@ -65,13 +63,6 @@ pub(super) fn points_over(
 
 pub(super) fn largest(values: impl Iterator<Item = f64>) -> f64 {
     values.fold(0.0, f64::max)
-}
-
-fn is_wide(values: impl Iterator<Item = f64>) -> bool {
-    let (low, high) = values.fold((f64::INFINITY, 0.0), |(l, h): (f64, f64), v| {
-        (l.min(v), h.max(v))
-    });
-    low > 0.0 && high >= LOG_FROM * low
 }
 
 /// Display unit of the quantity, given its largest value (SI).

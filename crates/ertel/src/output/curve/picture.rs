@@ -1,6 +1,6 @@
 //! Film thickness and traction over the quantity of a curve.
 
-use super::super::pictures::{ERROR_BARS, film_unit};
+use super::super::pictures::{ERROR_BARS, film_unit, legend_entry};
 use super::frame::{curve_chart, fit_y, largest, points_over};
 use crate::solution::{Estimate, Figure, FormulaFilm, Solution};
 use crate::study::{CurveSolution, PointSolution};
@@ -67,7 +67,7 @@ fn films_over(title: &str, curve: &CurveSolution, figures: &[Figure]) -> Chart {
             let value = |s: &Solution| factor * estimate(s, *figure).value;
             chart.series.push(other.unlabelled(curve, colour, value));
         }
-        let entry = legend_entry(other.look, other.name.to_owned());
+        let entry = legend_entry(other.look, other.name);
         chart.series.push(entry);
     }
     if all.is_empty() {
@@ -160,7 +160,7 @@ pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Cha
     chart.series.extend(
         looks
             .into_iter()
-            .map(|(look, label)| legend_entry(look, label)),
+            .map(|(look, label)| legend_entry(look, &label)),
     );
     Some(chart)
 }
@@ -170,19 +170,6 @@ fn simpler(curves: &[(&str, &CurveSolution)]) -> Option<Simpler> {
     let curves: Vec<&CurveSolution> = curves.iter().map(|(_, curve)| *curve).collect();
     simpler_solutions(&curves).into_iter().next()
 }
-
-/// Legend entry for curves of all colours.
-fn legend_entry(look: Look, label: String) -> Series {
-    Series {
-        label,
-        look,
-        colour: LEGEND_GREY.into(),
-        ..Series::default()
-    }
-}
-
-/// Colour of legend entries for curves of all colours.
-const LEGEND_GREY: &str = "#404040";
 
 /// Traction coefficients of several curves over the same quantity, those of the simpler contact dashed; the latter may
 /// exceed the frame. `None` without curves.
@@ -202,7 +189,7 @@ pub fn tractions_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option
         let series = other.iter().map(|b| b.unlabelled(curve, colour, value));
         dashed.extend(series);
     }
-    dashed.extend(other.map(|b| legend_entry(b.look, b.name.to_owned())));
+    dashed.extend(other.map(|b| legend_entry(b.look, b.name)));
     add_simpler_tractions(&mut chart, vec![dashed]);
     Some(chart)
 }

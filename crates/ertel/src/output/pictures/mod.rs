@@ -30,6 +30,28 @@ const NANOMETRES_BELOW: f64 = 1e-6;
 
 /// Legend label of the error bars of computed figures.
 pub(crate) const ERROR_BARS: &str = "numerical error";
+/// Smallest ratio of the largest to the smallest value for a logarithmic axis.
+const LOG_FROM: f64 = 5.0;
+/// Colour of what stands for all colours.
+pub(super) const LEGEND_GREY: &str = "#404040";
+
+/// Whether values need a logarithmic axis.
+pub(super) fn is_wide(values: impl Iterator<Item = f64>) -> bool {
+    let (low, high) = values.fold((f64::INFINITY, 0.0), |(l, h): (f64, f64), v| {
+        (l.min(v), h.max(v))
+    });
+    low > 0.0 && high >= LOG_FROM * low
+}
+
+/// Legend entry for curves of all colours.
+pub(super) fn legend_entry(look: Look, label: &str) -> Series {
+    Series {
+        label: label.to_owned(),
+        look,
+        colour: LEGEND_GREY.to_owned(),
+        ..Series::default()
+    }
+}
 
 /// A named picture.
 pub struct Picture {
