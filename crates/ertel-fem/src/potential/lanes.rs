@@ -71,7 +71,7 @@ impl<S: Simd> Div for Lanes<S> {
     }
 }
 
-/// Natural logarithms in place, of positive normal numbers.
+/// Natural logarithms of positive normal numbers, in place.
 ///
 /// ```text
 ///   x = 2^k m,  √½ ≤ m < √2:   ln x = k ln 2 + 2 artanh s,   s = (m − 1)/(m + 1),   |s| < 0.172

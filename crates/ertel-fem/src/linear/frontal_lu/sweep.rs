@@ -19,7 +19,7 @@ pub(super) struct Scratch {
     pub(super) beyond: Vec<f32>,
 }
 
-/// Which way a solve goes: with the matrix or its transpose.
+/// Matrix of a solve: the factorised one or its transpose.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
     Matrix,
