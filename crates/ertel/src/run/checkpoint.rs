@@ -235,8 +235,8 @@ mod tests {
         let damage: [fn(&mut Checkpoint); 9] = [
             |of| of.physics.time = f64::NAN,
             |of| of.collected.instants.clear(),
-            |of| drop(of.collected.instants.pop()),
-            |of| drop(of.collected.map.films.pop()),
+            |of| _ = of.collected.instants.pop(),
+            |of| _ = of.collected.map.films.pop(),
             |of| of.collected.map.x.truncate(1),
             |of| of.collected.map.x[0] = f64::NAN,
             |of| of.collected.fields.y.clear(),
