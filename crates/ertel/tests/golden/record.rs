@@ -115,7 +115,7 @@ impl Record {
     /// As a file, one value on a line.
     pub fn text(&self, name: &str) -> String {
         let mut text =
-            format!("# What the case {name} gave; written by --update, docs/golden.md.\n");
+            format!("# Results of the case {name}; written by --update, docs/golden.md.\n");
         let mut section = None;
         for entry in &self.0 {
             if section != Some(&entry.section) {
