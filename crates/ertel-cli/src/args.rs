@@ -70,7 +70,7 @@ pub enum Command {
     Man(ManArgs),
 }
 
-/// What commands that solve report.
+/// Report options of the commands that solve.
 #[derive(Debug, Args)]
 pub struct ReportArgs {
     /// Exit code 0 also where an error bar is wider than half of a figure
@@ -139,7 +139,7 @@ pub struct SolveArgs {
     /// For a case in time: continue from `<results>.checkpoint`
     #[arg(long, conflicts_with = "check")]
     pub resume: bool,
-    /// What is reported.
+    /// Report options.
     #[command(flatten)]
     pub report: ReportArgs,
     /// Verbose: also print files read, every iteration, the meshes and the files written
@@ -186,7 +186,7 @@ pub struct SweepArgs {
     /// How many points and threads.
     #[command(flatten)]
     pub workers: WorkerArgs,
-    /// What is reported.
+    /// Report options.
     #[command(flatten)]
     pub report: ReportArgs,
     /// Verbose: also print files read, a line for each point, failures and warnings
@@ -261,7 +261,7 @@ pub struct CompareArgs {
     /// How many points and threads.
     #[command(flatten)]
     pub workers: WorkerArgs,
-    /// What is reported.
+    /// Report options.
     #[command(flatten)]
     pub report: ReportArgs,
 }

@@ -1,4 +1,4 @@
-//! What was found: a panic, a hang, too much memory, an abort, an error without place.
+//! Findings: a panic, a hang, too much memory, an abort, an error without place.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,4 +1,4 @@
-//! What is fed to a reader: the files of one input, and which reader it is for.
+//! Inputs of readers: the files of one input, and the reader that it is for.
 
 use std::fs;
 use std::io;
@@ -44,9 +44,9 @@ pub enum Target {
     CurveResult,
     /// Pages of results, shown one by one and side by side.
     View,
-    /// What the functions of the Python package hand to the library.
+    /// Arguments that the functions of the Python package pass to the library.
     Python,
-    /// What the page of a browser asks for.
+    /// Requests of the page in a browser.
     Web,
     /// A case with a map of a surface: text or SDF.
     Surface,

@@ -185,7 +185,7 @@ fn scratch() -> io::Result<tempfile::TempDir> {
 mod tests {
     use super::*;
 
-    /// What once was a defect stays none: every input of the corpus is taken or refused as it should be.
+    /// Former defects stay fixed: every input of the corpus is accepted or refused as it should be.
     #[test]
     fn the_corpus_shows_no_defect() {
         let folder = scratch().unwrap();

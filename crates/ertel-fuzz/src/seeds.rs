@@ -35,7 +35,7 @@ const SETTINGS: &str =
     "contact.load=50 kN/m\nlubricant.temperature=80 degC\nmotion.slide_to_roll_ratio=0.1\n";
 const CHANGES: &str = r#"[["contact.radius", "16 mm"], ["mesh.target_error", "1 %"], ["thermal", {}], ["title", null], ["a.b", 3]]"#;
 
-/// What inputs are made from.
+/// Files from which inputs are made.
 #[derive(Debug)]
 pub struct Seeds {
     seeds: Vec<Seed>,
@@ -149,7 +149,7 @@ impl Seeds {
             }
             left -= target.weight();
         }
-        // What is refused as it is says less about what comes behind.
+        // A seed that is refused undamaged does not reach the code behind the readers.
         let bad = rng.u8(0..5) == 0;
         let of_target = self.seeds.iter().filter(|i| i.input.target == target);
         let (bad_ones, mut own): (Vec<&Seed>, Vec<&Seed>) = of_target.partition(|i| i.is_bad);

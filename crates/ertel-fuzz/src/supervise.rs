@@ -13,7 +13,7 @@ use crate::minimise::minimise;
 use crate::seeds::Seeds;
 use crate::worker::{Figures, Message, progress};
 
-/// What is asked for.
+/// The requested run.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// Seed of all inputs.
@@ -30,7 +30,7 @@ pub struct Plan {
     pub output: PathBuf,
 }
 
-/// What came of it.
+/// Result of the run.
 #[derive(Clone, Debug, Default)]
 pub struct Summary {
     /// Inputs read.
@@ -108,7 +108,7 @@ pub fn supervise(seeds: &Seeds, plan: &Plan) -> io::Result<Summary> {
         for target in &plan.targets {
             command.args(["--target", target.name()]);
         }
-        // What an abort prints is reported as a finding.
+        // The output of an abort is reported as a finding.
         let mut worker = command
             .stdout(Stdio::piped())
             .stderr(Stdio::null())

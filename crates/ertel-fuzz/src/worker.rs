@@ -19,7 +19,7 @@ const PERIOD: u64 = 5000;
 /// File with the number of the input being read, for those that kill the process.
 const PROGRESS: &str = "progress";
 
-/// What a worker is to do.
+/// The task of a worker.
 #[derive(Clone, Debug)]
 pub struct Job {
     /// Seed of all inputs.
@@ -34,7 +34,7 @@ pub struct Job {
     pub folder: PathBuf,
 }
 
-/// What a worker reports, a line of JSON each.
+/// Reports of a worker, a line of JSON each.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Message {

@@ -62,7 +62,7 @@ pub fn damage(text: &mut String, rng: &mut Rng, words: &Words) {
         2 => {
             let times = [1, 1, 2, 100, MOST_ROWS][rng.usize(0..5)];
             let copy = rows[row].clone();
-            // What is longer is cut off anyway.
+            // Longer values are cut off anyway.
             let length: usize = copy.iter().map(|cell| cell.len() + 1).sum();
             let times = times.min(1 + LONGEST / length);
             rows.splice(row..row, std::iter::repeat_n(copy, times));

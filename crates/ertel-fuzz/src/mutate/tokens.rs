@@ -6,7 +6,7 @@ use fastrand::Rng;
 
 use super::Words;
 
-/// What a token is.
+/// Kind of a token.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A key, the name of a section, `true`.

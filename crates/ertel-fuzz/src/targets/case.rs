@@ -38,7 +38,7 @@ pub fn run(folder: &Path) -> Result<Verdict, Defect> {
     Ok(Verdict::Taken)
 }
 
-/// What all commands but the solver do with a case.
+/// The steps of all commands except the solver.
 pub fn set_up(case: &Case) -> Result<(), Defect> {
     let (echo, figures) = (case.echo(), ertel::estimate::estimate(case));
     output::estimate_report(&echo, &figures);

@@ -54,7 +54,7 @@ fn resumed(bytes: &[u8], case: &Case) -> Result<Verdict, Defect> {
     if let Some(failure) = &found.failure {
         check_text(&ertel_input::escaped(&failure.to_string()))?;
     }
-    // What is not finite is refused there.
+    // Values that are not finite are refused there.
     if let Err(error) = output::transient_files(&case.echo(), &found, &case.output) {
         check_text(&ertel_input::escaped(&error.to_string()))?;
     }

@@ -1,4 +1,4 @@
-//! What changes in time: tables of a course, with a case.
+//! Courses in time: tables, with a case.
 
 use crate::input::{Input, Target};
 
@@ -10,7 +10,7 @@ const TABLES: [&str; 3] = [
     "# of a logger\ntime_us\tvalue_kN_per_m\n0\t50\n400\t45\n1000\t52\n",
 ];
 
-/// What inputs are made from.
+/// Files from which inputs are made.
 pub fn seeds() -> Vec<Input> {
     let of = |text: &&str| {
         let mut input = Input {

@@ -1,4 +1,4 @@
-//! What the functions of the Python package hand to the library: names, numbers and texts of any value.
+//! Arguments that the functions of the Python package pass to the library: names, numbers and texts of any value.
 
 use std::path::Path;
 

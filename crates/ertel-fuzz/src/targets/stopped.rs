@@ -54,7 +54,7 @@ pub fn whole() -> Option<&'static Whole> {
     WHOLE.get_or_init(make).as_ref()
 }
 
-/// What inputs are made from.
+/// Files from which inputs are made.
 ///
 /// # Errors
 /// A case that leaves no checkpoint.

@@ -21,7 +21,7 @@ const TEXTS: [&str; 5] = [
     "0 0 1\n1 0 2\n2 0 1\n3 0 4\n0 1 1\n1 1 1\n2 1 1\n3 1 1\n0 2 1\n1 2 1\n2 2 2\n3 2 1\n0 3 1\n1 3 1\n2 3 1\n3 3 1\n",
 ];
 
-/// What inputs are made from.
+/// Files from which inputs are made.
 pub fn seeds() -> Vec<Input> {
     let of = |target: Target, case: String, files: &[(&str, &[u8])]| {
         let mut input = Input {

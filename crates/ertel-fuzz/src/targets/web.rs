@@ -1,4 +1,4 @@
-//! What the page of a browser asks for: the checks of a case, its values, a changed value.
+//! Requests of the page in a browser: the checks of a case, its values, a changed value.
 
 use serde_json::Value;
 
@@ -17,7 +17,7 @@ pub fn run(input: &Input) -> Result<Verdict, Defect> {
     let checked = answered(&ertel_web::check(case))?;
     answered(&ertel_web::form(case))?;
     match ertel_web::edit(case, changes) {
-        // What was valid TOML stays so.
+        // Valid TOML stays valid.
         Ok(text) => drop(answered(&ertel_web::form(&text))?),
         Err(error) => drop(check_text(&ertel_input::escaped(&error.to_string()))?),
     }

@@ -149,7 +149,7 @@ rows! {
         load_share: Number => "of a single contact, optional: X in w = X T_1/(r_b1 b); `load_sharing` or 1/ε_α if absent";
         addendum_pinion, addendum_wheel: LENGTH => "h_a, optional; the normal module if absent";
     }
-    /// What both kinds of teeth have.
+    /// Rows of both kinds of teeth.
     GEARS {
         template: TEMPLATES => "optional: test gears of the FZG rig; every other key replaces one of their dimensions";
         load_stage: Count => "stage of the FZG rig, 1 to 14, instead of `pinion_torque`; only with a template";

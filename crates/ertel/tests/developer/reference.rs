@@ -59,7 +59,7 @@ fn the_table_of_machines_has_every_figure() {
     assert_eq!(listed, names);
 }
 
-/// What is estimated for each kind of base oil, with the range.
+/// Estimated properties of each kind of base oil, with the range.
 #[test]
 fn the_tables_of_base_oils_are_those_of_the_source() {
     let number = |value: f64| format!("{}", (value * 1e4).round() / 1e4).replace('-', "−");

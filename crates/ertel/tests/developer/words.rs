@@ -71,8 +71,15 @@ fn idioms(text: &str) -> Vec<(usize, &'static str)> {
     found
 }
 
+/// Whether a line is a comment that starts with a clause as its noun: "What is left ...".
+fn starts_with_what(line: &str) -> bool {
+    let comment = line.trim_start().trim_start_matches(['/', '!', '#']);
+    comment.len() < line.trim_start().len() && comment.starts_with(" What ") && !line.contains('?')
+}
+
 #[test]
 fn idioms_are_found_in_text_and_identifiers() {
+    assert!(starts_with_what("    /// What is left of it.") && !starts_with_what("/// What now?"));
     let text = "/// They are in place\n/// of it.\nfn is_told(x: ToldTwice) {}\nin placeof, untold";
     let expected = [(1, "in place of"), (3, "told"), (3, "told")];
     assert_eq!(idioms(text), expected);
@@ -100,6 +107,9 @@ fn no_idiom_comes_back() {
         let text = read(&path).replace("alias = \"beside\"", "");
         let here = idioms(&text).into_iter();
         found.extend(here.map(|(line, idiom)| format!("{path}:{line}: {idiom}")));
+        let lines = text.lines().enumerate();
+        let what = lines.filter(|(_, line)| starts_with_what(line));
+        found.extend(what.map(|(i, _)| format!("{path}:{}: What ...", i + 1)));
     }
     assert!(
         found.is_empty(),

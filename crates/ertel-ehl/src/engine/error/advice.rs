@@ -1,4 +1,4 @@
-//! What to try after a solve has failed.
+//! Advice after a failed solve.
 
 use super::{HeatError, SolveError, Stopped};
 
