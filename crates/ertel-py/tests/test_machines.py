@@ -123,6 +123,30 @@ def test_figures(machine: ertel.MachineSolution) -> None:
     assert "10 contacts" in repr(machine) and "<table>" in machine._repr_html_()
 
 
+def test_marks_reach_totals() -> None:
+    """Newtonian oil under spin transmits friction that no lubricant does: the totals carry it, the films do not."""
+    solved = ertel.solve(
+        ertel.Bearing(
+            "6206",
+            balls=5,
+            axial_load="3 kN",
+            inner_ring_speed="1000 rpm",
+            bodies="steel",
+            lubricant={
+                "density": {"law": "constant", "rho_0": "850 kg/m^3"},
+                "viscosity": {"law": "roelands", "mu_0": "17 mPa.s", "alpha": "18 1/GPa"},
+            },
+            temperature="70 degC",
+            mesh={"target_error": 0.1},
+        )
+    )
+    assert isinstance(solved, ertel.MachineSolution)
+    for name in ("friction_power_spin", "friction_power", "friction_torque"):
+        figure = solved.figures[name]
+        assert figure.doubtful and figure.marks == ("friction-beyond-lubricants",), name
+    assert not solved.film_minimum.doubtful and solved.film_minimum.marks == ()
+
+
 def test_tables(machine: ertel.MachineSolution) -> None:
     pytest.importorskip("pandas")
     rows = machine.to_pandas()

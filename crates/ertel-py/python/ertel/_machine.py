@@ -44,7 +44,7 @@ class MachineFigure(Quantity):
 
     @property
     def doubtful(self) -> bool:
-        """Whether the figure is not to be used at all: not resolved, or made of friction that no lubricant transmits."""
+        """Whether the figure is not to be used at all: not resolved, or derived from friction that no lubricant transmits."""
         return not self.resolved or "friction-beyond-lubricants" in self.marks
 
 

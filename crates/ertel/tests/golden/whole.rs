@@ -11,10 +11,12 @@ use serde_json::{Value, json};
 use super::record::Record;
 
 /// Keys that differ from run to run or repeat the case.
-const NOT_RECORDED: [&str; 6] = [
+const NOT_RECORDED: [&str; 8] = [
     "case",
     "ertel_version",
     "numerics_version",
+    "peak_memory",
+    "seconds",
     "wall_seconds",
     "silenced",
     "units",
