@@ -168,7 +168,7 @@ pub struct SweepArgs {
     /// Print events as JSON lines instead of progress and report
     #[arg(long)]
     pub json: bool,
-    /// List the points and their starting points, then stop
+    /// List the points, each with the point whose solution it starts from, then stop
     #[arg(long)]
     pub dry_run: bool,
     /// Also write the results of each point into a separate folder

@@ -53,7 +53,7 @@ pub fn samples(
     let samples = folder.with_file_name(name);
     if inputs::overlap(&samples, folder) {
         return Err(Failure::Argument(format!(
-            "the results would go to {} and the samples to {}, and both are the same folder; choose another folder with --output",
+            "the results would go to {} and the samples to {}, and these folders overlap; choose another folder with --output",
             folder.display(),
             samples.display()
         )));

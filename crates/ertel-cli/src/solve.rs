@@ -231,7 +231,7 @@ fn may_cross_check(case: &Case) -> Result<(), Failure> {
         return Err(Failure::Argument(text.to_owned()));
     }
     if case.curve.is_some() {
-        let text = "--cross-check takes one contact, and the case has a [curve]: remove it to solve a single point";
+        let text = "--cross-check takes one contact, but the case has a [curve]: remove [curve] to check a single point";
         return Err(Failure::Argument(text.to_owned()));
     }
     match ertel::cross_check::why_not(case) {
@@ -334,8 +334,8 @@ pub fn points_not_resolved(n: usize, all: usize, table: &Path) -> Failure {
 }
 
 /// Help for figures that are not resolved.
-pub const RESOLVE: &str = "the warnings give the reason: raise [mesh] max_unknowns if the mesh is too coarse; add a limiting shear stress if the \
-    friction is too large; --accept-unresolved accepts such figures";
+pub const RESOLVE: &str = "the warnings give the reason: raise [mesh] max_unknowns if the mesh is too coarse; give the lubricant shear \
+    thinning, `[thermal]` or a limiting shear stress if the friction is too large; --accept-unresolved accepts such figures";
 
 /// Help for figures beyond physical limits.
 const POSSIBLE: &str = "look at the constants of the laws, and add what the case neglects (see the warnings): [lubricant] shear_thinning \

@@ -401,7 +401,7 @@ fn results_have_a_separate_folder() {
     arguments.push("contact.load=20 kN/m ± 5 %".into());
     let (code, said) = run(root, &arguments, Stdio::null());
     assert_eq!(code, 2, "{said}");
-    assert!(said.contains("both are the same folder"), "{said}");
+    assert!(said.contains("these folders overlap"), "{said}");
     assert!(!root.join("out").exists());
 }
 

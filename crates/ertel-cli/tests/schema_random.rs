@@ -231,7 +231,11 @@ fn what_the_readers_take_fits_the_schema() {
         match read(&case, path.parent().unwrap()) {
             Ok(_) => {
                 n_taken += 1;
-                keys_taken.extend(&set);
+                let is_there = |key: &&str| {
+                    case.pointer(&format!("/{}", key.replace('.', "/")))
+                        .is_some()
+                };
+                keys_taken.extend(set.into_iter().filter(is_there));
                 failures.extend(
                     refused
                         .into_iter()

@@ -1,4 +1,4 @@
-//! Reads a case and says what is wrong with it.
+//! Reads a case and reports its errors.
 
 use std::path::Path;
 

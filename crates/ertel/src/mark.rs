@@ -56,7 +56,7 @@ impl Mark {
         match self {
             Mark::Unresolved => "derived from figures that are not resolved",
             Mark::Friction => {
-                "(!) derived from friction that no lubricant transmits; the model does not limit it: do not use"
+                "(!) derived from friction that no lubricant transmits, because the model does not limit it: not to be used"
             }
             Mark::FilmAlone => {
                 "(f) film alone: it does not separate the surfaces, and the friction of the asperities is not included"

@@ -315,6 +315,13 @@ pub struct MachineFigure {
     pub source: &'static str,
 }
 
+impl MachineFigure {
+    /// Whether it is a temperature rise, which is shown in K; temperatures are shown in °C.
+    pub fn is_rise(&self) -> bool {
+        ["flash_temperature", "flash_temperature_blok"].contains(&self.name)
+    }
+}
+
 /// Parts of the report of a machine, in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Section {

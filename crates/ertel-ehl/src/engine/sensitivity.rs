@@ -7,7 +7,9 @@ use crate::solution::Figure;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoDerivative {
     /// It changes the response of a finite-element body.
-    #[error("it changes the compliance of finite-element bodies; available for half-spaces")]
+    #[error(
+        "it changes the compliance of finite-element bodies; with half-spaces the derivative is available"
+    )]
     FiniteElements,
     /// It moves the edge of the contact area.
     #[error("it moves the edge of the contact area")]

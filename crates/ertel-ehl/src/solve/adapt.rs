@@ -16,10 +16,10 @@ use crate::solve::tuning::errors::{
     SAFETY_OF_EDGES, SMALLEST_ERROR, UNCALIBRATED,
 };
 use crate::solve::tuning::refinement::{
-    AS_GOOD_AS_REACHED, BODY_GROWTH, BODY_SHARE, CONFIRMING_GOAL, FEW_ELEMENTS, FILM_REDUCTION,
-    GOAL, LARGEST_GOAL, LARGEST_GROWTH, LARGEST_PRESSURE_GOAL, LEAST_GROWTH, MAX_UNRESOLVED_SHARE,
-    MIN_SHARE_OF_CELLS, NEAR_TARGET, OWN_SHARE, PRESSURE_GOAL, PRESSURE_REDUCTION, SHARES,
-    SMALLEST_GOAL, SMALLEST_PRESSURE_GOAL,
+    AS_GOOD_AS_REACHED, BODY_GROWTH, BODY_SHARE, CONFIRMING_GOAL, FEW_ELEMENTS_SHARE,
+    FILM_HALVING_RATIO, GOAL, LARGEST_GOAL, LARGEST_GROWTH, LARGEST_PRESSURE_GOAL, LEAST_GROWTH,
+    MAX_UNRESOLVED_SHARE, MIN_SHARE_OF_CELLS, NEAR_TARGET, OWN_SHARE, PRESSURE_GOAL,
+    PRESSURE_HALVING_RATIO, SHARES, SMALLEST_GOAL, SMALLEST_PRESSURE_GOAL,
 };
 
 /// When to refine further, and how far.
@@ -314,7 +314,7 @@ fn planned(
     let few = aim == RefinementTarget::Pressure
         && as_good_as_reached
         && !targets.even_few
-        && halved < FEW_ELEMENTS * halvings.len() as f64;
+        && halved < FEW_ELEMENTS_SHARE * halvings.len() as f64;
     match few {
         true => Err(RefinementEnd::Reached),
         false => Ok(Refinement {
@@ -358,7 +358,7 @@ fn film_goals<'a>(
             (confirmed || sum > allowed).then(|| Goal {
                 shares,
                 allowed: allowed.clamp(SMALLEST_GOAL * sum, largest * sum),
-                reduction: FILM_REDUCTION[dim - 1],
+                ratio: FILM_HALVING_RATIO[dim - 1],
             })
         })
         .collect()
@@ -373,7 +373,7 @@ fn pressure_goal(target: Option<f64>, indicator: &Indicator) -> Option<Goal<'_>>
         allowed: (PRESSURE_GOAL * target)
             .powi(2)
             .clamp(SMALLEST_PRESSURE_GOAL * sum, LARGEST_PRESSURE_GOAL * sum),
-        reduction: PRESSURE_REDUCTION,
+        ratio: PRESSURE_HALVING_RATIO,
     })
 }
 

@@ -8,8 +8,8 @@ pub struct Goal<'a> {
     pub shares: &'a [f64],
     /// Allowed sum after refinement.
     pub allowed: f64,
-    /// Factor by which halving an element is expected to reduce its share.
-    pub reduction: f64,
+    /// Expected ratio of the share of an element after halving it to that before.
+    pub ratio: f64,
 }
 
 /// Halvings of each element of a `dim`-dimensional contact area that are expected to bring every goal down to what it allows, the
@@ -20,7 +20,7 @@ pub fn halvings(goals: &[Goal], dim: usize, max_growth: f64) -> Vec<u32> {
     let mut room = (max_growth - 1.0) / CLOSURE * n as f64;
     let mut totals: Vec<f64> = goals.iter().map(|g| g.shares.iter().sum()).collect();
     let mut halvings = vec![0; n];
-    let share = |g: &Goal, c: usize, n: u32| g.reduction.powi(n as i32) * g.shares[c];
+    let share = |g: &Goal, c: usize, n: u32| g.ratio.powi(n as i32) * g.shares[c];
     // Largest shares first, in units of what is allowed.
     let weigh = |c: usize, n: u32| {
         goals
@@ -104,7 +104,7 @@ mod tests {
             let goal = Goal {
                 shares: &[8.0, 1.0, 1.0, 0.0],
                 allowed,
-                reduction: 0.25,
+                ratio: 0.25,
             };
             halvings(&[goal], 1, 100.0)
         };
@@ -122,7 +122,7 @@ mod tests {
         let goal = Goal {
             shares: &[1.0; 30],
             allowed: 1e-9,
-            reduction: 0.5,
+            ratio: 0.5,
         };
         let growth = 2.0;
         let halvings = halvings(&[goal], 2, growth);

@@ -24,6 +24,18 @@ pub struct Checkpoint {
     pub(super) memory: Memory,
 }
 
+impl Checkpoint {
+    /// Whether time and steps are those of a run: finite, with a step forward and instants before it.
+    pub fn is_whole(&self) -> bool {
+        let times = &self.memory.times;
+        let is_past = |t: &f64| t.is_finite() && *t <= self.time;
+        (self.time >= 0.0 && self.time.is_finite())
+            && (self.step > 0.0 && self.step.is_finite())
+            && times.iter().all(is_past)
+            && times.is_sorted_by(|newer, older| newer >= older)
+    }
+}
+
 /// States of all grids, and the instants before that count.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub(super) struct Memory {

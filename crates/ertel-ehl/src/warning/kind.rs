@@ -248,14 +248,14 @@ kinds! {
     // Convergence and error bars.
     /// An error bar of the central film beyond the target.
     CentralFilmError "central-film-error" Caution,
-        "The error bar of the central film is wider than asked for.",
+        "The error bar of the central film is wider than the target.",
         "`[mesh] target_error`, else 5 %.",
-        "Raise `[mesh] max_unknowns`, or move edges outward where the message says so.";
+        "Raise `[mesh] max_unknowns`, or move edges outward if the message asks for it.";
     /// An error bar of the minimum film beyond the target.
     MinimumFilmError "minimum-film-error" Caution,
-        "The error bar of the minimum film is wider than asked for.",
+        "The error bar of the minimum film is wider than the target.",
         "`[mesh] target_error`, else 5 %.",
-        "Raise `[mesh] max_unknowns`, or move edges outward where the message says so.";
+        "Raise `[mesh] max_unknowns`, or move edges outward if the message asks for it.";
     /// Films without an error bar.
     NoErrorBar "no-error-bar" Caution,
         "Films have no error bar.",
@@ -265,7 +265,7 @@ kinds! {
     Spike "spike" Caution,
         "The largest pressure is that of a spike that the mesh does not resolve. The film does not depend on it.",
         "A change beyond 5 % between the last two meshes.",
-        "Use `pressure_smooth_maximum`, or a finer mesh.";
+        "Use `pressure_central`, or a finer mesh.";
     /// The other method, where the first one did not converge or resolve a film.
     Method "method" Note,
         "The first method did not converge or did not resolve a film; the other one (finite elements or finite volumes) did.",
@@ -337,7 +337,7 @@ kinds! {
         "Enlarge the base radius, lower the offset, or spread the rise over a wider angle.";
     /// Lifts with too few digits for their curvature.
     LiftDigits "lift-digits" Unusable,
-        "The last digit of the table of lifts leaves the radius of curvature open, and with it pressures and films.",
+        "The last digit of the table of lifts does not determine the radius of curvature, and so neither pressures nor films.",
         "Bar of the reduced radius beyond half of it.",
         "Give lifts with more digits, or a closed form of the motion.";
     /// Rollers as lines whose heaviest slice carries much more than the mean.
@@ -367,7 +367,7 @@ kinds! {
         "Follow the message.";
     /// A model of friction outside its range.
     FrictionModelRange "friction-model-range" Caution,
-        "A model of the friction torque is left out: the oil is too thick for it at this speed.",
+        "A model of the friction torque is omitted: the oil is too thick for it at this speed.",
         "The rolling part of SKF's model no longer rises with the viscosity.",
         "Compare with another model, or warm the oil.";
     /// An oil temperature that does not agree with the heat of the contacts.

@@ -23,7 +23,7 @@ const STEPS: usize = 3;
 /// Bytes of the hash, and of the wall time at the end of the file.
 const HASH: usize = 16;
 const WALL_TIME: usize = 8;
-/// Time for the run of the seed, which is the same on every machine.
+/// Time for the run of the seed.
 const LONG: Duration = Duration::from_secs(1000);
 
 /// A checkpoint that is not damaged.

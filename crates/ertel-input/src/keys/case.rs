@@ -128,20 +128,20 @@ rows! {
     }
     /// `[transient]`.
     pub TRANSIENT {
-        duration: TIME => r"length of the time that is solved; it begins with the steady contact of `[contact]` and `[motion]`, unless `start` is given. For a pair of
-            teeth along its path and a cam over a turn: optional, by default the whole path or turn";
+        duration: TIME => r#"length of the time that is solved; it begins with the steady contact of `[contact]` and `[motion]`, unless `start = "apart"`. For a pair of
+            teeth along its path and a cam over a turn: optional, by default the whole path or turn"#;
         tolerance: Number, bounds [1e-4, 0.05], default "3e-3" => "relative error of the films from the time steps{}; grid errors are in addition";
         output_times: Quantities(&[D::TIME]) => "times whose centrelines are written to `profiles.csv`; default: eleven at equal intervals";
-        entrainment_speed, slide_to_roll_ratio: Table(COURSE) => "how the speed, or the ratio, changes; if neither is given, that of `[motion]` stays constant";
+        entrainment_speed, slide_to_roll_ratio: Table(COURSE) => "how the speed, or the ratio, changes; one that is not given stays at its value in `[motion]`";
         body_1_speed, body_2_speed: Table(COURSE) => "how the speeds of the bodies change, instead of both";
         slide_to_roll_ratio_across: Table(COURSE) => "how the ratio of the velocities across the entrainment changes; in addition to `entrainment_speed` and `slide_to_roll_ratio`";
         body_1_spin, body_2_spin: Table(COURSE) => "how the angular velocities of the bodies about the contact normal change, of point contacts; not with heat";
         load: Table(COURSE) => "how the load changes";
         radius: Table(COURSE) => "how the radius of a ball on a plane or of a cylinder changes";
-        temperature: Table(COURSE) => "how the common temperature of bodies and oil changes; with `[thermal]`, their temperature at the inlet";
+        temperature: Table(COURSE) => "how the temperature of oil and bodies changes; with `[thermal]`, that of the oil at the inlet, to which the bodies keep their difference";
         oil_layer: Table(COURSE) => "how the supplied oil layer changes at the inlet edge of the contact area; for contacts with `oil_layer` in `[inlet]`";
-        cavities: Choice(&["refilled", "conserved"]), default "refilled" => r#"oil in the cavitated region with a flooded inlet: `"refilled"` (default), as in steady contacts, assumes a filled gap
-            ahead of the contact; `"conserved"` follows the oil, and a cavity that returns to the inlet starves the contact"#;
+        cavities: Choice(&["refilled", "conserved"]), default "refilled" => r#"content of the gap where the film has broken, in a contact with a flooded inlet: `"refilled"` (default), full, as in steady contacts;
+            `"conserved"`, the oil that has flowed in, so that a cavity that comes back to the inlet starves the contact"#;
         at_rest: Switch, default "false" => "`true`: the surfaces do not move along the contact, as where a ball falls on a plane; `[motion]` then has no effect";
         start: Choice(&["steady", "apart"]), default "steady" => r"initial state: the steady contact, or separated bodies without pressure between them";
         gap: LENGTH => "initial central gap of separated bodies, 1 nm to 10 mm";
@@ -180,9 +180,9 @@ rows! {
         amplitude: LENGTH, usual [HEIGHTS] => "amplitude of the waves";
         pitch: LENGTH, usual [RELIEFS] => r"distance at which a dent or bump is repeated against the motion behind the first one, a groove or ridge across itself (to both sides if it lies
             along the motion); not less than its whole width, 2.4 r_0; optional";
-        count: Count, bounds [1.0, 1e6] => "number of repetitions with `pitch`; unlimited if absent";
+        count: Count, bounds [1.0, 1e6] => "number of them with `pitch`, the first included; unlimited if absent";
         pitch_across: LENGTH, usual [RELIEFS] => "the same of dents and bumps across the motion, half of them on either side of `y`";
-        count_across: Count, bounds [1.0, 1e6] => "number of repetitions with `pitch_across`";
+        count_across: Count, bounds [1.0, 1e6] => "number of them with `pitch_across`, the first included";
         file: Text => "a file with the heights of a map: rows of heights, points, CSV, SDF or X3P ([formats](#maps))";
         layout: Choice(&["rows", "points"]), default "rows" => "content of a line of a plain text file: a row of heights, or x, y and z of a point";
         spacing, row_spacing: LENGTH, usual [RELIEFS] => "distances of the points in a row, and of the rows, of a text in rows; `row_spacing` is `spacing` if absent";

@@ -172,7 +172,7 @@ rows! {
             ISO 6336-1 or `tooth_stiffness`; `"beams"`: by the stiffness of teeth as beams"#;
         tooth_stiffness: PRESSURE => "c' per face width (`\"14 GPa\"` is 14 N/(mm µm)); optional";
         blank_factor: Number => "C_R of ISO 6336-1; optional, 1";
-        pinion_bore_diameter, wheel_bore_diameter: LENGTH, usual [RADII] => "bore of the gear rim, for the teeth as beams";
+        pinion_bore_diameter, wheel_bore_diameter: LENGTH, usual [RADII] => r#"bore diameter of the gear body, for `load_sharing = "beams"`"#;
         points: Count => "equally spaced points of a path, plus B, C and D; optional, 30";
         folders: Switch => "of a path: whether each contact has a folder of its results; optional";
         bulk_temperature: TEMPERATURE => "of the teeth and of the oil that enters the contacts, which is assumed to be as warm; with `[thermal]` of both bodies, unless that gives `body_1_temperature` and `body_2_temperature`; optional, that of the lubricant";

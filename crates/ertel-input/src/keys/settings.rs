@@ -84,7 +84,7 @@ rows! {
         pressure_error: Share, bounds [1e-4, 0.2] => r#"additional target, 3.5 times `target_error` if absent: root-mean-square error of the
             pressure over the dry contact, relative to the Hertz pressure{}. Only with adaptive refinement, and not with `refine_for = "films"`"#;
         max_unknowns: Count, bounds [1e3, 2e6] => r"approximate limit of the pressure unknowns in this refinement{}; default 100,000, of finite volumes 400,000, with
-            finite-element bodies 8,000. If a limit is reached before the target, a warning says which, and the error bar is correspondingly
+            finite-element bodies 8,000. If a limit is reached before the target, a warning names it, and the error bar is correspondingly
             wider. Case files from before the half-space operator counted displacements here: their numbers are still valid, and allow finer
             meshes";
         preset: Choice(&["coarse", "normal", "fine"]) => r#"`"coarse"`, `"normal"` or `"fine"`: sets the cell sizes below, without refinement;
@@ -94,12 +94,12 @@ rows! {
         rim_size: Number => r"cell size around the rim of the Hertz zone, in the inlet and outlet boundary layers of the film; from the expected
             film if absent";
         growth, depth_growth: Number, bounds [0.05, 2.0] => r"growth of the cell size with distance along the surface, and with depth{};
-            half-spaces do not use the latter, and a warning says so";
+            half-spaces do not use the latter (with a warning)";
         inlet, outlet, side: Number => r"edges of the contact area: x < -1, x > 1, and |y| > 1 for circular and elliptical contacts (for a
             roller its ends); chosen from the expected film if absent, the side of an
             ellipse wide across the motion no farther than its bodies";
         body_width, body_depth: Number, bounds [8.0, 600.0] => r"size of a finite-element body, in half-widths{}; 60 if absent, more for thick
-            films. No effect on half-spaces, and a warning says so";
+            films. No effect on half-spaces (with a warning)";
         pressure_order: Count, bounds [1.0, 5.0] => "Lagrange order of the pressure";
         elastic_order: Count, bounds [1.0, 5.0] => r"Lagrange order of the deflection{}: for half-spaces that of the pressure (default) or higher;
             for finite-element bodies 1 or 2 (default)";

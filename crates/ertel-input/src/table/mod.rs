@@ -1,4 +1,4 @@
-//! A table whose keys are read by name, and which knows the keys nobody read.
+//! A table whose keys are read by name, and which reports unread keys.
 
 mod correlations;
 mod errors;

@@ -137,7 +137,7 @@ class Case:
                 left = f"the lubricant has {temperature:.5g} K, the table {low:.5g} to {high:.5g} K"
             else:
                 continue
-            words = f"the {name} was tabulated for another case: {left}, and is extrapolated linearly; call with_law again"
+            words = f"the {name} was tabulated for another case: {left}. The table is extrapolated linearly; call with_law again"
             warnings.warn(words, ErtelWarning, stacklevel=3)
 
     def with_law(

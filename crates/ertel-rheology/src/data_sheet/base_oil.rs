@@ -114,7 +114,7 @@ impl BaseOil {
             Self::Pag => (
                 0.3,
                 "no measured slope of a polyalkylene glycol was found: the formula times 1.36 as for the other oils, with a range \
-                 that holds the formula itself",
+                 that covers the formula without the factor",
                 "gold2001, constants read in feup_gear, times 1.36",
             ),
             Self::Naphthenic => (

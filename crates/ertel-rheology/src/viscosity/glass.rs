@@ -3,11 +3,10 @@
 use crate::Scalar;
 use crate::error::{Check, LawError};
 
-/// Constants of a liquid near its glass transition (Habchi 2008, eq. 2.19):
+/// Constants of a liquid near its glass transition:
 ///
 /// ```text
-/// μ   = μ_g at x = 0,   with x/(C₂ + x) times C₁ decades below that,   x = (T - T_g) F
-/// T_g = T_g0 + A₁ ln(1 + A₂ p)
+/// log₁₀(μ_g/μ) = C₁ x/(C₂ + x),   x = (T - T_g) F,   T_g = T_g0 + A₁ ln(1 + A₂ p)
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct GlassTransition {

@@ -142,7 +142,7 @@ fn strength(case: &Case, hertz_pressure: f64) -> Option<Warning> {
         return None;
     }
     let text = format!(
-        "the Hertz pressure of {} exceeds {}, the limit of {whose}: the bodies yield, but are computed as elastic",
+        "the Hertz pressure of {} exceeds {}, the limit of {whose}: the bodies do not stay elastic, as the computation assumes",
         pressure(hertz_pressure),
         pressure(limit),
     );

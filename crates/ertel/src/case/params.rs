@@ -72,7 +72,7 @@ pub fn read_mesh(
                 )
                 .with_help(
                     "`target_error` refines the mesh until the films are that accurate; sizes and growth \
-                     define it: give one or the other",
+                     prescribe the mesh: give one or the other",
                 ));
         }
         (None, Some(_)) if !error_estimate => {

@@ -360,7 +360,7 @@ pub(super) fn check(
             .error(
                 "misalignment",
                 format!(
-                    "this tilt, {} mrad, lifts the roller off except at one end",
+                    "this tilt, {} mrad, lifts the roller off its partner: only one end touches",
                     digits(1e3 * roller.misalignment, 4)
                 ),
             )

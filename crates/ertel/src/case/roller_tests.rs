@@ -139,7 +139,7 @@ fn bad_rollers() {
             SIZES,
             tilted("\"0.3 deg\""),
             7,
-            "lifts the roller off except at one end",
+            "lifts the roller off its partner: only one end touches",
         ),
         (SIZES, sharp.to_owned(), 6, "sharp edges"),
         (SIZES, small_arc.to_owned(), 6, "does not reach"),

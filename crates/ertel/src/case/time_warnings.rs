@@ -70,8 +70,8 @@ fn of_courses(case: &Case, transient: &Transient) -> Vec<Warning> {
         let (start, own) = (course.at(0.0), value(case, key));
         if (start - own).abs() > ROUNDING * start.abs().max(own.abs()) {
             warnings.push(Warning::new(WarningKind::UnusualInput, format!(
-                "`{key}` in [transient] begins with {} {unit}, but the rest of the case has {} {unit}: the run begins with the former, checks and estimates use \
-                 those of the latter",
+                "`{key}` in [transient] begins with {} {unit}, but the rest of the case has {} {unit}: the run begins with the former; checks and estimates use \
+                 the latter",
                 digits(start, 6),
                 digits(own, 6)
             )));

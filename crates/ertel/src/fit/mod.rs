@@ -138,11 +138,13 @@ pub enum FitError {
     TabulatedDensity,
     /// No pressures for the coefficient of Walther's law.
     #[error(
-        "the data have no pressures above ambient, so they do not determine `alpha` of the law `walther`: hold it, and give its reference temperature"
+        "the data have no pressures above ambient, so they do not determine `alpha` of the law `walther`: hold it, and give the reference temperature at which it holds"
     )]
     NoPressures,
     /// A coefficient is held, but its reference temperature is missing.
-    #[error("`alpha` of the law `walther` is fixed: give its reference temperature")]
+    #[error(
+        "`alpha` of the law `walther` is fixed: give the reference temperature at which it holds"
+    )]
     NoReferenceTemperature,
     /// A constant is held at a value that the law does not allow.
     #[error("the value of a fixed constant is not allowed: {0}")]
@@ -159,7 +161,7 @@ pub enum FitError {
         n_constants: usize,
     },
     /// A constant has no influence on any state.
-    #[error("the data do not determine `{key}` of the law `{}`, which must be positive: the data do not vary in this effect, or vary in the opposite direction; hold it", law.name())]
+    #[error("the data do not determine `{key}` of the law `{}`: they do not vary in what it describes, or would make a constant negative that must be positive; hold it", law.name())]
     Undetermined {
         /// The law.
         law: LawName,

@@ -27,7 +27,7 @@ const LEAST_TILT: f64 = 1e-9;
 /// Load per length of the heaviest slice of a roller over its mean above which a line does not represent the roller.
 const UNEVEN: f64 = 1.5;
 
-/// Difference between the temperature from the heat balance and that of the lubricant above which a warning is given, K.
+/// Difference between the temperature from the heat of the contacts and that of the lubricant above which a warning is given, K.
 const SAME: f64 = 2.0;
 
 /// The figures; sums over the contacts only where all of them are solved.
@@ -138,7 +138,7 @@ fn friction(
         "power lost by rolling",
         rolling,
         "W",
-        "rolling: rolling friction of the films",
+        "rolling: resistance of the films to rolling, at both walls",
     );
     let elements = &mechanics.distribution.elements;
     let spins = elements
@@ -211,7 +211,7 @@ fn friction(
         add(
             Section::Temperature,
             "bearing_temperature",
-            "temperature from the heat balance",
+            "temperature from the heat of the contacts",
             temperature,
             "K",
             "temperature: surroundings plus thermal resistance times the power of all contacts",
@@ -221,8 +221,8 @@ fn friction(
             warnings.push(Warning::new(
                 WarningKind::OilTemperature,
                 format!(
-                    "the heat balance gives {:.1} °C, but the lubricant is taken at {:.1} °C: solve again at a temperature in \
-                     between",
+                    "the heat of the contacts would bring the bearing to {:.1} °C, but the lubricant is taken at {:.1} °C: solve again \
+                     at a temperature in between, or set `heat_balance = true`",
                     temperature.value - CELSIUS,
                     own - CELSIUS
                 ),

@@ -191,7 +191,7 @@ fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec
                 "power lost by rolling",
                 loss.rolling,
                 "W",
-                "rolling: rolling friction of the films",
+                "rolling: resistance of the films to rolling, at both walls",
             ),
             figure(
                 "friction_power",

@@ -12,7 +12,7 @@ use crate::case::{Case, MachineContacts, Mechanics};
 use crate::mark::Marked;
 use crate::point::MachineSolution;
 
-/// Largest difference between the temperature from the heat balance and that of the lubricant, K.
+/// Largest difference between the temperature from the heat of the contacts and that of the lubricant, K.
 const TOLERANCE: f64 = 0.1;
 /// Largest number of rounds.
 const ROUNDS: usize = 8;
@@ -37,7 +37,7 @@ pub struct SolvedMachine {
 pub struct Balance {
     /// Temperature of the lubricant in the last round, K.
     pub temperature: f64,
-    /// Temperature from the heat balance minus that of the lubricant, K.
+    /// Temperature from the heat of the contacts minus that of the lubricant, K.
     pub rest: f64,
     /// Rounds, each with all contacts.
     pub rounds: usize,
@@ -155,9 +155,10 @@ fn report_balance(solved: &mut SolvedMachine) {
         ),
         false if balance.is_doubtful => balance.words(),
         false => format!(
-            "not found in {} rounds: the lubricant was at {:.1} °C in the last one, and the heat balance gave {rest} more",
+            "not found in {} rounds: with the lubricant at {:.1} °C in the last one, the heat of the contacts gave a temperature {:+.2} K from that",
             balance.rounds,
-            balance.temperature - CELSIUS
+            balance.temperature - CELSIUS,
+            balance.rest
         ),
     };
     machine.rows.push(("heat balance".to_owned(), text));

@@ -107,7 +107,7 @@ pub enum CheckpointError {
     #[error("this is not an ertel checkpoint")]
     Foreign,
     /// Truncated or changed.
-    #[error("this checkpoint is damaged: its bytes do not match their hash")]
+    #[error("this checkpoint is damaged")]
     Damaged,
     /// From another version.
     #[error("this checkpoint was written by another version of ertel, whose results may differ")]
@@ -174,8 +174,8 @@ impl Checkpoint {
         }
         let (read, left): (Checkpoint, _) =
             postcard::take_from_bytes(body).map_err(|_| CheckpointError::Damaged)?;
-        let time = read.physics.time;
-        match left.is_empty() && time >= 0.0 && time.is_finite() && read.collected.is_whole() {
+        let is_whole = left.is_empty() && read.physics.is_whole() && read.collected.is_whole();
+        match is_whole && read.wall_seconds >= 0.0 && read.wall_seconds.is_finite() {
             true => Ok(read),
             false => Err(CheckpointError::Damaged),
         }
@@ -232,8 +232,9 @@ mod tests {
         assert_eq!(read().to_bytes(), whole);
         let body = [&whole[MAGIC.len() + HASH..], b"x"].concat();
         let longer = [MAGIC, &xxh3_128(&body).to_le_bytes(), &body].concat();
-        let damage: [fn(&mut Checkpoint); 9] = [
+        let damage: [fn(&mut Checkpoint); 10] = [
             |of| of.physics.time = f64::NAN,
+            |of| of.wall_seconds = f64::NAN,
             |of| of.collected.instants.clear(),
             |of| _ = of.collected.instants.pop(),
             |of| _ = of.collected.map.films.pop(),

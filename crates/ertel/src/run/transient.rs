@@ -549,7 +549,7 @@ fn oil_layer_delay(transient: &Transient, distance: f64) -> Option<Warning> {
     let [first, second] = transient.speeds.at(0.0);
     let seconds = distance / (0.5 * (first + second));
     let text = format!(
-        "`oil_layer` applies at the inlet edge, {} upstream of the centre: at the initial speed, oil takes {} s to the centre",
+        "`oil_layer` applies at the inlet edge, {} upstream of the centre: at the initial speed, the oil takes {} s to reach the centre",
         length(distance),
         digits(seconds, 3)
     );

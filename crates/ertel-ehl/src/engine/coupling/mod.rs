@@ -1,4 +1,4 @@
-//! Film and heat in turn: how the rounds of both numerical methods are relaxed and when they end.
+//! Film and heat in turn: how the rounds of both numerical methods are relaxed, and when those of finite elements end.
 
 mod relaxation;
 mod stopping;

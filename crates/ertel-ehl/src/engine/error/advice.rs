@@ -224,7 +224,7 @@ mod tests {
         assert_eq!(all.advice(), not_coupled(1.1).advice());
         assert!(
             all.to_string()
-                .ends_with("failed, too (sliding; viscosity exponent)"),
+                .ends_with("failed, too (of: sliding; viscosity exponent)"),
             "{all}"
         );
         // The linear solver is an internal detail.

@@ -140,7 +140,7 @@ pub enum SolveError {
         needed: f64,
     },
     /// The usual stages failed, and so did all continuations through easier contacts.
-    #[error("{first}; step-by-step continuation failed, too ({})", .tried.join("; "))]
+    #[error("{first}; continuation in steps failed, too (of: {})", .tried.join("; "))]
     AllFailed {
         /// Why the usual stages failed.
         first: Box<SolveError>,
@@ -206,8 +206,8 @@ pub enum HeatError {
     Krylov(#[from] GmresError),
     /// The heat of shearing is beyond all bounds, as where a pressure gradient asks for more than the limiting stress.
     #[error(
-        "shearing heats the film beyond all bounds: at the pressures found so far its stress is far above that of the shear law (limiting \
-         or Eyring stress, beyond which shear rates grow exponentially)"
+        "shearing heats the film beyond all bounds: at the pressures found so far its shear stress is far above the limiting or \
+         Eyring stress of the law, where shear rates grow exponentially"
     )]
     Overheated,
     /// A temperature or a source is not a number.

@@ -17,6 +17,7 @@ use crate::solution::{
     Coupling, Figure, FilmTemperatures, HeatBalance, Located, Measured, Thermal,
 };
 use crate::warning::{Warning, WarningKind};
+use crate::words::digits;
 
 /// Temperatures and heat of a solve by its figures; fields, reduction and coupling, which the engine supplies, are empty.
 pub fn thermal_of(heat: &Heat, measured: &Measured, balance_error: f64) -> Thermal {
@@ -100,8 +101,11 @@ pub fn warnings(
     for [x, y] in &params.profiles {
         if !((inlet..=outlet).contains(x) && y.abs() <= side) {
             let text = format!(
-                "no profile across the film at [{x}, {y}] ([thermal] profiles): the contact area extends from {inlet} to \
-                 {outlet} along the motion, and to ±{side} across it"
+                "no profile across the film at [{x}, {y}] ([thermal] profiles): the contact area extends from {} to {} \
+                 half-widths along the motion, and to ±{} across it",
+                digits(inlet, 4),
+                digits(outlet, 4),
+                digits(side, 4)
             );
             warnings.push(Warning::new(WarningKind::NoEffect, text));
         }

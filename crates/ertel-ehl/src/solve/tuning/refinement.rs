@@ -3,12 +3,12 @@
 /// Displacement unknowns of a finite-element body per pressure unknown allowed.
 pub const BODY_SHARE: usize = 10;
 
-/// Factor by which halving the elements reduces the estimate of a film, in line and in circular contacts: 1/32 for smooth errors; at free
-/// boundaries and spikes much less.
-pub const FILM_REDUCTION: [f64; 2] = [0.125, 0.06];
+/// Ratio of the estimate of a film after halving the elements to that before, in line and in circular contacts: 1/32 for smooth errors; at
+/// free boundaries and spikes much larger.
+pub const FILM_HALVING_RATIO: [f64; 2] = [0.125, 0.06];
 
-/// Factor by which halving reduces the square of the pressure error: at a ridge with a sharp side, 1/2.
-pub const PRESSURE_REDUCTION: f64 = 0.4;
+/// Ratio of the square of the pressure error after halving the elements to that before: at a ridge with a sharp side, 1/2.
+pub const PRESSURE_HALVING_RATIO: f64 = 0.4;
 
 /// Growth of the body's unknowns over that of the elements on its contact area: cells away from it stay as
 /// they are. Measured on circular contacts: 0.38.
@@ -32,7 +32,7 @@ pub const NEAR_TARGET: f64 = 4.0;
 
 /// Share of the elements for which alone a mesh is not refined again, where films meet their target and the pressure
 /// nearly does.
-pub const FEW_ELEMENTS: f64 = 0.01;
+pub const FEW_ELEMENTS_SHARE: f64 = 0.01;
 
 /// Multiple of the pressure's target that counts as reached.
 pub const AS_GOOD_AS_REACHED: f64 = 1.5;

@@ -84,7 +84,7 @@ const SLOW: f64 = 0.3;
 const ROUNDS_OF_STARTS: usize = 5;
 
 /// Change, in tolerances, above which contraction ratios are ignored.
-const MAX_RATIO_CHANGE: f64 = 30.0;
+const MAX_CHANGE_FOR_RATIO: f64 = 30.0;
 
 /// Largest share of the heat into a body that may enter where the map of a spinning surface does not apply.
 const MOST_LOST: f64 = 0.02;
@@ -384,7 +384,7 @@ impl<'a> Rounds<'a> {
 fn has_settled(change: f64, share: f64, ratio: f64, tolerance: f64) -> bool {
     // With relaxation the ratio is at least 1 − share.
     let remaining = share * change * ratio / (1.0 - ratio);
-    ratio < 1.0 && remaining < tolerance && change < MAX_RATIO_CHANGE * tolerance
+    ratio < 1.0 && remaining < tolerance && change < MAX_CHANGE_FOR_RATIO * tolerance
         || change < INNER_SHARE * tolerance
 }
 

@@ -80,7 +80,11 @@ pub(super) fn read(
                 false => table.with_point(row.cell(index)),
             };
             if cell.is_empty() {
-                let message = format!("column {}: `{}` is missing", index + 1, header.key);
+                let message = format!(
+                    "column {}: the cell of `{}` is empty",
+                    index + 1,
+                    header.key
+                );
                 return Err(case.error_at(moved(row.span.clone()), &header.key, message));
             }
             let node = Node {

@@ -303,7 +303,7 @@ fn errors_point_to_the_study() {
         (
             "contact.load_N_per_m, lubricant.temperature_K\n20000,\n",
             2,
-            "is missing",
+            "column 2: the cell of",
         ),
         (
             "contact.load_N_per_m\n20000\nmuch\n",

@@ -264,7 +264,7 @@ fn finished(
             return Err(table.error(
                 key,
                 format!(
-                    "a cutoff of {} is not a wavelength of the surface; the range is {}, twice the distance of its points, to {}, its shorter side",
+                    "a cutoff of {} is outside the wavelengths of the surface: from {} (twice the distance of its points) to {} (its shorter side)",
                     length(cutoff),
                     length(SHORTEST * spacing),
                     length(side)

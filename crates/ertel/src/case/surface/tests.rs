@@ -124,14 +124,14 @@ fn maps_that_are_refused() {
             &full,
             "low_pass = \"3 um\"",
             "low_pass",
-            "not a wavelength of the surface",
+            "outside the wavelengths of the surface",
         ),
         (
             BALL,
             &full,
             "high_pass = \"1 mm\"",
             "high_pass",
-            "not a wavelength of the surface",
+            "outside the wavelengths of the surface",
         ),
         (
             BALL,

@@ -66,7 +66,7 @@ pub(super) fn write(out: &mut Lines, tables: &[Value]) {
         }
         if n_left_out > 0 {
             out.note(&format!(
-                "{n_left_out} rows of the first result are omitted: no counterpart in the other result, or table full"
+                "{n_left_out} rows of the first result are not shown: they have no counterpart in the other result, or exceed the {MOST_ROWS} rows of this table"
             ));
         }
     }
@@ -120,6 +120,9 @@ fn rows(first: &Rows, other: &Rows) -> Option<(Table, usize, bool)> {
             is_compared.then_some(([i, j], name, unit))
         })
         .collect();
+    if first.n_axes >= first.head.len() {
+        return None;
+    }
     let axes: Vec<[usize; 2]> = (1..=first.n_axes)
         .filter_map(|i| {
             let title = first.head.get(i)?;
@@ -229,9 +232,13 @@ fn words_of(name: &str) -> String {
     )
 }
 
+/// Unit of a temperature rise in page data; temperatures have the unit K and are shown in °C.
+pub(super) const RISE: &str = "K rise";
+
 /// The display unit of a number, in brackets.
 fn in_brackets(unit: &str) -> String {
     match unit {
+        RISE => "(K)".to_owned(),
         "" => String::new(),
         "K" => "(°C)".to_owned(),
         unit => format!("({unit})"),
@@ -253,7 +260,7 @@ fn marked(figure: &Value, unit: &str) -> String {
 /// The second number and its difference: in K for temperatures, in per cent otherwise.
 fn with_change(own: f64, new: f64, unit: &str) -> (String, String) {
     let change = match (unit, own) {
-        ("K", _) => format!("{:+.2} K", new - own),
+        ("K" | RISE, _) => format!("{:+.2} K", new - own),
         (_, own) if own == new => "0".to_owned(),
         (_, 0.0) => "-".to_owned(),
         _ => format!("{:+.2} %", 100.0 * (new / own - 1.0)),
@@ -295,6 +302,8 @@ mod tests {
     fn a_table_with_fewer_columns_than_axes_is_omitted() {
         let of = of("one", "point,film_central_m\n1,2e-7\n", 3);
         assert!(differences(&[of.clone(), of]).is_empty());
+        let of = self::of("one", "point,film_central_m\n1,2e-7\n", usize::MAX);
+        assert!(differences(&[of.clone(), of]).is_empty());
         let of = self::of("one", "point\n1\n", 1);
         assert!(differences(&[of.clone(), of]).is_empty());
     }
@@ -333,6 +342,8 @@ mod tests {
             json!([
                 { "name": "friction_torque", "words": "torque", "unit": "N m", "value": value, "marks": " (f)" },
                 { "name": "spin", "words": "spin", "unit": "W", "value": null },
+                { "name": "flash", "words": "rise", "unit": RISE, "value": 300.0 * value },
+                { "name": "flank", "words": "flank", "unit": "K", "value": 273.15 + 300.0 * value },
             ])
         };
         let mut both = [of("one", &first, 2), of("two", &other, 2)];
@@ -345,6 +356,8 @@ mod tests {
             [
                 ["torque (N m)", "0.2 (f)", "0.1 (f)", "-50.00 %"],
                 ["spin (W)", "not resolved", "not resolved", "-"],
+                ["rise (K)", "60", "30", "-30.00 K"],
+                ["flank (°C)", "60", "30", "-30.00 K"],
             ]
         );
         assert_eq!(

@@ -219,7 +219,8 @@ pub fn machine_page(
         .map(|f| {
             let value = f.estimate.is_resolved().then_some(f.estimate.value);
             let marks = f.estimate.marks.symbols();
-            json!({ "name": f.name, "words": f.words, "unit": f.unit, "value": value, "marks": marks })
+            let unit = if f.is_rise() { differences::RISE } else { f.unit };
+            json!({ "name": f.name, "words": f.words, "unit": unit, "value": value, "marks": marks })
         })
         .collect();
     let data = json!({

@@ -75,9 +75,6 @@ pub(in crate::output) fn write_figures(out: &mut Lines, figures: &MachineFigures
     }
 }
 
-/// Temperature rises, not temperatures.
-const FLASH: [&str; 2] = ["flash_temperature", "flash_temperature_blok"];
-
 /// A figure with its display unit and the symbols of its marks; no number if its components are not resolved.
 pub(in crate::output) fn shown(figure: &MachineFigure) -> String {
     let marks = figure.estimate.marks;
@@ -92,7 +89,7 @@ fn with_unit(figure: &MachineFigure) -> String {
     let e = figure.estimate.estimate();
     match figure.unit {
         "m" => estimate(&e),
-        "K" if FLASH.contains(&figure.name) => in_unit(e, 1.0, "K"),
+        "K" if figure.is_rise() => in_unit(e, 1.0, "K"),
         "K" => temperature(e, None),
         "Pa" => match e.error {
             Some(_) => super::super::figure::pressure_estimate(e),

@@ -494,13 +494,14 @@ fn add_rows(
         let pressed = |element: &&Element| element.contacts[0].load > least(element);
         found.elements.iter().filter(pressed).count()
     };
-    // Centrifugal force wedges a ball between grooves that are offset: it is pressed without a part of the load.
-    let (touching, carrying) = (pressed_by(|_| 0.0), pressed_by(|e| e.centrifugal_force));
-    let mut loaded = format!("{touching} of {}", found.elements.len());
-    if carrying < touching {
-        let _ = write!(loaded, ", {carrying} by more than their centrifugal force");
+    let loaded = pressed_by(|_| 0.0);
+    let mut text = format!("{loaded} of {}", found.elements.len());
+    // Centrifugal force wedges balls between offset grooves: they are pressed without a part of the load.
+    let hard = pressed_by(|element| element.centrifugal_force);
+    if hard < loaded && matches!(geometry, Geometry::Ball(_)) {
+        let _ = write!(text, ", {hard} with more than their centrifugal force");
     }
-    rows.text("loaded elements", loaded);
+    rows.text("loaded elements", text);
     let of = &found.elements[governing.0];
     rows.number("cage speed", of.cage_speed, "rad/s");
     rows.number("centrifugal force of an element", of.centrifugal_force, "N");
