@@ -235,7 +235,7 @@ fn what_the_readers_take_fits_the_schema() {
                     case.pointer(&format!("/{}", key.replace('.', "/")))
                         .is_some()
                 };
-                keys_taken.extend(set.into_iter().filter(is_there));
+                keys_taken.extend(set.iter().copied().filter(is_there));
                 failures.extend(
                     refused
                         .into_iter()
