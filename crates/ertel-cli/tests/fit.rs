@@ -96,7 +96,7 @@ fn bad_data_and_usage_exit_with_2() {
         (&[good, "--law", "cheng", "--plot", "x.jpg"], ".svg, .pdf"),
         (
             &[good, "--law", "all", "--hold", "mu_0=1 Pa.s"],
-            "--law all",
+            "instead of `all` in --law",
         ),
     ] {
         let output = ertel_here(&[&["fit", "viscosity"], arguments].concat());

@@ -320,8 +320,8 @@ fn a_folder_that_is_none_is_refused() {
         ("data/fluids/bad.toml", "viscosity = 3\n"),
     ]);
     for (folder, words) in [
-        ("nothing", "no folder"),
-        ("file", "no folder"),
+        ("nothing", "is not a readable folder"),
+        ("file", "is not a readable folder"),
         ("empty", "neither a folder `fluids` nor `solids`"),
     ] {
         let message = w.refused(&["fluids", "--data", folder]);

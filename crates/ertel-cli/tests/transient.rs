@@ -144,7 +144,7 @@ fn a_killed_run_goes_on() {
         ),
         (
             &["-o", "out", "--resume", "--set", "contact.load=90 kN/m"],
-            "of a case with other values",
+            "belongs to a case with other values",
         ),
         (&["-o", "none", "--resume"], "none.checkpoint"),
         (&["-o", "out", "--checkpoint", "1 kg"], "a time is needed"),
