@@ -142,8 +142,13 @@ def frame(text: str, name: str) -> pd.DataFrame:
     import pandas as pd
 
     try:
+        # Versions of pandas differ in the rows that they accept.
+        head, *rows = csv.reader(io.StringIO(text), strict=True)
+        for row in rows:
+            if row and len(row) != len(head):
+                raise ValueError(f"a row has {len(row)} cells, the head {len(head)}")
         return pd.read_csv(io.StringIO(text))
-    except ValueError as error:  # EmptyDataError and ParserError of pandas are such.
+    except (ValueError, csv.Error) as error:  # EmptyDataError and ParserError of pandas are a ValueError.
         raise OutputError(f"{name}: damaged, it is no table: {str(error).strip()}") from None
 
 

@@ -198,7 +198,8 @@ class Transient(Tabulated):
             profile = self._document["profiles"][number]
             if self._document["case"]["si"]["contact"]["kind"] == "line":
                 x, pressure, film = (np.array(profile[key]) for key in ("x", "pressure", "film_thickness"))
-                return _Fields(x, np.zeros(1), pressure, film)
+                source = self._folder / "transient.json" if self._folder is not None else Path("a pickled case in time")
+                return shaped(source, lambda: _Fields(x, np.zeros(1), pressure, film))
             where = files or "a pickled case in time"
             raise OutputError(f"{where}: there are no fields off the centreline; solve with `vtu = true` in [output] to have them written")
         _, path = collection(files)[number]
