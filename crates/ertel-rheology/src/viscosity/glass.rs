@@ -3,7 +3,7 @@
 use crate::Scalar;
 use crate::error::{Check, LawError};
 
-/// Constants of a liquid near its glass transition:
+/// Constants of a liquid near its glass transition (Habchi 2008, eq. 2.19):
 ///
 /// ```text
 /// log₁₀(μ_g/μ) = C₁ x/(C₂ + x),   x = (T - T_g) F,   T_g = T_g0 + A₁ ln(1 + A₂ p)
