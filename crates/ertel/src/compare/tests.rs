@@ -179,7 +179,7 @@ fn a_bad_table_is_refused_with_its_place() {
         ),
         (
             "speed [m/s],traction_coefficient,film_central [nm],film_central_uncertainty [nm]\n1,0.05,,1\n",
-            &[":2:4", "not there"],
+            &[":2:4", "without its value"],
         ),
         // Errors of the case about a value point to its cell.
         (
