@@ -13,7 +13,7 @@ use ertel_machines::bearing::geometry::Ring;
 use ertel_machines::bearing::kinematics::{
     RacewayControl, Speeds, recommended_speed_factor, speed_factor,
 };
-use ertel_machines::bearing::load::{Distribution, Element, Given, Loads, Params, RingContact};
+use ertel_machines::bearing::load::{Distribution, Given, Loads, Params, RingContact};
 use ertel_machines::bearing::{Bearing, Geometry, Material, life as ratings};
 use ertel_quantity::Dimension;
 
@@ -490,16 +490,16 @@ fn add_rows(
         "force on the inner ring",
         format!("{radial} N radially, {axial} N axially"),
     );
-    let pressed_by = |least: fn(&Element) -> f64| {
-        let pressed = |element: &&Element| element.contacts[0].load > least(element);
-        found.elements.iter().filter(pressed).count()
-    };
-    let loaded = pressed_by(|_| 0.0);
-    let mut text = format!("{loaded} of {}", found.elements.len());
+    let loads: Vec<f64> = (found.elements.iter())
+        .map(|element| element.contacts[0].load)
+        .collect();
+    let above = |least: f64| loads.iter().filter(|load| **load > least).count();
+    let loaded = above(0.0);
+    let mut text = format!("{loaded} of {}", loads.len());
     // Centrifugal force wedges balls between offset grooves: they are pressed without a part of the load.
-    let hard = pressed_by(|element| element.centrifugal_force);
-    if hard < loaded && matches!(geometry, Geometry::Ball(_)) {
-        let _ = write!(text, ", {hard} with more than their centrifugal force");
+    let heavy = above(0.1 * loads.iter().fold(0.0, |most: f64, load| most.max(*load)));
+    if heavy < loaded {
+        let _ = write!(text, ", {heavy} with more than a tenth of the largest load");
     }
     rows.text("loaded elements", text);
     let of = &found.elements[governing.0];
