@@ -59,7 +59,7 @@ fn note_document(record: &mut Record, section: &str, mut document: Value) {
 
 /// Takes the figures out of a document into a section that is compared within bars on other machines.
 fn note_figures(record: &mut Record, section: &str, document: &mut Value) {
-    let figures = document.get_mut("figures").map(Value::take);
+    let figures = (document.as_object_mut()).and_then(|entries| entries.remove("figures"));
     let Some(Value::Object(figures)) = figures else {
         return;
     };
