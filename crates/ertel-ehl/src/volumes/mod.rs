@@ -13,8 +13,10 @@
 //! | [`grid`] | nodes of a patch |
 //! | [`rows`] | rows of nodes along a roller |
 //! | [`roller_zone`] | where its pressure ends |
-//! | [`convolution`] | deflection of the half-spaces |
-//! | [`rows_convolution`], [`line_convolution`], [`deflection`] | the same under rows of a roller, under a line |
+//! | [`kernel`] | influence of the pressure on the deflection of the bodies |
+//! | [`convolution`], [`rows_convolution`] | sums with influence coefficients on a grid, also those of heat; under rows of a roller |
+//! | [`along`], [`padded`], [`axial`] | the transforms, along rows and of grids; shapes along the axis of a roller |
+//! | [`deflection`], [`inverse`] | deflection under the pressures of a grid; stencils near to the inverse |
 //! | [`faces`] | flux through a face and its derivatives |
 //! | [`thinning`] | shear thinning of the film at a node |
 //! | [`contents`] | oil in partly filled gaps |
@@ -38,6 +40,8 @@
 //!
 //! Theory: Finite volumes.
 
+pub mod along;
+pub mod axial;
 pub mod behind;
 pub mod beyond;
 pub mod composite;
@@ -55,11 +59,13 @@ pub mod figures;
 pub mod film;
 pub mod grid;
 pub mod heat;
+pub mod inverse;
+pub mod kernel;
 pub mod level;
-pub mod line_convolution;
 pub mod line_factors;
 pub mod multigrid;
 pub mod newton;
+pub mod padded;
 pub mod passing;
 pub mod patches;
 pub mod preconditioner;

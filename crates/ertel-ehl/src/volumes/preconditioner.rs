@@ -10,8 +10,9 @@ use std::sync::OnceLock;
 use ertel_fem::linear::ordering::OrderingError;
 use rayon::prelude::*;
 
-use super::deflection::{Deflection, Stencils};
+use super::deflection::Deflection;
 use super::grid::{Grid, RING};
+use super::inverse::Stencils;
 use super::line_factors::{LineFactors, LineKernel, Triple};
 use super::multigrid::{Cycle, Grids};
 use super::stencil::{PLACES, REACH, Row, SIDE};
@@ -63,8 +64,8 @@ impl Pattern {
     ) -> Result<Pattern, OrderingError> {
         let n = [grid.n[0] - 2 * RING, grid.inner_rows().len()];
         let line = match deflection {
-            Deflection::Line(line) if grid.n_nodes() >= LONG_LINE => {
-                Some(LineKernel::new(line.kernel(), n[0]))
+            Deflection::Line(_, coefficients) if grid.n_nodes() >= LONG_LINE => {
+                Some(LineKernel::new(coefficients, n[0]))
             }
             _ => None,
         };

@@ -7,13 +7,13 @@ use ertel_rheology::viscosity::ViscosityLaw;
 
 use super::composite::Composite;
 use super::contents::Arrival;
-use super::convolution::Convolution;
 use super::deflection::Deflection;
 use super::ending::Ends;
 use super::engine::{FiniteVolumes, Plan, Volumes};
 use super::figures::figures;
 use super::film::PatchedFilm;
 use super::grid::Grid;
+use super::kernel::Kernel;
 use super::system::{Balance, State, Storage, System};
 use super::tangents::Tangents;
 use crate::contact::{Contact, Hertz, HertzZone, Material, Motion, Planar, Scales, Shape, Turn};
@@ -102,7 +102,7 @@ fn system(half: bool, entrainment: Planar) -> (System, State) {
         separation: -0.1,
     };
     let system = System {
-        convolution: Convolution::new(&grid, 0.3).into(),
+        convolution: Deflection::new(&grid, Kernel::HalfSpace { compliance: 0.3 }).into(),
         gap,
         load: 1.0,
         beyond: None,
@@ -241,7 +241,7 @@ fn second_order_for_manufactured_fields() {
         };
         // No compliance: the film is the gap.
         let system = System {
-            convolution: Deflection::new(&grid, 0.0).into(),
+            convolution: Deflection::new(&grid, Kernel::HalfSpace { compliance: 0.0 }).into(),
             gap: values(&film),
             load: 1.0,
             beyond: None,

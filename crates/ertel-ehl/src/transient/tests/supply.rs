@@ -18,6 +18,7 @@ use crate::volumes::deflection::Deflection;
 use crate::volumes::ending::Ends;
 use crate::volumes::engine::pattern;
 use crate::volumes::grid::{Grid, RING};
+use crate::volumes::kernel::Kernel;
 use crate::volumes::newton::{NewtonParams, newton};
 use crate::volumes::system::{Balance, State, Storage, System};
 
@@ -199,7 +200,10 @@ fn a_cavity_between_swinging_plates_closes() {
     };
     let mut system = System {
         // As good as rigid.
-        convolution: std::sync::Arc::new(Deflection::new(&grid, 1e-9)),
+        convolution: std::sync::Arc::new(Deflection::new(
+            &grid,
+            Kernel::HalfSpace { compliance: 1e-9 },
+        )),
         gap: vec![0.0; n],
         load: 0.0,
         beyond: None,

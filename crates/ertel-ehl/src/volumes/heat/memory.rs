@@ -22,10 +22,11 @@ use rayon::prelude::*;
 use realfft::num_complex::Complex64;
 use serde::{Deserialize, Serialize};
 
-use super::padded::{Fading, NO_FADING, Padded};
 use super::source::MovingBody;
 use super::spreading::Spreading;
+use crate::volumes::convolution::Convolution;
 use crate::volumes::grid::Grid;
+use crate::volumes::padded::{Fading, NO_FADING, Padded};
 
 /// Modes that represent the temperature below the surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -313,7 +314,7 @@ impl<'a> Over<'a> {
         for value in &mut symbol {
             *value += at_once / transforms.gain();
         }
-        Spreading::Even(transforms.clone(), symbol)
+        Spreading::Even(Convolution::new(transforms.clone(), symbol))
     }
 
     /// The part of a body's stored heat that remains.

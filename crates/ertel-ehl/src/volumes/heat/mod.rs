@@ -10,10 +10,8 @@
 //! | module | what |
 //! |---|---|
 //! | [`source`] | temperature of a moving body by the heat that flows into cells |
-//! | [`axial`] | shapes along the axis of a roller |
 //! | [`spreading`] | the same on a grid, by fast Fourier transforms |
 //! | [`turning`] | spinning bodies, mapped to a plane |
-//! | [`padded`] | the transforms themselves |
 //! | [`memory`] | stored heat of the bodies in time |
 //! | [`columns`] | the energy equation of the film over each node |
 //! | [`transport`] | heat flow from node to node |
@@ -26,13 +24,11 @@
 //!
 //! Theory: Heat by finite volumes.
 
-pub mod axial;
 pub mod columns;
 pub mod figures;
 pub mod march;
 pub mod memory;
 pub mod output;
-pub mod padded;
 pub mod rounds;
 pub mod source;
 pub mod spreading;

@@ -15,8 +15,9 @@ use crate::forms::energy::{BodyHeat, Heat, Heights};
 use crate::transient::scheme::Weights;
 use crate::volumes::behind::Edges;
 use crate::volumes::contents::Arrival;
-use crate::volumes::convolution::Convolution;
+use crate::volumes::deflection::Deflection;
 use crate::volumes::grid::{Grid, RING};
+use crate::volumes::kernel::Kernel;
 use crate::volumes::system::{Balance, Linearised, State, Storage, System};
 use crate::volumes::tests::problem;
 
@@ -88,7 +89,7 @@ impl Channel {
         let n = grid.n_nodes();
         let film = height / scales.film;
         let system = System {
-            convolution: Convolution::new(&grid, 0.3).into(),
+            convolution: Deflection::new(&grid, Kernel::HalfSpace { compliance: 0.3 }).into(),
             gap: vec![film; n],
             load: 0.0,
             beyond: None,

@@ -22,7 +22,7 @@ fn row() -> (System, State) {
         separation: -0.1,
     };
     let system = System {
-        convolution: Deflection::new(&grid, 0.02).into(),
+        convolution: Deflection::new(&grid, Kernel::HalfSpace { compliance: 0.02 }).into(),
         gap: x.iter().map(gap).collect(),
         load: 1.0,
         beyond: None,

@@ -50,7 +50,7 @@ fn rectangles_between_uneven_rows() {
         let pressure: Vec<f64> = (grid.nodes())
             .map(|[i, j]| f64::from(u8::from((8..20).contains(&i) && (from..=to).contains(&j))))
             .collect();
-        let found = Deflection::new(&grid, c).apply(&pressure);
+        let found = Deflection::new(&grid, Kernel::HalfSpace { compliance: c }).apply(&pressure);
         // Of a half that ends in the middle: with the image.
         let ends = |t: f64| {
             let low = y(from) + t * (y(from - 1) - y(from));
@@ -94,7 +94,8 @@ fn hertz_pressure_on_uneven_rows() {
                 (1.0 - x * x - y * y).max(0.0).sqrt()
             })
             .collect();
-        let deflection = Deflection::new(&grid, 0.7).apply(&pressure);
+        let deflection =
+            Deflection::new(&grid, Kernel::HalfSpace { compliance: 0.7 }).apply(&pressure);
         let errors = grid.nodes().zip(deflection).map(|([i, j], found)| {
             let [x, y] = grid.on_axes(i, j);
             let r2 = x * x + y * y;
@@ -130,7 +131,7 @@ fn jacobian_on_uneven_rows_against_differences() {
             }
         }
         state.wetted = state.pressure.iter().map(|p| *p > 0.0).collect();
-        system.convolution = Deflection::new(&grid, 0.3).into();
+        system.convolution = Deflection::new(&grid, Kernel::HalfSpace { compliance: 0.3 }).into();
         system.grid = grid;
         assert_changes(&system, &state, 1e-6);
     }

@@ -12,8 +12,8 @@
 use nalgebra::{DMatrix, SymmetricEigen};
 use realfft::num_complex::Complex64;
 
-use crate::volumes::grid::RING;
-use crate::volumes::rows::Rows;
+use super::grid::RING;
+use super::rows::Rows;
 
 /// Shapes along the axis.
 #[derive(Debug)]
