@@ -5,6 +5,8 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
+use crate::common::Workspace;
+
 const CASE: &str = r#"
 [contact]
 kind = "line"
@@ -23,42 +25,6 @@ viscosity = { law = "roelands", mu_0 = "20 ± 1 mPa.s", alpha = "18 1/GPa ± 4 %
 [mesh]
 target_error = "1 %"
 "#;
-
-struct Workspace(tempfile::TempDir);
-
-impl Workspace {
-    fn new(files: &[(&str, &str)]) -> Workspace {
-        let workspace = Workspace(tempfile::tempdir().unwrap());
-        for (name, text) in files {
-            std::fs::write(workspace.path(name), text).unwrap();
-        }
-        workspace
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn ertel(&self, arguments: &[&str]) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_ertel"))
-            .current_dir(self.0.path())
-            .args(arguments)
-            .output()
-            .unwrap()
-    }
-
-    /// Runs a command that must succeed; returns its standard output.
-    fn succeed(&self, arguments: &[&str]) -> String {
-        let output = self.ertel(arguments);
-        let error = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(0), "{arguments:?}: {error}");
-        String::from_utf8(output.stdout).unwrap()
-    }
-
-    fn json(&self, name: &str) -> Value {
-        serde_json::from_slice(&std::fs::read(self.path(name)).unwrap()).unwrap()
-    }
-}
 
 fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value}"))

@@ -1,47 +1,25 @@
 //! Contacts that are hard to start from the dry contact alone, each as a user writes it. They are solved without a given start; their
 //! solutions must meet general theory.
 
+use crate::common;
+
 use std::f64::consts::PI;
-use std::path::Path;
 
 use approx::assert_relative_eq;
-use ertel::case::Case;
-use ertel::engine::NoObserver;
-use ertel::run::solve;
+use common::text::{BALL, read, with};
 use ertel::solution::Role;
 use ertel::solution::Solution;
-use ertel_input::Document;
 
-fn solved(text: &str) -> Solution {
-    let document = Document::parse("case.toml", text).unwrap();
-    let case = Case::from_document(&document, Path::new("")).unwrap();
-    solve(&case, &mut NoObserver).unwrap_or_else(|e| panic!("{e}\n{text}"))
+fn solved(text: impl AsRef<str>) -> Solution {
+    common::solved(&read(text))
 }
 
 /// The least load allowed: a film that is 1e5 times as thick as the dry contact is flat. Newton's matrices span more decades than
 /// single precision. The film is that of a rigid ball in an isoviscous oil, which Moes's formula and others meet within 15 %.
 #[test]
 fn the_least_load_is_solved() {
-    let s = solved(
-        r#"
-[contact]
-kind = "circular"
-radius = "16 mm"
-hertz_pressure = "1 MPa"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[motion]
-entrainment_speed = "0.8 m/s"
-slide_to_roll_ratio = 0.0
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
-[mesh]
-target_error = "3 %"
-"#,
-    );
+    let light = with(BALL, &[["load = \"100 N\"", "hertz_pressure = \"1 MPa\""]]);
+    let s = solved(light + "[mesh]\ntarget_error = \"3 %\"\n");
     println!(
         "{:?}",
         s.formulas

@@ -2,11 +2,11 @@
 
 use crate::common;
 
+use crate::common::text::read;
+use common::solved;
 use ertel::case::Case;
 use ertel::contact::ContactKind;
-use ertel::engine::NoObserver;
 use ertel::params::{MeshParams, MeshPreset};
-use ertel::run::solve;
 use ertel::solution::Solution;
 use ertel_rheology::shear::{ReeEyring, ShearLaw, ShearThinning, StressLimit};
 
@@ -27,10 +27,6 @@ fn case(kind: ContactKind, load: f64, limit: [f64; 2], slide_to_roll_ratio: f64)
     }
     case.solver.error_estimate = false;
     case
-}
-
-fn solved(case: &Case) -> Solution {
-    solve(case, &mut NoObserver).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// ∫f dx by the trapezoidal rule over the written centreline.
@@ -144,8 +140,7 @@ fn a_film_that_does_not_thin_has_no_reduction() {
         [output]
         sensitivities = false
     "#;
-    let document = ertel_input::Document::parse("case.toml", text).unwrap();
-    let case = Case::from_document(&document, std::path::Path::new("")).unwrap();
+    let case = read(text);
     let reduction = solved(&case).film_reduction.unwrap();
     println!("{reduction:?}");
     for film in [reduction.central, reduction.minimum] {

@@ -1,16 +1,19 @@
 //! Whole machines from a case file to their figures.
 
-use std::path::Path;
+use std::sync::LazyLock;
 
 use approx::assert_relative_eq;
-use ertel::case::Case;
 use ertel::engine::{NoObserver, Observer};
 use ertel::machine::figures;
 use ertel::output;
 use ertel::run;
 use ertel::solution::Figure;
-use ertel::study::{CurveObserver, PointSolution, solve_curve, solve_in_balance, solve_machine};
-use ertel_input::Document;
+use ertel::study::{
+    CurveObserver, MachineSolution, PointSolution, solve_curve, solve_in_balance, solve_machine,
+};
+
+use crate::common::assert_figures;
+use crate::common::text::{GEARS, read, with};
 
 /// All balls of a bearing under thrust are identical.
 const THRUST: &str = r#"
@@ -37,24 +40,21 @@ target_error = 0.05
 newtonian = true
 "#;
 
-fn read(text: &str) -> Case {
-    Case::from_document(
-        &Document::parse("bearing.toml", text).unwrap(),
-        Path::new(""),
-    )
-    .unwrap()
-}
+/// Its contacts, solved.
+static UNDER_THRUST: LazyLock<MachineSolution> = LazyLock::new(|| {
+    let case = read(THRUST);
+    solve_machine(case.contacts.as_ref().unwrap(), &mut NoObserver)
+});
 
 /// Two contacts represent eighteen; their sums are nine times theirs, and each is what it is when solved alone.
 #[test]
 fn a_bearing_under_thrust() {
     let case = read(THRUST);
-    let contacts = case.contacts.as_ref().unwrap();
-    let solved = solve_machine(contacts, &mut NoObserver);
+    let solved = &*UNDER_THRUST;
     assert_eq!(solved.n_contacts(), 2);
     assert_eq!(solved.n_failed(), 0);
     assert!(!solved.is_partial());
-    let found = figures(&case, &solved);
+    let found = figures(&case, solved);
     let value = |name: &str| found.find(name).unwrap().estimate.value;
     let power = |contact: usize| {
         let solution = solved.solution(contact).unwrap();
@@ -96,19 +96,19 @@ fn a_bearing_under_thrust() {
     let alone = run::solve(&alone, &mut NoObserver).unwrap();
     assert_eq!(alone.summary.film_central.value, central(11));
 
-    let json = output::machine_json(&case.echo(), &solved, &found).unwrap();
+    let json = output::machine_json(&case.echo(), solved, &found).unwrap();
     assert_eq!(json["format"], "ertel-machine");
     assert_eq!(json["n_solved"], 2);
     assert_eq!(json["contacts"][17]["solved_as"], 2);
     assert_eq!(json["figures"]["friction_torque"]["unit"], "N m");
-    let table = output::machine_table(&solved);
+    let table = output::machine_table(solved);
     assert_eq!(table.lines().count(), 19);
     let widths: Vec<usize> = table
         .lines()
         .map(|line| line.matches(',').count())
         .collect();
     assert!(widths[1..].iter().all(|w| *w >= widths[0]), "{widths:?}");
-    let report = output::machine_report(&case.echo(), &solved, &found, None);
+    let report = output::machine_report(&case.echo(), solved, &found, None);
     for expected in [
         "friction torque of all contacts",
         "ball 0, inner ring and 8 more",
@@ -129,8 +129,13 @@ fn lives_of_a_bearing() {
     let mut solved = solve_machine(case.contacts.as_ref().unwrap(), &mut NoObserver);
     let found = figures(&case, &solved);
     let value = |name: &str| found.find(name).unwrap().estimate.value;
-    assert_relative_eq!(value("equivalent_load"), 886.2, max_relative = 1e-3);
-    assert_relative_eq!(value("basic_rating_life"), 10_576.0, max_relative = 3e-3);
+    assert_figures(
+        &found,
+        &[
+            ("equivalent_load", 886.2, 1e-3),
+            ("basic_rating_life", 10_576.0, 3e-3),
+        ],
+    );
     // Revolutions to seconds: 2π/ω = 0.02 s each.
     let seconds = 1e6 * value("basic_rating_life") * 0.02;
     assert_relative_eq!(
@@ -192,9 +197,14 @@ fn tapered_rollers_by_their_designation() {
     assert_eq!(solved.n_failed(), 0);
     let found = figures(&case, &solved);
     let value = |name: &str| found.find(name).unwrap().estimate.value;
-    assert_relative_eq!(value("equivalent_load"), 5200.0, max_relative = 1e-4);
-    assert_relative_eq!(value("basic_rating_life"), 1143.6, max_relative = 2e-3);
-    assert_relative_eq!(value("static_safety_factor"), 9.5, max_relative = 1e-6);
+    assert_figures(
+        &found,
+        &[
+            ("equivalent_load", 5200.0, 1e-4),
+            ("basic_rating_life", 1143.6, 2e-3),
+            ("static_safety_factor", 9.5, 1e-6),
+        ],
+    );
     assert!(value("film_minimum") > 1e-8 && value("friction_torque") > 0.0);
     let reference = value("reference_rating_life") / value("basic_rating_life");
     assert!((0.3..5.0).contains(&reference), "{reference}");
@@ -212,8 +222,7 @@ fn tapered_rollers_by_their_designation() {
 #[test]
 fn an_interrupted_machine_is_marked_in_every_file() {
     let case = read(THRUST);
-    let contacts = case.contacts.as_ref().unwrap();
-    let mut solved = solve_machine(contacts, &mut NoObserver);
+    let mut solved = UNDER_THRUST.clone();
     let found = figures(&case, &solved);
     let last = solved.contacts.iter().rposition(Option::is_some).unwrap();
     solved.contacts[last] = None;
@@ -274,44 +283,32 @@ fn a_machine_that_is_stopped() {
     assert!(found.find("friction_power").is_none());
 }
 
-/// The path of FZG gears on few points.
-const GEARS: &str = r#"
-title = "FZG-C14 over torque"
-[machine]
-kind = "spur-gear"
-template = "FZG-C14"
-pinion_torque = "100 N.m"
-pinion_speed = "1500 rpm"
-position = "path"
-points = 3
-load_sharing = "thirds"
-pinion_ra = "0.4 um"
-wheel_ra = "0.4 um"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[lubricant]
-temperature = "90 degC"
-iso_vg = 100
-base_oil = "mineral"
-[mesh]
-preset = "coarse"
-[solver]
-newtonian = true
-"#;
+/// The path of FZG gears on few points, with roughness and without a law of the shear.
+static ROUGH_GEARS: LazyLock<String> = LazyLock::new(|| {
+    with(
+        GEARS,
+        &[
+            [
+                "[bodies]",
+                "pinion_ra = \"0.4 um\"\nwheel_ra = \"0.4 um\"\n[bodies]",
+            ],
+            ["shear_thinning = { law = \"estimate\" }\n", ""],
+        ],
+    )
+});
 
 /// Each point of a curve is the machine that its case is alone; where it starts from the point before, within the error bars.
 #[test]
 fn a_curve_of_whole_machines() {
     let curve =
         "[curve]\nquantity = \"machine.pinion_torque\"\nvalues = [\"100 N.m\", \"110 N.m\"]\n";
-    let case = read(&format!("{GEARS}{curve}"));
+    let case = read(&format!("{}{curve}", *ROUGH_GEARS));
     let curve = case.curve.as_ref().unwrap();
     assert!(case.contacts.is_none(), "its points have the contacts");
     let solved = solve_curve(curve, &mut NoObserver);
     assert_eq!((solved.points.len(), solved.n_failed()), (2, 0));
     for (point, torque) in solved.points.iter().zip(["100 N.m", "110 N.m"]) {
-        let alone = read(&GEARS.replace("100 N.m", torque));
+        let alone = read(ROUGH_GEARS.replace("100 N.m", torque));
         let machine = solve_machine(alone.contacts.as_ref().unwrap(), &mut NoObserver);
         let expected = figures(&alone, &machine);
         let found = &point.machine.as_ref().unwrap().figures;
@@ -372,7 +369,7 @@ fn a_curve_of_whole_machines() {
 /// A curve of a chosen contact has that contact alone.
 #[test]
 fn a_curve_of_one_contact_of_a_machine() {
-    let text = GEARS
+    let text = ROUGH_GEARS
         .replace("\"path\"", "\"pitch point\"")
         .replace("points = 3\n", "");
     let curve =
@@ -391,7 +388,7 @@ fn a_curve_of_one_contact_of_a_machine() {
 fn a_point_with_a_failed_contact() {
     let curve =
         "[curve]\nquantity = \"machine.pinion_torque\"\nvalues = [\"50 N.m\", \"200 N.m\"]\n";
-    let text = GEARS.replace("newtonian = true", "newtonian = true\nmax_iterations = 1");
+    let text = ROUGH_GEARS.replace("newtonian = true", "newtonian = true\nmax_iterations = 1");
     let case = read(&format!("{text}{curve}"));
     let solved = solve_curve(case.curve.as_ref().unwrap(), &mut NoObserver);
     assert_eq!(solved.n_failed(), 2);
@@ -433,14 +430,19 @@ fn any_number_of_a_machine_varies() {
             "[\"5 um\", \"15 um\"]",
         ),
         (
-            GEARS,
+            ROUGH_GEARS.as_str(),
             "face_width",
             "face_width = \"14 mm\"\n",
             "[\"10 mm\", \"20 mm\"]",
         ),
-        (GEARS, "pinion_ra", "", "[\"0.2 um\", \"0.8 um\"]"),
         (
-            GEARS,
+            ROUGH_GEARS.as_str(),
+            "pinion_ra",
+            "",
+            "[\"0.2 um\", \"0.8 um\"]",
+        ),
+        (
+            ROUGH_GEARS.as_str(),
             "tip_relief",
             "tip_relief = \"10 um\"\ntip_relief_length = \"2 mm\"\n",
             "[\"5 um\", \"15 um\"]",

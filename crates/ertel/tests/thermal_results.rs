@@ -3,6 +3,7 @@
 
 use crate::common;
 
+use crate::common::text::read;
 use approx::assert_relative_eq;
 use common::heated;
 use ertel::case::Case;
@@ -18,7 +19,6 @@ use ertel::solve::results::elements::elements;
 use ertel::solve::results::thermal::thermal;
 use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
 use ertel_fem::element::Lagrange;
-use ertel_input::Document;
 use ertel_rheology::provenance::{TemperatureRange, celsius};
 
 fn case(kind: ContactKind, load: f64, slide_to_roll_ratio: f64) -> Case {
@@ -357,8 +357,7 @@ fn no_film_is_colder_than_the_inflow() {
              viscosity = {{ law = \"roelands\", mu_0 = \"20 mPa.s\", alpha = \"19 1/GPa\", beta = \"0.037 1/K\", reference_temperature = \"60 degC\" }}\n\
              thermal_conductivity = \"0.14 W/(m.K)\"\nheat_capacity = \"2000 J/(kg.K)\"\n"
         );
-        let document = Document::parse("warm.toml", text).unwrap();
-        let mut case = Case::from_document(&document, "".as_ref()).unwrap();
+        let mut case = read(text);
         case.solver.method = Some(method);
         let solution = solve(&case, &mut NoObserver).unwrap();
         let lowest = &solution.thermal.as_ref().unwrap().film_lowest;

@@ -4,15 +4,14 @@ use crate::common;
 
 use std::path::Path;
 
+use crate::common::text::read;
 use approx::assert_relative_eq;
-use ertel::case::Case;
 use ertel::contact::ContactKind;
 use ertel::engine::{NoObserver, Observer};
 use ertel::reference::thermal::{ThermalReduction, thermal_loading};
 use ertel::run::{problem, solve};
 use ertel::solution::Role;
 use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
-use ertel_input::Document;
 
 /// Keeps the changes of the rounds of the last coupling.
 #[derive(Default)]
@@ -106,8 +105,7 @@ heat_capacity = "2000 J/(kg.K)"
 preset = "coarse"
 [thermal]
 "#;
-    let document = Document::parse("case.toml", text).unwrap();
-    let case = Case::from_document(&document, Path::new("")).unwrap();
+    let case = read(text);
     let mut rounds = Rounds::default();
     let solution = solve(&case, &mut rounds).unwrap_or_else(|e| panic!("{e}"));
     let paths = solution

@@ -3,12 +3,11 @@
 use crate::common;
 
 use approx::assert_relative_eq;
+use common::solved;
 use ertel::case::Case;
 use ertel::contact::ContactKind;
-use ertel::engine::NoObserver;
 use ertel::params::Method;
 use ertel::params::{MeshParams, MeshPreset};
-use ertel::run::solve;
 use ertel::solution::{Centreline, Solution};
 use ertel_rheology::shear::{Carreau, ReeEyring, ShearLaw, ShearThinning};
 
@@ -36,10 +35,6 @@ fn carreau(plateau_ratio: f64) -> ShearLaw {
 
 fn eyring(stress: f64) -> ShearLaw {
     ShearLaw::ReeEyring(ReeEyring::new(stress).unwrap())
-}
-
-fn solved(case: &Case) -> Solution {
-    solve(case, &mut NoObserver).unwrap()
 }
 
 /// Largest difference of the pressures on the centreline, over the Hertz pressure.

@@ -3,12 +3,9 @@
 use crate::common;
 
 use approx::assert_relative_eq;
-use common::heated;
+use common::{heated, solved};
 use ertel::case::Case;
 use ertel::contact::ContactKind;
-use ertel::engine::NoObserver;
-use ertel::run::solve;
-use ertel::solution::Solution;
 use ertel_rheology::ConductivityLaw;
 
 fn case(kind: ContactKind, slide_to_roll_ratio: f64) -> Case {
@@ -17,10 +14,6 @@ fn case(kind: ContactKind, slide_to_roll_ratio: f64) -> Case {
     case.motion.slide_to_roll_ratio = slide_to_roll_ratio;
     case.mesh.target_error = Some(0.01);
     case
-}
-
-fn solved(case: &Case) -> Solution {
-    solve(case, &mut NoObserver).expect("a solution")
 }
 
 /// Where heat flows off without resistance nothing warms up: film and traction are those of the isothermal contact.

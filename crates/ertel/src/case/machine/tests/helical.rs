@@ -5,18 +5,7 @@ use approx::assert_relative_eq;
 use super::bad::refused;
 use super::{GEAR, check, read, row, with};
 
-const HELICAL: &str = r#"
-kind = "helical-gear"
-normal_module = "4 mm"
-pinion_teeth = 20
-wheel_teeth = 40
-normal_pressure_angle = "20 deg"
-helix_angle = "25 deg"
-face_width = "40 mm"
-pinion_torque = "100 N.m"
-pinion_speed = "1500 rpm"
-position = "5 mm"
-"#;
+const HELICAL: &str = include_str!("data/helical_gear.toml");
 
 type Vector = [f64; 3];
 
