@@ -192,11 +192,15 @@ fn every_command_of_the_guides_runs() {
 }
 
 /// Commands of pages whose blocks of text show a part of what they print; of a long line its beginning.
-const PRINTED: [(&str, &str); 2] = [
+const PRINTED: [(&str, &str); 3] = [
     ("guide/uncertainty.md", "ertel solve cases/roller.toml"),
     (
         "developer/debugging.md",
         "ertel solve cases/roller.toml --set solver.newtonian=true --set \"lubricant.viscosity.alpha=80 1/GPa\" --set \"contact.load=1 MN/m\" --verbose --output hard",
+    ),
+    (
+        "developer/debugging.md",
+        "ertel solve cases/roller.toml --set solver.method=finite-volumes --set solver.newtonian=true --set \"lubricant.viscosity.alpha=80 1/GPa\" --set \"contact.load=1 MN/m\" --verbose --output hard-volumes",
     ),
 ];
 

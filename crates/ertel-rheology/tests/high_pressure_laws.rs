@@ -2,54 +2,16 @@
 //! scaling: values by mpmath at 30 digits from the formulas, written independently of this code, limits, and constants
 //! that are refused.
 
+use crate::common::{gear_oil, hybrid, t9_density};
 use approx::assert_relative_eq;
 use ertel_rheology::conductivity::{self, Scaling as ConductivityScaling};
-use ertel_rheology::density::{BulkModulusSoftening, DowsonHigginson, Murnaghan, ThermalExpansion};
+use ertel_rheology::density::{DowsonHigginson, Murnaghan, ThermalExpansion};
 use ertel_rheology::heat_capacity::{self, Scaling as HeatCapacityScaling};
-use ertel_rheology::viscosity::{
-    GlassTransition, Hybrid, ImprovedYasutomi, McEwen, Paluch, PressureLaw, Walther,
-};
+use ertel_rheology::viscosity::{Hybrid, ImprovedYasutomi, McEwen, Paluch, PressureLaw, Walther};
 use ertel_rheology::{ConductivityLaw, DensityLaw, HeatCapacityLaw, LawError, ViscosityLaw};
 use num_dual::first_derivative;
 
 const GPA: f64 = 1e9;
-
-/// Constants of the traction oil Shell T9 as a public program prints them.
-fn t9_density() -> DensityLaw {
-    let thermal = BulkModulusSoftening {
-        reference_temperature: 298.0,
-        bulk_modulus_coefficient: 6.09e-3,
-        bulk_modulus_slope_coefficient: 0.0,
-        expansivity: 7.734e-4,
-    };
-    DensityLaw::Murnaghan(Murnaghan::new(872.0, 9.234e9, 10.545, Some(thermal)).unwrap())
-}
-
-/// Constants of a gear oil 80W-90 as two public programs print them, units repaired.
-fn gear_oil() -> ImprovedYasutomi {
-    ImprovedYasutomi {
-        glass: GlassTransition {
-            glass_viscosity: 1e12,
-            glass_temperature: 201.45,
-            a_1: 210.6,
-            a_2: 0.455e-9,
-            c_1: 16.372,
-            c_2: 29.99,
-        },
-        b_1: 7.606e-9,
-        b_2: -0.4193,
-    }
-}
-
-fn hybrid() -> Hybrid {
-    Hybrid {
-        mu_0: 0.03,
-        a_0: 12e-9,
-        q: 3.0,
-        fragility: 20.0,
-        divergence_pressure: 3e9,
-    }
-}
 
 fn expanding() -> DensityLaw {
     let thermal = ThermalExpansion {

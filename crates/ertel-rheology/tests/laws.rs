@@ -3,12 +3,13 @@
 //! Unless a test says otherwise, the expected values are evaluations of the formulas of Habchi 2008 (section 2.4, with
 //! its misprints corrected) in Python with mpmath at 30 digits, written independently of this code.
 
+use crate::common::{self, wlf_oil};
 use approx::assert_relative_eq;
 use ertel_rheology::density::{
     BulkModulusSoftening, DowsonHigginson, Tait, TaitVolume, ThermalExpansion,
 };
 use ertel_rheology::viscosity::{
-    Cheng, Doolittle, GlassTransition, ModifiedWlf, OccupiedVolume, Roelands, TemperatureSlope,
+    Cheng, Doolittle, GlassTransition, ModifiedWlf, Roelands, TemperatureSlope,
 };
 use ertel_rheology::{DensityLaw, Isotherms, ViscosityLaw};
 
@@ -36,34 +37,12 @@ fn glycerol_volume() -> TaitVolume {
 }
 
 fn squalane() -> ViscosityLaw {
-    let thermal = OccupiedVolume {
-        reference_temperature: 313.0,
-        expansivity: -9.599e-4,
-    };
-    ViscosityLaw::Doolittle(
-        Doolittle::new(0.0705, 4.2, 0.658, Some(thermal), squalane_volume()).unwrap(),
-    )
+    common::squalane(squalane_volume())
 }
 
 fn pao() -> ViscosityLaw {
     let volume = TaitVolume::new(1.4252e9, 12.82, None).unwrap();
     ViscosityLaw::Doolittle(Doolittle::new(1.42, 4.422, 0.6694, None, volume).unwrap())
-}
-
-fn wlf_oil() -> ViscosityLaw {
-    let constants = ModifiedWlf {
-        glass: GlassTransition {
-            glass_viscosity: 1e12,
-            glass_temperature: 273.15 - 73.86,
-            a_1: 19.17,
-            a_2: 4.07e-9,
-            c_1: 16.04,
-            c_2: 18.18,
-        },
-        b_1: 0.23,
-        b_2: 0.0249e-6,
-    };
-    ViscosityLaw::ModifiedWlf(ModifiedWlf::new(constants).unwrap())
 }
 
 fn polyphenyl_ether() -> ViscosityLaw {
@@ -257,21 +236,13 @@ fn roelands() {
 #[test]
 fn modified_wlf() {
     let law = wlf_oil();
-    assert_relative_eq!(
-        law.viscosity(0.0, 313.15),
-        0.0147392783087,
-        max_relative = 1e-10
-    );
-    assert_relative_eq!(
-        law.viscosity(0.5 * GPA, 313.15),
-        16.6716298053,
-        max_relative = 1e-10
-    );
-    assert_relative_eq!(
-        law.viscosity(0.5 * GPA, 333.15),
-        3.58883805896,
-        max_relative = 1e-10
-    );
+    for (found, expected) in [
+        (law.viscosity(0.0, 313.15), 0.0147392783087),
+        (law.viscosity(0.5 * GPA, 313.15), 16.6716298053),
+        (law.viscosity(0.5 * GPA, 333.15), 3.58883805896),
+    ] {
+        assert_relative_eq!(found, expected, max_relative = 1e-10);
+    }
 
     let law = polyphenyl_ether();
     assert_relative_eq!(
@@ -350,26 +321,14 @@ fn modified_wlf_beyond_the_glass_transition() {
 fn doolittle() {
     let law = squalane();
     assert_relative_eq!(law.viscosity(0.0, 313.0), 0.0705, max_relative = 1e-12);
-    assert_relative_eq!(
-        law.viscosity(0.5 * GPA, 313.0),
-        81.977352644,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        law.viscosity(0.5 * GPA, 333.0),
-        19.063299144,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        law.viscosity(GPA, 313.0),
-        26616.1136773,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        pao().viscosity(0.5 * GPA, 348.0),
-        400.597643019,
-        max_relative = 1e-9
-    );
+    for (found, expected) in [
+        (law.viscosity(0.5 * GPA, 313.0), 81.977352644),
+        (law.viscosity(0.5 * GPA, 333.0), 19.063299144),
+        (law.viscosity(GPA, 313.0), 26616.1136773),
+        (pao().viscosity(0.5 * GPA, 348.0), 400.597643019),
+    ] {
+        assert_relative_eq!(found, expected, max_relative = 1e-9);
+    }
 }
 
 /// The formula is singular at a few gigapascals and negative beyond; the law must keep growing.
@@ -393,27 +352,15 @@ fn doolittle_keeps_growing_through_its_singularity() {
 #[test]
 fn slopes_at_ambient_pressure() {
     let per_gpa = |law: ViscosityLaw, temperature| law.pressure_viscosity_slope(temperature) * GPA;
-    assert_relative_eq!(
-        per_gpa(squalane(), 313.0),
-        23.4440606062,
-        max_relative = 1e-10
-    );
-    assert_relative_eq!(
-        per_gpa(squalane(), 333.0),
-        22.8705078868,
-        max_relative = 1e-10
-    );
-    assert_relative_eq!(per_gpa(pao(), 348.0), 19.0030335067, max_relative = 1e-10);
-    assert_relative_eq!(
-        per_gpa(wlf_oil(), 313.15),
-        28.1179808201,
-        max_relative = 1e-10
-    );
-    assert_relative_eq!(
-        per_gpa(polyphenyl_ether(), 333.15),
-        21.0233333434,
-        max_relative = 1e-10
-    );
+    for (found, expected) in [
+        (per_gpa(squalane(), 313.0), 23.4440606062),
+        (per_gpa(squalane(), 333.0), 22.8705078868),
+        (per_gpa(pao(), 348.0), 19.0030335067),
+        (per_gpa(wlf_oil(), 313.15), 28.1179808201),
+        (per_gpa(polyphenyl_ether(), 333.15), 21.0233333434),
+    ] {
+        assert_relative_eq!(found, expected, max_relative = 1e-10);
+    }
     let roelands = ViscosityLaw::roelands(0.04, 22e-9).unwrap();
     assert_relative_eq!(per_gpa(roelands, 300.0), 22.0, max_relative = 1e-13);
     assert_eq!(per_gpa(ViscosityLaw::constant(0.04).unwrap(), 300.0), 0.0);
@@ -433,22 +380,14 @@ fn reciprocal_asymptotic_coefficients() {
         let law = ViscosityLaw::barus(0.01, alpha / GPA).unwrap();
         assert_relative_eq!(per_gpa(law, 300.0), alpha, max_relative = 1e-9);
     }
-    assert_relative_eq!(
-        per_gpa(squalane(), 313.0),
-        18.9247577595,
-        max_relative = 1e-8
-    );
-    assert_relative_eq!(
-        per_gpa(squalane(), 333.0),
-        17.5509542561,
-        max_relative = 1e-8
-    );
-    assert_relative_eq!(per_gpa(pao(), 348.0), 14.9967776857, max_relative = 1e-8);
-    assert_relative_eq!(
-        per_gpa(wlf_oil(), 313.15),
-        20.4679206991,
-        max_relative = 1e-8
-    );
+    for (found, expected) in [
+        (per_gpa(squalane(), 313.0), 18.9247577595),
+        (per_gpa(squalane(), 333.0), 17.5509542561),
+        (per_gpa(pao(), 348.0), 14.9967776857),
+        (per_gpa(wlf_oil(), 313.15), 20.4679206991),
+    ] {
+        assert_relative_eq!(found, expected, max_relative = 1e-8);
+    }
     // The expected value leaves out pressures above 0.4 GPa, 2e-7 of the integral.
     assert_relative_eq!(
         per_gpa(polyphenyl_ether(), 333.15),

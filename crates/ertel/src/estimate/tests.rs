@@ -209,26 +209,14 @@ fn a_neighbouring_regime_is_named() {
     assert_eq!(e.neighbour, Some(Regime::PiezoviscousElastic));
     let scale = 0.01 * 1e-6;
     let films = e.films;
-    assert_relative_eq!(
-        films.piezoviscous_rigid / scale,
-        4.318_921_617,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        films.piezoviscous_elastic / scale,
-        4.633_073_918,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        films.isoviscous_elastic / scale,
-        1.194_023_052,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        films.isoviscous_rigid / scale,
-        1.041_323_356e-3,
-        max_relative = 1e-9
-    );
+    for (found, expected) in [
+        (films.piezoviscous_rigid / scale, 4.318_921_617),
+        (films.piezoviscous_elastic / scale, 4.633_073_918),
+        (films.isoviscous_elastic / scale, 1.194_023_052),
+        (films.isoviscous_rigid / scale, 1.041_323_356e-3),
+    ] {
+        assert_relative_eq!(found, expected, max_relative = 1e-9);
+    }
     let far = regime(&Contact::circular(0.01, 1.0), &groups_of(9381.37, 8.97869));
     assert_eq!(far.neighbour, None);
 }
