@@ -1,9 +1,7 @@
 //! `ertel solve` of a case with a `[curve]`, end to end.
 
 use std::collections::HashMap;
-use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::{Command, Stdio};
 
 use tempfile::TempDir;
 

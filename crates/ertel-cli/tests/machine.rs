@@ -1,7 +1,7 @@
 //! The cases of `cases/machine`: checked, and estimated with what the machine gave.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 
 use tempfile::TempDir;
 

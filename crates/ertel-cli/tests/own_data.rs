@@ -1,7 +1,7 @@
 //! Lubricants and materials of the user, in separate files.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::Path;
+use std::process::Command;
 
 use serde_json::Value;
 

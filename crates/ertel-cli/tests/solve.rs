@@ -1,8 +1,7 @@
 //! `ertel solve` end to end: results, exit codes, and nothing half-written.
 
-use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 
 use tempfile::TempDir;
 

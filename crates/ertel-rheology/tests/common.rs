@@ -6,14 +6,19 @@ use ertel_rheology::viscosity::{
 };
 use ertel_rheology::{DensityLaw, ViscosityLaw};
 
+/// Reference temperature, coefficients of the bulk modulus and of its slope, expansivity.
+pub fn softening([reference, modulus, slope, expansivity]: [f64; 4]) -> BulkModulusSoftening {
+    BulkModulusSoftening {
+        reference_temperature: reference,
+        bulk_modulus_coefficient: modulus,
+        bulk_modulus_slope_coefficient: slope,
+        expansivity,
+    }
+}
+
 /// Constants of the traction oil Shell T9 as a public program prints them.
 pub fn t9_density() -> DensityLaw {
-    let thermal = BulkModulusSoftening {
-        reference_temperature: 298.0,
-        bulk_modulus_coefficient: 6.09e-3,
-        bulk_modulus_slope_coefficient: 0.0,
-        expansivity: 7.734e-4,
-    };
+    let thermal = softening([298.0, 6.09e-3, 0.0, 7.734e-4]);
     DensityLaw::Murnaghan(Murnaghan::new(872.0, 9.234e9, 10.545, Some(thermal)).unwrap())
 }
 

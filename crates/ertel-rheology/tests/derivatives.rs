@@ -1,9 +1,7 @@
 //! Exact derivatives of every law against central differences, and the behaviour of tables, on random states.
 
-use crate::common::{gear_oil, hybrid, squalane, wlf_oil};
-use ertel_rheology::density::{
-    BulkModulusSoftening, DowsonHigginson, Murnaghan, Tait, TaitVolume, ThermalExpansion,
-};
+use crate::common::{gear_oil, hybrid, softening, squalane, wlf_oil};
+use ertel_rheology::density::{DowsonHigginson, Murnaghan, Tait, TaitVolume, ThermalExpansion};
 use ertel_rheology::viscosity::{
     Cheng, Hybrid, ImprovedYasutomi, McEwen, Paluch, PressureLaw, Roelands, TemperatureSlope,
     Walther,
@@ -13,12 +11,7 @@ use num_dual::{HyperDual64, second_derivative, second_partial_derivative};
 use proptest::prelude::*;
 
 fn volume() -> TaitVolume {
-    let thermal = BulkModulusSoftening {
-        reference_temperature: 313.0,
-        bulk_modulus_coefficient: 0.006765,
-        bulk_modulus_slope_coefficient: 0.0018,
-        expansivity: 7.52e-4,
-    };
+    let thermal = softening([313.0, 0.006765, 0.0018, 7.52e-4]);
     TaitVolume::new(8.375e9, 7.0, Some(thermal)).unwrap()
 }
 

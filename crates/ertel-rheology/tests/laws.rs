@@ -3,11 +3,9 @@
 //! Unless a test says otherwise, the expected values are evaluations of the formulas of Habchi 2008 (section 2.4, with
 //! its misprints corrected) in Python with mpmath at 30 digits, written independently of this code.
 
-use crate::common::{self, wlf_oil};
+use crate::common::{self, softening, wlf_oil};
 use approx::assert_relative_eq;
-use ertel_rheology::density::{
-    BulkModulusSoftening, DowsonHigginson, Tait, TaitVolume, ThermalExpansion,
-};
+use ertel_rheology::density::{DowsonHigginson, Tait, TaitVolume, ThermalExpansion};
 use ertel_rheology::viscosity::{
     Cheng, Doolittle, GlassTransition, ModifiedWlf, Roelands, TemperatureSlope,
 };
@@ -17,22 +15,12 @@ const MPA: f64 = 1e6;
 const GPA: f64 = 1e9;
 
 fn squalane_volume() -> TaitVolume {
-    let thermal = BulkModulusSoftening {
-        reference_temperature: 313.0,
-        bulk_modulus_coefficient: 0.006765,
-        bulk_modulus_slope_coefficient: 0.0,
-        expansivity: 7.52e-4,
-    };
+    let thermal = softening([313.0, 0.006765, 0.0, 7.52e-4]);
     TaitVolume::new(8.375e9, 11.29, Some(thermal)).unwrap()
 }
 
 fn glycerol_volume() -> TaitVolume {
-    let thermal = BulkModulusSoftening {
-        reference_temperature: 313.0,
-        bulk_modulus_coefficient: 0.0035,
-        bulk_modulus_slope_coefficient: 0.0018,
-        expansivity: 5.2e-4,
-    };
+    let thermal = softening([313.0, 0.0035, 0.0018, 5.2e-4]);
     TaitVolume::new(12.43e9, 4.5432, Some(thermal)).unwrap()
 }
 
@@ -441,12 +429,7 @@ fn impossible_constants_are_rejected() {
         "r_0"
     );
     assert_eq!(key(TaitVolume::new(0.0, 11.0, None).unwrap_err()), "k_0r");
-    let vanishing = BulkModulusSoftening {
-        reference_temperature: 313.0,
-        bulk_modulus_coefficient: 0.006,
-        bulk_modulus_slope_coefficient: 0.0,
-        expansivity: 4e-3,
-    };
+    let vanishing = softening([313.0, 0.006, 0.0, 4e-3]);
     assert_eq!(
         key(TaitVolume::new(8e9, 11.0, Some(vanishing)).unwrap_err()),
         "a_v"

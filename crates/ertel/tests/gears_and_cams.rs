@@ -8,50 +8,22 @@ use ertel::study::MachineSolution;
 
 use crate::common::{assert_figures, solved_machine, value};
 
-const REST: &str = r#"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[lubricant]
-temperature = "90 degC"
-density = { law = "dowson-higginson", rho_0 = "860 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "20 mPa.s", alpha = "16 1/GPa" }
-shear_thinning = { law = "ree-eyring", tau_0 = "5 MPa" }
-[mesh]
-preset = "coarse"
-"#;
+const REST: &str = concat!(
+    "[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n",
+    "[lubricant]\ntemperature = \"90 degC\"\ndensity = { law = \"dowson-higginson\", rho_0 = \"860 kg/m^3\" }\nviscosity = { law = \"roelands\", mu_0 = \"20 mPa.s\", alpha = \"16 1/GPa\" }\nshear_thinning = { law = \"ree-eyring\", tau_0 = \"5 MPa\" }\n",
+    "[mesh]\npreset = \"coarse\"\n"
+);
 
 /// FZG gears under a light load.
-const GEARS: &str = r#"
-title = "FZG C14"
-[machine]
-kind = "spur-gear"
-template = "FZG-C14"
-pinion_torque = "40 N.m"
-pinion_speed = "2000 rpm"
-position = "path"
-points = 2
-load_sharing = "thirds"
-bulk_temperature = "100 degC"
-scuffing_temperature = "300 degC"
-pinion_ra = "0.3 um"
-wheel_ra = "0.5 um"
-permissible_lambda = 0.2
-"#;
+const GEARS: &str = concat!(
+    "title = \"FZG C14\"\n",
+    "[machine]\nkind = \"spur-gear\"\ntemplate = \"FZG-C14\"\npinion_torque = \"40 N.m\"\npinion_speed = \"2000 rpm\"\nposition = \"path\"\npoints = 2\nload_sharing = \"thirds\"\nbulk_temperature = \"100 degC\"\nscuffing_temperature = \"300 degC\"\npinion_ra = \"0.3 um\"\nwheel_ra = \"0.5 um\"\npermissible_lambda = 0.2\n"
+);
 
-const CAM: &str = r#"
-title = "Eccentric disc"
-[machine]
-kind = "cam"
-follower = "flat"
-base_radius = "18 mm"
-eccentricity = "4 mm"
-cam_speed = "1500 rpm"
-width = "12 mm"
-load = "500 N"
-angle = "turn"
-points = 4
-"#;
+const CAM: &str = concat!(
+    "title = \"Eccentric disc\"\n",
+    "[machine]\nkind = \"cam\"\nfollower = \"flat\"\nbase_radius = \"18 mm\"\neccentricity = \"4 mm\"\ncam_speed = \"1500 rpm\"\nwidth = \"12 mm\"\nload = \"500 N\"\nangle = \"turn\"\npoints = 4\n"
+);
 
 fn solve(machine: &str) -> (Case, MachineSolution, MachineFigures) {
     solved_machine(format!("{machine}{REST}"))

@@ -16,29 +16,14 @@ use crate::common::assert_figures;
 use crate::common::text::{GEARS, read, with};
 
 /// All balls of a bearing under thrust are identical.
-const THRUST: &str = r#"
-title = "6206 under thrust"
-[machine]
-kind = "ball-bearing"
-designation = "6206"
-inner_ring_speed = "3000 rpm"
-axial_load = "500 N"
-contamination_factor = 0.5
-thermal_resistance = "0.5 K/W"
-ambient_temperature = "20 degC"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[lubricant]
-temperature = "70 degC"
-iso_vg = 68
-base_oil = "mineral"
-shear_thinning = { law = "estimate" }
-[mesh]
-target_error = 0.05
-[solver]
-newtonian = true
-"#;
+const THRUST: &str = concat!(
+    "title = \"6206 under thrust\"\n",
+    "[machine]\nkind = \"ball-bearing\"\ndesignation = \"6206\"\ninner_ring_speed = \"3000 rpm\"\naxial_load = \"500 N\"\ncontamination_factor = 0.5\nthermal_resistance = \"0.5 K/W\"\nambient_temperature = \"20 degC\"\n",
+    "[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n",
+    "[lubricant]\ntemperature = \"70 degC\"\niso_vg = 68\nbase_oil = \"mineral\"\nshear_thinning = { law = \"estimate\" }\n",
+    "[mesh]\ntarget_error = 0.05\n",
+    "[solver]\nnewtonian = true\n"
+);
 
 /// Its contacts, solved.
 static UNDER_THRUST: LazyLock<MachineSolution> = LazyLock::new(|| {

@@ -134,37 +134,21 @@ fn neglected(figure: Figure) -> f64 {
     }
 }
 
-const NEWTONIAN: &str = r#"
-[bodies]
-body_1 = "steel"
-body_2 = { youngs_modulus = "400 GPa", poissons_ratio = 0.25 }
-[motion]
-entrainment_speed = "0.8 m/s"
-slide_to_roll_ratio = 0.1
-[lubricant]
-temperature = "60 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "18 1/GPa" }
-[mesh]
-preset = "coarse"
-[solver]
-tolerance = 1e-11
-"#;
+const NEWTONIAN: &str = concat!(
+    "[bodies]\nbody_1 = \"steel\"\nbody_2 = { youngs_modulus = \"400 GPa\", poissons_ratio = 0.25 }\n",
+    "[motion]\nentrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.1\n",
+    "[lubricant]\ntemperature = \"60 degC\"\ndensity = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }\nviscosity = { law = \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"18 1/GPa\" }\n",
+    "[mesh]\npreset = \"coarse\"\n",
+    "[solver]\ntolerance = 1e-11\n"
+);
 
-const SHEAR_THINNING: &str = r#"
-lubricant = "squalane-pip"
-temperature = "313 K"
-[bodies]
-body_1 = "glass"
-body_2 = "steel"
-[motion]
-entrainment_speed = "0.74 m/s"
-slide_to_roll_ratio = 0.2
-[mesh]
-preset = "coarse"
-[solver]
-tolerance = 1e-11
-"#;
+const SHEAR_THINNING: &str = concat!(
+    "lubricant = \"squalane-pip\"\ntemperature = \"313 K\"\n",
+    "[bodies]\nbody_1 = \"glass\"\nbody_2 = \"steel\"\n",
+    "[motion]\nentrainment_speed = \"0.74 m/s\"\nslide_to_roll_ratio = 0.2\n",
+    "[mesh]\npreset = \"coarse\"\n",
+    "[solver]\ntolerance = 1e-11\n"
+);
 
 #[test]
 fn newtonian_line() {

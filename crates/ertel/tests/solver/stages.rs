@@ -3,9 +3,9 @@
 use ertel::problem::problem;
 use ertel::solve::evaluate::{central_film, minimum_film};
 use ertel::solve::newton::NewtonStats;
+use ertel::solve::sequence::Stage;
 use ertel::solve::sequence::stage_run::{Finish, StageRun};
 use ertel::solve::sequence::start::cold_start;
-use ertel::solve::sequence::{Problem, Stage};
 use ertel::solve::system::{FilmConstants, State, System};
 
 use super::{BALL, COARSE, ROLLING, ball, case, discretisation};
