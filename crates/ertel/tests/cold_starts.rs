@@ -60,21 +60,11 @@ fn is_hot_and_balanced(s: &Solution) {
 fn sliding_contacts_start_through_less_sliding() {
     for (plane, ratio) in [("steel", 2.0), ("glass", 1.5), ("glass", 1.9)] {
         let s = solved(&format!(
-            r#"
-lubricant = "squalane-pip"
-temperature = "313 K"
-[contact]
-kind = "line"
-radius = "10 mm"
-hertz_pressure = "0.8 GPa"
-[bodies]
-body_1 = "{plane}"
-body_2 = "steel"
-[motion]
-entrainment_speed = "2 m/s"
-slide_to_roll_ratio = {ratio}
-[thermal]
-"#
+            "lubricant = \"squalane-pip\"\ntemperature = \"313 K\"\n\
+         [contact]\nkind = \"line\"\nradius = \"10 mm\"\nhertz_pressure = \"0.8 GPa\"\n\
+         [bodies]\nbody_1 = \"{plane}\"\nbody_2 = \"steel\"\n\
+         [motion]\nentrainment_speed = \"2 m/s\"\nslide_to_roll_ratio = {ratio}\n\
+         [thermal]\n"
         ));
         is_hot_and_balanced(&s);
     }
@@ -85,28 +75,12 @@ slide_to_roll_ratio = {ratio}
 #[test]
 fn hot_films_settle_in_few_rounds() {
     let s = solved(
-        r#"
-[contact]
-kind = "circular"
-radius = "10 mm"
-hertz_pressure = "1.5 GPa"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[motion]
-entrainment_speed = "10 m/s"
-slide_to_roll_ratio = 1
-[lubricant]
-temperature = "80 degC"
-density = { law = "dowson-higginson", rho_0 = "850 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "10 mPa.s", alpha = "18 1/GPa", beta = "0.03 1/K", reference_temperature = "80 degC" }
-shear_thinning = { law = "ree-eyring", tau_0 = "5 MPa" }
-thermal_conductivity = "0.14 W/(m.K)"
-heat_capacity = "2100 J/(kg.K)"
-[mesh]
-target_error = "3 %"
-[thermal]
-"#,
+        "[contact]\nkind = \"circular\"\nradius = \"10 mm\"\nhertz_pressure = \"1.5 GPa\"\n\
+         [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
+         [motion]\nentrainment_speed = \"10 m/s\"\nslide_to_roll_ratio = 1\n\
+         [lubricant]\ntemperature = \"80 degC\"\ndensity = { law = \"dowson-higginson\", rho_0 = \"850 kg/m^3\" }\nviscosity = { law = \"roelands\", mu_0 = \"10 mPa.s\", alpha = \"18 1/GPa\", beta = \"0.03 1/K\", reference_temperature = \"80 degC\" }\nshear_thinning = { law = \"ree-eyring\", tau_0 = \"5 MPa\" }\nthermal_conductivity = \"0.14 W/(m.K)\"\nheat_capacity = \"2100 J/(kg.K)\"\n\
+         [mesh]\ntarget_error = \"3 %\"\n\
+         [thermal]\n",
     );
     is_hot_and_balanced(&s);
     let hot = s.stats.levels.iter().filter(|l| l.role == Role::Final);
@@ -129,23 +103,11 @@ fn effusivity(conductivity: f64, capacity: f64, speed: f64) -> f64 {
 fn temperatures_settle_far_from_the_isothermal_film() {
     const INLET: f64 = 313.0;
     let s = solved(
-        r#"
-[contact]
-kind = "line"
-radius = "5 mm"
-hertz_pressure = "2100 MPa"
-[bodies]
-body_1 = "gear-steel"
-body_2 = "gear-steel"
-[motion]
-entrainment_speed = "16 m/s"
-slide_to_roll_ratio = -2
-[lubricant]
-name = "squalane-pip"
-temperature = "313 K"
-shear_thinning = { law = "carreau-yasuda", g = "0.02 MPa", n = 0.8, a = 3.0, mu_2 = "15.7 mPa.s" }
-[thermal]
-"#,
+        "[contact]\nkind = \"line\"\nradius = \"5 mm\"\nhertz_pressure = \"2100 MPa\"\n\
+         [bodies]\nbody_1 = \"gear-steel\"\nbody_2 = \"gear-steel\"\n\
+         [motion]\nentrainment_speed = \"16 m/s\"\nslide_to_roll_ratio = -2\n\
+         [lubricant]\nname = \"squalane-pip\"\ntemperature = \"313 K\"\nshear_thinning = { law = \"carreau-yasuda\", g = \"0.02 MPa\", n = 0.8, a = 3.0, mu_2 = \"15.7 mPa.s\" }\n\
+         [thermal]\n",
     );
     is_hot_and_balanced(&s);
     let thermal = s.thermal.as_ref().unwrap();
@@ -162,23 +124,11 @@ shear_thinning = { law = "carreau-yasuda", g = "0.02 MPa", n = 0.8, a = 3.0, mu_
     assert!(at_rest <= film && at_rest > film - 10.0, "{at_rest} {film}");
 
     let s = solved(
-        r#"
-[contact]
-kind = "line"
-radius = "20 mm"
-hertz_pressure = "500 MPa"
-[bodies]
-body_1 = "steel"
-body_2 = { name = "silicon-nitride", thermal_conductivity = "29 W/(m.K)", heat_capacity = "680 J/(kg.K)" }
-[motion]
-entrainment_speed = "22 m/s"
-slide_to_roll_ratio = 0.01
-[lubricant]
-name = "glycerol"
-temperature = "313 K"
-shear_thinning = { law = "ree-eyring", tau_0 = "10 MPa" }
-[thermal]
-"#,
+        "[contact]\nkind = \"line\"\nradius = \"20 mm\"\nhertz_pressure = \"500 MPa\"\n\
+         [bodies]\nbody_1 = \"steel\"\nbody_2 = { name = \"silicon-nitride\", thermal_conductivity = \"29 W/(m.K)\", heat_capacity = \"680 J/(kg.K)\" }\n\
+         [motion]\nentrainment_speed = \"22 m/s\"\nslide_to_roll_ratio = 0.01\n\
+         [lubricant]\nname = \"glycerol\"\ntemperature = \"313 K\"\nshear_thinning = { law = \"ree-eyring\", tau_0 = \"10 MPa\" }\n\
+         [thermal]\n",
     );
     let thermal = s.thermal.as_ref().expect("a thermal contact");
     assert!(thermal.balance.error.abs() < 0.01);
@@ -201,22 +151,11 @@ shear_thinning = { law = "ree-eyring", tau_0 = "10 MPa" }
 #[test]
 fn a_film_far_thicker_than_the_contact_has_temperatures() {
     let s = solved(
-        r#"
-[contact]
-kind = "circular"
-radius = "12.7 mm"
-hertz_pressure = "300 MPa"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[motion]
-entrainment_speed = "30 m/s"
-slide_to_roll_ratio = 0.01
-[lubricant]
-name = "glycerol"
-temperature = "313 K"
-[thermal]
-"#,
+        "[contact]\nkind = \"circular\"\nradius = \"12.7 mm\"\nhertz_pressure = \"300 MPa\"\n\
+         [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
+         [motion]\nentrainment_speed = \"30 m/s\"\nslide_to_roll_ratio = 0.01\n\
+         [lubricant]\nname = \"glycerol\"\ntemperature = \"313 K\"\n\
+         [thermal]\n",
     );
     let thermal = s.thermal.as_ref().expect("a thermal contact");
     let mean = thermal.film_mean.value;

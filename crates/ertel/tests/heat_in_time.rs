@@ -84,24 +84,13 @@ fn steady_contacts_stay_and_changes_come_to_them() {
 fn a_thinner_layer_heats_the_line_to_its_steady_temperatures() {
     let case = |layer: &str, temperature: f64, more: &str| {
         read(&format!(
-            r#"
-lubricant = {{ base_oil = "mineral", temperature = "{temperature} K", density = {{ law = "dowson-higginson", rho_0 = "870 kg/m^3" }}, viscosity = {{ law = "roelands", mu_0 = "40 mPa.s", alpha = "18 1/GPa", beta = "0.04 1/K", reference_temperature = "313.15 K" }} }}
-[contact]
-kind = "line"
-radius = "15 mm"
-load = "150 kN/m"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[motion]
-entrainment_speed = "4 m/s"
-slide_to_roll_ratio = 0.5
-[inlet]
-oil_layer = "{layer}"
-[thermal]
-[output]
-sensitivities = false
-{more}"#
+            "lubricant = {{ base_oil = \"mineral\", temperature = \"{temperature} K\", density = {{ law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }}, viscosity = {{ law = \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"18 1/GPa\", beta = \"0.04 1/K\", reference_temperature = \"313.15 K\" }} }}\n\
+         [contact]\nkind = \"line\"\nradius = \"15 mm\"\nload = \"150 kN/m\"\n\
+         [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
+         [motion]\nentrainment_speed = \"4 m/s\"\nslide_to_roll_ratio = 0.5\n\
+         [inlet]\noil_layer = \"{layer}\"\n\
+         [thermal]\n\
+         [output]\nsensitivities = false\n{more}\n"
         ))
     };
     let change = "[mesh]\ntarget_error = 0.1\n[transient]\nduration = \"3 ms\"\ntolerance = 0.05\n\

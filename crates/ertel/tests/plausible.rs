@@ -139,26 +139,11 @@ fn unresolved_figures_are_named() {
 fn heat_balances_close() {
     let hot = |speed, ratio| {
         solved(&format!(
-            r#"
-    [contact]
-    kind = "line"
-    radius = "20 mm"
-    hertz_pressure = "400 MPa"
-    [bodies]
-    body_1 = "sapphire"
-    body_2 = "steel"
-    [motion]
-    entrainment_speed = "{speed} m/s"
-    slide_to_roll_ratio = {ratio}
-    [lubricant]
-    temperature = "40 degC"
-    density = {{ law = "dowson-higginson", rho_0 = "870 kg/m^3" }}
-    viscosity = {{ law = "roelands", mu_0 = "40 mPa.s", alpha = "20 1/GPa", beta = "0.04 1/K", reference_temperature = "40 degC" }}
-    thermal_conductivity = "0.14 W/(m.K)"
-    heat_capacity = "2000 J/(kg.K)"
-    shear_thinning = {{ law = "carreau-yasuda", g = "5 MPa", n = 0.45, a = 5.0, mu_2 = "0 Pa.s" }}
-    [thermal]
-"#
+            "[contact]\nkind = \"line\"\nradius = \"20 mm\"\nhertz_pressure = \"400 MPa\"\n\
+         [bodies]\nbody_1 = \"sapphire\"\nbody_2 = \"steel\"\n\
+         [motion]\nentrainment_speed = \"{speed} m/s\"\nslide_to_roll_ratio = {ratio}\n\
+         [lubricant]\ntemperature = \"40 degC\"\ndensity = {{ law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }}\nviscosity = {{ law = \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"20 1/GPa\", beta = \"0.04 1/K\", reference_temperature = \"40 degC\" }}\nthermal_conductivity = \"0.14 W/(m.K)\"\nheat_capacity = \"2000 J/(kg.K)\"\nshear_thinning = {{ law = \"carreau-yasuda\", g = \"5 MPa\", n = 0.45, a = 5.0, mu_2 = \"0 Pa.s\" }}\n\
+         [thermal]\n"
         ))
     };
     // It was open by 2.2 % where the oil entered with a jump at the walls.

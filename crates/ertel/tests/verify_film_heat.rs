@@ -406,26 +406,11 @@ fn the_film_conducts_by_its_own_temperature() {
 /// where the pressure falls steeply.
 #[test]
 fn heat_of_a_film_that_is_all_but_solid() {
-    let text = r#"
-        [contact]
-        kind = "line"
-        radius = "7.9 mm"
-        load = "181 kN/m"
-        [bodies]
-        body_1 = "steel"
-        body_2 = "steel"
-        [motion]
-        entrainment_speed = "0.1 m/s"
-        slide_to_roll_ratio = 1.0
-        [lubricant]
-        temperature = "60 degC"
-        density = { law = "dowson-higginson", rho_0 = "860 kg/m^3", reference_temperature = "60 degC", beta = "7e-4 1/K" }
-        viscosity = { law = "roelands", mu_0 = "8.65 mPa.s", alpha = "40 1/GPa", reference_temperature = "60 degC", beta = "0.035 1/K" }
-        thermal_conductivity = "0.13 W/(m.K)"
-        heat_capacity = "2000 J/(kg.K)"
-        shear_thinning = { law = "ree-eyring", tau_0 = "6 MPa" }
-        [thermal]
-    "#;
+    let text = "[contact]\nkind = \"line\"\nradius = \"7.9 mm\"\nload = \"181 kN/m\"\n\
+         [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
+         [motion]\nentrainment_speed = \"0.1 m/s\"\nslide_to_roll_ratio = 1.0\n\
+         [lubricant]\ntemperature = \"60 degC\"\ndensity = { law = \"dowson-higginson\", rho_0 = \"860 kg/m^3\", reference_temperature = \"60 degC\", beta = \"7e-4 1/K\" }\nviscosity = { law = \"roelands\", mu_0 = \"8.65 mPa.s\", alpha = \"40 1/GPa\", reference_temperature = \"60 degC\", beta = \"0.035 1/K\" }\nthermal_conductivity = \"0.13 W/(m.K)\"\nheat_capacity = \"2000 J/(kg.K)\"\nshear_thinning = { law = \"ree-eyring\", tau_0 = \"6 MPa\" }\n\
+         [thermal]\n";
     let case = read(text);
     let problem = problem(&case);
     let law = problem.heat.as_ref().unwrap();

@@ -255,22 +255,9 @@ fn power_balances_up_to_the_end_of_the_bodies() {
 /// are not described.
 #[test]
 fn bodies_end_with_their_own_radii() {
-    let text = r#"
-        lubricant = "squalane-pip"
-        temperature = "313 K"
-        [machine]
-        kind = "ball-bearing"
-        ring = "inner"
-        ball_diameter = "7.144 mm"
-        pitch_diameter = "54 mm"
-        inner_groove_curvature = 0.54
-        contact_angle = "15 deg"
-        inner_ring_speed = "30000 rpm"
-        ball_load = "40 N"
-        [bodies]
-        body_1 = "steel"
-        body_2 = "steel"
-    "#;
+    let text = "lubricant = \"squalane-pip\"\ntemperature = \"313 K\"\n\
+         [machine]\nkind = \"ball-bearing\"\nring = \"inner\"\nball_diameter = \"7.144 mm\"\npitch_diameter = \"54 mm\"\ninner_groove_curvature = 0.54\ncontact_angle = \"15 deg\"\ninner_ring_speed = \"30000 rpm\"\nball_load = \"40 N\"\n\
+         [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n";
     let ends = |text: &str| {
         let case = read(text);
         let problem = problem(&case);
