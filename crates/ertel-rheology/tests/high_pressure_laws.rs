@@ -2,7 +2,7 @@
 //! scaling: values by mpmath at 30 digits from the formulas, written independently of this code, limits, and constants
 //! that are refused.
 
-use crate::common::{gear_oil, hybrid, t9_density};
+use crate::common::{gear_oil, hybrid, near, t9_density};
 use approx::assert_relative_eq;
 use ertel_rheology::conductivity::{self, Scaling as ConductivityScaling};
 use ertel_rheology::density::{DowsonHigginson, Murnaghan, ThermalExpansion};
@@ -81,11 +81,7 @@ fn improved_yasutomi_beyond_the_glass_transition() {
         if limit > 0.0 {
             let before = slope(&law, limit - 1.0, temperature);
             assert!(before > 0.0);
-            assert_relative_eq!(
-                before,
-                slope(&law, limit + 1.0, temperature),
-                max_relative = 1e-6
-            );
+            near(before, slope(&law, limit + 1.0, temperature), 1e-6);
         }
         let mut last = law.ln_viscosity(limit, temperature);
         for i in 1..50 {
@@ -110,10 +106,10 @@ fn mcewen() {
     // Barus in the limit.
     let steep = McEwen::new(0.04, 20e-9, 1e9).unwrap();
     let barus = ViscosityLaw::barus(0.04, 20e-9).unwrap();
-    assert_relative_eq!(
+    near(
         steep.ln_viscosity(GPA, 300.0),
         barus.ln_viscosity(GPA, 300.0),
-        max_relative = 1e-7
+        1e-7,
     );
 }
 
@@ -190,11 +186,7 @@ fn walther_over_temperature() {
         (373.15, 6.9),
         (423.15, 2.9042868657),
     ] {
-        assert_relative_eq!(
-            law.kinematic_viscosity(temperature) * 1e6,
-            nu,
-            max_relative = 1e-9
-        );
+        near(law.kinematic_viscosity(temperature) * 1e6, nu, 1e-9);
     }
     // Below 2 mm²/s with the exponential term, whose approximate inverse is off by 4e-5 here.
     let (a, b) = Walther::constants([(313.15, 3.7e-6), (373.15, 1.3e-6)]);

@@ -3,7 +3,7 @@
 //! Unless a test says otherwise, the expected values are evaluations of the formulas of Habchi 2008 (section 2.4, with
 //! its misprints corrected) in Python with mpmath at 30 digits, written independently of this code.
 
-use crate::common::{self, softening, wlf_oil};
+use crate::common::{self, near, softening, wlf_oil};
 use approx::assert_relative_eq;
 use ertel_rheology::density::{DowsonHigginson, Tait, TaitVolume, ThermalExpansion};
 use ertel_rheology::viscosity::{
@@ -63,11 +63,7 @@ fn dowson_higginson() {
     let law = DensityLaw::dowson_higginson(870.0).unwrap();
     assert_eq!(law.density(0.0, 300.0), 870.0);
     // By hand: 870 (1 + 0.6/2.7).
-    assert_relative_eq!(
-        law.density(GPA, 300.0),
-        1063.333333333,
-        max_relative = 1e-11
-    );
+    near(law.density(GPA, 300.0), 1063.333333333, 1e-11);
     let thermal = ThermalExpansion {
         reference_temperature: 300.0,
         temperature_coefficient: 7e-4,
@@ -87,25 +83,17 @@ fn tait() {
     let (k_0, k_0_prime) = glycerol_volume().bulk_modulus_and_slope(313.0);
     assert_relative_eq!(k_0, 4156248670.42, max_relative = 1e-11);
     assert_relative_eq!(k_0_prime, 7.98074375565, max_relative = 1e-11);
-    assert_relative_eq!(
+    near(
         glycerol_volume().relative_volume(0.5 * GPA, 313.0),
         0.918430402765,
-        max_relative = 1e-11
+        1e-11,
     );
 
     let glycerol = DensityLaw::Tait(Tait::new(1260.0, glycerol_volume()).unwrap());
     assert_relative_eq!(glycerol.density(0.0, 313.0), 1260.0, max_relative = 1e-14);
-    assert_relative_eq!(
-        glycerol.density(0.5 * GPA, 343.0),
-        1358.1014989,
-        max_relative = 1e-10
-    );
+    near(glycerol.density(0.5 * GPA, 343.0), 1358.1014989, 1e-10);
     let squalane = Tait::new(818.0, squalane_volume()).unwrap();
-    assert_relative_eq!(
-        squalane.density(GPA, 333.0),
-        1033.35767717,
-        max_relative = 1e-11
-    );
+    near(squalane.density(GPA, 333.0), 1033.35767717, 1e-11);
 }
 
 /// Habchi 2008, eq. 2.17.
@@ -113,26 +101,18 @@ fn tait() {
 fn barus() {
     let law = ViscosityLaw::barus(0.01, 20e-9).unwrap();
     // 0.01 e^10
-    assert_relative_eq!(
-        law.viscosity(0.5 * GPA, 300.0),
-        220.264657948067,
-        max_relative = 1e-13
-    );
+    near(law.viscosity(0.5 * GPA, 300.0), 220.264657948067, 1e-13);
 }
 
 /// Habchi 2008, eq. 2.16.
 #[test]
 fn cheng() {
     let glycerol = ViscosityLaw::Cheng(Cheng::new(0.2803, 5.4e-9, 7468.75, 0.0, 313.0).unwrap());
-    assert_relative_eq!(
-        glycerol.viscosity(0.5 * GPA, 323.0),
-        1.9924182628,
-        max_relative = 1e-10
-    );
-    assert_relative_eq!(
+    near(glycerol.viscosity(0.5 * GPA, 323.0), 1.9924182628, 1e-10);
+    near(
         fluid_a().viscosity(0.4 * GPA, 257.15),
         6.53227392762e-3,
-        max_relative = 1e-10
+        1e-10,
     );
 }
 
@@ -168,16 +148,8 @@ fn cheng_fits_measured_viscosities() {
         }
         worst
     };
-    assert_relative_eq!(
-        worst(&fluid_a(), &fluid_a_measured),
-        0.262,
-        max_relative = 2e-3
-    );
-    assert_relative_eq!(
-        worst(&fluid_b(), &fluid_b_measured),
-        0.0661,
-        max_relative = 2e-3
-    );
+    near(worst(&fluid_a(), &fluid_a_measured), 0.262, 2e-3);
+    near(worst(&fluid_b(), &fluid_b_measured), 0.0661, 2e-3);
 }
 
 /// Habchi 2008, eq. 2.18.
@@ -185,16 +157,8 @@ fn cheng_fits_measured_viscosities() {
 fn roelands() {
     let law = ViscosityLaw::roelands(0.04, 22e-9).unwrap();
     assert_relative_eq!(law.viscosity(0.0, 300.0), 0.04, max_relative = 1e-14);
-    assert_relative_eq!(
-        law.viscosity(0.5 * GPA, 300.0),
-        217.207023152,
-        max_relative = 1e-10
-    );
-    assert_relative_eq!(
-        law.viscosity(GPA, 300.0),
-        154144.908831,
-        max_relative = 1e-10
-    );
+    near(law.viscosity(0.5 * GPA, 300.0), 217.207023152, 1e-10);
+    near(law.viscosity(GPA, 300.0), 154144.908831, 1e-10);
 
     let thermal = TemperatureSlope {
         reference_temperature: 313.0,
@@ -203,21 +167,13 @@ fn roelands() {
     let law =
         Roelands::from_alpha(0.04, 22e-9, Roelands::PRESSURE_CONSTANT, Some(thermal)).unwrap();
     let law = ViscosityLaw::Roelands(law);
-    assert_relative_eq!(
-        law.viscosity(0.5 * GPA, 353.0),
-        10.675995325,
-        max_relative = 1e-10
-    );
+    near(law.viscosity(0.5 * GPA, 353.0), 10.675995325, 1e-10);
     // β is the initial slope: -d ln μ/dT at T_R and ambient pressure.
     let (_, slope) = num_dual::first_derivative(|t| law.ln_viscosity(0.0.into(), t), 313.0);
     assert_relative_eq!(slope, -0.04, max_relative = 1e-12);
 
     let law = ViscosityLaw::Roelands(Roelands::from_index(0.04, 0.68, 1.96e8, None).unwrap());
-    assert_relative_eq!(
-        law.viscosity(0.5 * GPA, 300.0),
-        270.773878418,
-        max_relative = 1e-10
-    );
+    near(law.viscosity(0.5 * GPA, 300.0), 270.773878418, 1e-10);
 }
 
 /// Habchi 2008, eq. 2.19.
@@ -233,16 +189,8 @@ fn modified_wlf() {
     }
 
     let law = polyphenyl_ether();
-    assert_relative_eq!(
-        law.viscosity(0.0, 313.15),
-        0.520572286453,
-        max_relative = 1e-10
-    );
-    assert_relative_eq!(
-        law.viscosity(0.2 * GPA, 333.15),
-        46.2585938695,
-        max_relative = 1e-10
-    );
+    near(law.viscosity(0.0, 313.15), 0.520572286453, 1e-10);
+    near(law.viscosity(0.2 * GPA, 333.15), 46.2585938695, 1e-10);
 }
 
 /// At the pressure where `T_g = T` the viscosity is μ_g by definition; beyond it the formula itself would turn back,
@@ -297,11 +245,7 @@ fn modified_wlf_beyond_the_glass_transition() {
     let ViscosityLaw::ModifiedWlf(wlf) = polyphenyl_ether() else {
         unreachable!()
     };
-    assert_relative_eq!(
-        wlf.limiting_pressure(313.15),
-        0.3433338086e9,
-        max_relative = 1e-9
-    );
+    near(wlf.limiting_pressure(313.15), 0.3433338086e9, 1e-9);
 }
 
 /// Habchi 2008, eqs. 2.20 and 2.21.
@@ -377,18 +321,14 @@ fn reciprocal_asymptotic_coefficients() {
         assert_relative_eq!(found, expected, max_relative = 1e-8);
     }
     // The expected value leaves out pressures above 0.4 GPa, 2e-7 of the integral.
-    assert_relative_eq!(
-        per_gpa(polyphenyl_ether(), 333.15),
-        23.986021849,
-        max_relative = 1e-6
-    );
+    near(per_gpa(polyphenyl_ether(), 333.15), 23.986021849, 1e-6);
     let roelands = ViscosityLaw::roelands(0.04, 22e-9).unwrap();
     assert_relative_eq!(per_gpa(roelands, 300.0), 20.5255121643, max_relative = 1e-8);
     let slow = Roelands::from_index(0.01, 0.3, Roelands::PRESSURE_CONSTANT, None).unwrap();
-    assert_relative_eq!(
+    near(
         per_gpa(ViscosityLaw::Roelands(slow), 300.0),
         4.87634468706,
-        max_relative = 1e-8
+        1e-8,
     );
 }
 

@@ -2,7 +2,6 @@
 
 use crate::common;
 
-use std::path::Path;
 use std::sync::Arc;
 
 use crate::common::text::read;

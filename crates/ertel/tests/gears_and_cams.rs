@@ -2,11 +2,11 @@
 
 use approx::assert_relative_eq;
 use ertel::case::{Case, Mechanics};
-use ertel::machine::{MachineFigures, figures};
+use ertel::machine::MachineFigures;
 use ertel::solution::Figure;
 use ertel::study::MachineSolution;
 
-use crate::common::{assert_figures, solved_machine, value};
+use crate::common::{assert_figures, near, solved_machine, value};
 
 const REST: &str = concat!(
     "[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n",
@@ -148,11 +148,7 @@ fn a_short_path_of_gears() {
     // The norm's formula is that of infinite Péclet numbers.
     assert_figures(&found, &[("flash_temperature", flash, 0.05)]);
     let hottest = value(&found, "contact_temperature");
-    assert_relative_eq!(
-        hottest,
-        373.15 + value(&found, "flash_temperature"),
-        max_relative = 1e-9
-    );
+    near(hottest, 373.15 + value(&found, "flash_temperature"), 1e-9);
     // Oil at 90 °C, teeth at 100 °C, scuffing at 300 °C.
     assert_figures(
         &found,

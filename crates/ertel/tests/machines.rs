@@ -12,8 +12,8 @@ use ertel::study::{
     CurveObserver, MachineSolution, PointSolution, solve_curve, solve_in_balance, solve_machine,
 };
 
-use crate::common::assert_figures;
 use crate::common::text::{GEARS, read, with};
+use crate::common::{assert_figures, near};
 
 /// All balls of a bearing under thrust are identical.
 const THRUST: &str = concat!(
@@ -66,11 +66,7 @@ fn a_bearing_under_thrust() {
     let torque = value("friction_power") / 314.159_265;
     assert_relative_eq!(value("friction_torque"), torque, max_relative = 1e-8);
     let temperature = 293.15 + 0.5 * value("friction_power");
-    assert_relative_eq!(
-        value("bearing_temperature"),
-        temperature,
-        max_relative = 1e-12
-    );
+    near(value("bearing_temperature"), temperature, 1e-12);
     // The contact of the last ball is the one of the first; alone it is the same to the last bit.
     let central = |contact: usize| solved.solution(contact).unwrap().summary.film_central.value;
     assert_eq!(central(0), central(16));
@@ -123,11 +119,7 @@ fn lives_of_a_bearing() {
     );
     // Revolutions to seconds: 2π/ω = 0.02 s each.
     let seconds = 1e6 * value("basic_rating_life") * 0.02;
-    assert_relative_eq!(
-        value("basic_rating_life_time"),
-        seconds,
-        max_relative = 1e-9
-    );
+    near(value("basic_rating_life_time"), seconds, 1e-9);
     // Without a contact there are no sums over the contacts.
     solved.contacts[1] = None;
     let partial = figures(&case, &solved);
@@ -310,11 +302,7 @@ fn a_curve_of_whole_machines() {
         }
         let governing = machine.solution(machine.machine.governing).unwrap();
         let own = point.outcome.solution().unwrap();
-        assert_relative_eq!(
-            own.hertz.pressure,
-            governing.hertz.pressure,
-            max_relative = 1e-12
-        );
+        near(own.hertz.pressure, governing.hertz.pressure, 1e-12);
     }
     // The first contact of the second point starts from that of the first.
     let warm = |point: &PointSolution| {

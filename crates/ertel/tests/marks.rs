@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use ertel::case::Case;
 use ertel::engine::NoObserver;
-use ertel::machine::{MachineFigures, figures};
+use ertel::machine::MachineFigures;
 use ertel::output;
 use ertel::study::{MachineSolution, solve_curve};
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::common::text::read;
 use approx::assert_relative_eq;
-use common::{case, heated, solved};
+use common::{case, heated, near, solved};
 use ertel::case::{Case, Lubricant};
 use ertel::contact::roller::{Profile, Roller};
 use ertel::contact::{Contact, ContactKind, Hertz, Motion, Symmetry};
@@ -263,11 +263,7 @@ fn a_tilt_shifts_the_contact_along_the_crown() {
         let shift = angle * CROWN;
         assert!((position.value - shift).abs() < bar, "{position:?} {shift}");
         let moment = figure(Figure::RollerMoment).value;
-        assert_relative_eq!(
-            moment,
-            case.contact.load * position.value,
-            max_relative = 1e-9
-        );
+        near(moment, case.contact.load * position.value, 1e-9);
         [Figure::EdgePressureRight, Figure::EdgePressureLeft].map(figure)
     });
     // Mirror images: the ends exchange their pressures.
@@ -299,10 +295,10 @@ fn a_tilted_logarithmic_roller_is_solved() {
     let text = text.replace("misalignment = \"0 deg\"", "misalignment = \"0.01 deg\"");
     let text = format!("{text}\n[mesh]\ntarget_error = \"2 %\"\n");
     let case = read(&text);
-    assert_relative_eq!(
+    near(
         case.contact.roller.as_ref().unwrap().misalignment,
         0.01_f64.to_radians(),
-        max_relative = 1e-12
+        1e-12,
     );
     let mut count = Count(0, 85);
     let solution = solve(&case, &mut count).unwrap();

@@ -2,8 +2,6 @@
 
 use crate::common;
 
-use std::path::Path;
-
 use crate::common::text::read;
 use approx::assert_relative_eq;
 use ertel::contact::ContactKind;

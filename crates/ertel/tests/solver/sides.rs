@@ -1,6 +1,5 @@
 //! Sides of sets of elements, by Gauss's theorem.
 
-use ertel::problem::problem;
 use ertel::solve::heat::sides::{SideRule, outer_sides};
 
 use super::{ball, surface};
