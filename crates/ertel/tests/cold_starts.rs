@@ -59,7 +59,7 @@ fn is_hot_and_balanced(s: &Solution) {
 #[test]
 fn sliding_contacts_start_through_less_sliding() {
     for (plane, ratio) in [("steel", 2.0), ("glass", 1.5), ("glass", 1.9)] {
-        let s = solved(&format!(
+        let s = solved(format!(
             "lubricant = \"squalane-pip\"\ntemperature = \"313 K\"\n\
          [contact]\nkind = \"line\"\nradius = \"10 mm\"\nhertz_pressure = \"0.8 GPa\"\n\
          [bodies]\nbody_1 = \"{plane}\"\nbody_2 = \"steel\"\n\

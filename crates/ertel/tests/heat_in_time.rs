@@ -16,7 +16,7 @@ const CASE: &str = concat!(
 );
 
 fn solved(more: &str) -> TransientSolution {
-    let case = read(&format!("{CASE}{more}"));
+    let case = read(format!("{CASE}{more}"));
     let found = transient::solve(&case, &mut NoObserver);
     assert!(found.failure.is_none(), "{:?}", found.failure);
     found
@@ -72,7 +72,7 @@ fn steady_contacts_stay_and_changes_come_to_them() {
     assert_alike(&before, &start, 1e-3);
     let end = figures(found.instants.last().unwrap());
     let slow = CASE.replace("1.47 m/s", "1.3 m/s");
-    let steady = read(&format!("{slow}[transient]\nduration = \"1 ns\"\n"));
+    let steady = read(format!("{slow}[transient]\nduration = \"1 ns\"\n"));
     let steady = figures(&transient::solve(&steady, &mut NoObserver).instants[0]);
     // Heat of the start has not all left the glass yet.
     assert_alike(&end, &steady, 8e-3);
@@ -83,7 +83,7 @@ fn steady_contacts_stay_and_changes_come_to_them() {
 #[test]
 fn a_thinner_layer_heats_the_line_to_its_steady_temperatures() {
     let case = |layer: &str, temperature: f64, more: &str| {
-        read(&format!(
+        read(format!(
             "lubricant = {{ base_oil = \"mineral\", temperature = \"{temperature} K\", density = {{ law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }}, viscosity = {{ law = \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"18 1/GPa\", beta = \"0.04 1/K\", reference_temperature = \"313.15 K\" }} }}\n\
          [contact]\nkind = \"line\"\nradius = \"15 mm\"\nload = \"150 kN/m\"\n\
          [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
@@ -152,7 +152,7 @@ impl InstantObserver for Stopping {
 /// part of them. It stops where three instants count.
 #[test]
 fn a_run_with_heat_that_stopped_goes_on_to_the_digit() {
-    let case = read(&format!(
+    let case = read(format!(
         "{CASE}[transient]\nduration = \"20 us\"\ntolerance = 0.05\noutput_times = [\"20 us\"]\n\
          entrainment_speed = {{ course = \"ramp\", start = \"0 us\", end = \"100 us\", to = \"1.1 m/s\" }}\n"
     ));

@@ -70,7 +70,7 @@ fn a_bearing_under_thrust() {
     // The contact of the last ball is the one of the first; alone it is the same to the last bit.
     let central = |contact: usize| solved.solution(contact).unwrap().summary.film_central.value;
     assert_eq!(central(0), central(16));
-    let alone = read(&format!(
+    let alone = read(format!(
         "{}\n",
         THRUST.replace("axial_load", "element = 5\nring = \"outer\"\naxial_load")
     ));
@@ -106,7 +106,7 @@ fn a_bearing_under_thrust() {
 /// P = 886.2 N, C = 19452.5 N: L_10 = (C/P)³ = 10576 million.
 #[test]
 fn lives_of_a_bearing() {
-    let case = read(&THRUST.replace("target_error = 0.05", "target_error = 0.1"));
+    let case = read(THRUST.replace("target_error = 0.05", "target_error = 0.1"));
     let mut solved = solve_machine(case.contacts.as_ref().unwrap(), &mut NoObserver);
     let found = figures(&case, &solved);
     let value = |name: &str| found.find(name).unwrap().estimate.value;
@@ -279,7 +279,7 @@ static ROUGH_GEARS: LazyLock<String> = LazyLock::new(|| {
 fn a_curve_of_whole_machines() {
     let curve =
         "[curve]\nquantity = \"machine.pinion_torque\"\nvalues = [\"100 N.m\", \"110 N.m\"]\n";
-    let case = read(&format!("{}{curve}", *ROUGH_GEARS));
+    let case = read(format!("{}{curve}", *ROUGH_GEARS));
     let curve = case.curve.as_ref().unwrap();
     assert!(case.contacts.is_none(), "its points have the contacts");
     let solved = solve_curve(curve, &mut NoObserver);
@@ -347,7 +347,7 @@ fn a_curve_of_one_contact_of_a_machine() {
         .replace("points = 3\n", "");
     let curve =
         "[curve]\nquantity = \"machine.pinion_speed\"\nvalues = [\"500 rpm\", \"1000 rpm\"]\n";
-    let case = read(&format!("{text}{curve}"));
+    let case = read(format!("{text}{curve}"));
     let points = &case.curve.as_ref().unwrap().points;
     assert!(
         points
@@ -362,7 +362,7 @@ fn a_point_with_a_failed_contact() {
     let curve =
         "[curve]\nquantity = \"machine.pinion_torque\"\nvalues = [\"50 N.m\", \"200 N.m\"]\n";
     let text = ROUGH_GEARS.replace("newtonian = true", "newtonian = true\nmax_iterations = 1");
-    let case = read(&format!("{text}{curve}"));
+    let case = read(format!("{text}{curve}"));
     let solved = solve_curve(case.curve.as_ref().unwrap(), &mut NoObserver);
     assert_eq!(solved.n_failed(), 2);
     let reason = solved.points[0].outcome.reason().unwrap();
@@ -423,7 +423,7 @@ fn any_number_of_a_machine_varies() {
     ] {
         let text = base.replace("[bodies]", &format!("{old}[bodies]"));
         let curve = format!("[curve]\nquantity = \"machine.{key}\"\nvalues = {values}\n");
-        let case = read(&format!("{text}{curve}"));
+        let case = read(format!("{text}{curve}"));
         let points = &case.curve.as_ref().unwrap().points;
         assert!(points.iter().all(|p| p.case.contacts.is_some()), "{key}");
     }

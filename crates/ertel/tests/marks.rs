@@ -99,7 +99,7 @@ fn friction_that_no_lubricant_transmits_marks_totals_of_gears() {
 /// flanks of Ra 0.5 µm, which a warning and a label say.
 #[test]
 fn friction_of_gears_follows_a_law_by_default() {
-    let (case, solved, found) = solved_machine(&gears(""));
+    let (case, solved, found) = solved_machine(gears(""));
     assert!(case.friction_by_law && case.shear_thinning().is_none());
     let friction = value(&found, "friction_coefficient_mean");
     assert!((0.018..0.0225).contains(&friction), "{friction}");
@@ -158,7 +158,7 @@ target_error = 0.1
 /// the limiting stress, 3/8 µ Q a E(k) ω over the contacts (computed outside).
 #[test]
 fn spin_is_bounded_or_not_resolved() {
-    let (case, solved, found) = solved_machine(&bearing(""));
+    let (case, solved, found) = solved_machine(bearing(""));
     for name in [
         "friction_power_spin",
         "friction_power",
@@ -180,7 +180,7 @@ fn spin_is_bounded_or_not_resolved() {
         "{table}"
     );
 
-    let (_, solved, found) = solved_machine(&bearing("base_oil = 'mineral'"));
+    let (_, solved, found) = solved_machine(bearing("base_oil = 'mineral'"));
     let spin = value(&found, "friction_power_spin");
     assert!((3.0..9.4).contains(&spin), "{spin}");
     assert!(
@@ -232,7 +232,7 @@ fn tables_of_curves_name_marked_figures_and_warnings() {
 #[test]
 fn bars_of_a_turn_hold_the_distance_of_its_angles() {
     let cam = |points: usize| {
-        let (_, _, found) = solved_machine(&format!(
+        let (_, _, found) = solved_machine(format!(
             "
 [machine]
 kind = 'cam'

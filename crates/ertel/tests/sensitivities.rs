@@ -44,7 +44,7 @@ fn expect_inputs(found: &Sensitivities, n_inputs: usize) {
 
 /// All inputs at once, each with a separate weight: one pair of solves instead of one for each input, where solves take long.
 fn along_directions(text: &str, n_inputs: usize, tolerance: f64) {
-    let base = read(&format!("{text}\n[output]\nsensitivities = true\n"));
+    let base = read(format!("{text}\n[output]\nsensitivities = true\n"));
     let (solution, start) = solved(&base, None);
     let sensitivities = solution.sensitivities.as_ref().unwrap();
     expect_inputs(sensitivities, n_inputs);
@@ -80,7 +80,7 @@ fn along_directions(text: &str, n_inputs: usize, tolerance: f64) {
 
 /// Compares every derivative with differences of solves: relative to 1e-5, small ones to 1e-6 of the largest.
 fn against_differences(text: &str, n_inputs: usize, n_figures: usize) {
-    let base = read(&format!("{text}\n[output]\nsensitivities = true\n"));
+    let base = read(format!("{text}\n[output]\nsensitivities = true\n"));
     let (solution, start) = solved(&base, None);
     let sensitivities = solution.sensitivities.as_ref().unwrap();
     expect_inputs(sensitivities, n_inputs);
@@ -182,7 +182,7 @@ fn heated_circle() {
     let text = std::fs::read_to_string(path).unwrap();
     let tight = text.replacen("[thermal]", "[thermal]\ntolerance = 1e-5", 1);
     let tail = "\n[mesh]\ntarget_error = 0.05\ninlet = -15.0\noutlet = 15.0\nside = 10.0\n[output]\nsensitivities = true\n[solver]\nmethod = \"finite-volumes\"\n";
-    let base = read(&format!("{tight}{tail}"));
+    let base = read(format!("{tight}{tail}"));
     let solve = |case: &Case| solve_from(case, None, &[], &mut NoObserver).unwrap().0;
     let solution = solve(&base);
     assert_eq!(solution.stats.method, Method::FiniteVolumes);
@@ -338,7 +338,7 @@ fn skewed_circle() {
 /// same pressures and traction; one of twice the modulus, load and viscosity and half the pressure-viscosity coefficient has twice the
 /// pressures, and all else the same. By hand, for any shape.
 fn scales_with_size_and_stress(text: &str, lengths: &[&str], tolerance: f64, of_pressure: f64) {
-    let base = read(&format!("{text}\n[output]\nsensitivities = true\n"));
+    let base = read(format!("{text}\n[output]\nsensitivities = true\n"));
     let (solution, _) = solved(&base, None);
     let sensitivities = solution.sensitivities.as_ref().unwrap();
     for figure in &sensitivities.figures {
@@ -412,7 +412,7 @@ fn rollers_scale() {
 fn a_roller_does_not_feel_length_that_carries_nothing() {
     let contact = "[contact]\nkind = \"roller\"\nradius = \"10 mm\"\nload = \"40 N\"\nlength = \"2 mm\"\n\
                    profile = { kind = \"crown\", crown_radius = \"300 mm\" }\n";
-    let base = read(&format!(
+    let base = read(format!(
         "{contact}{}\n[output]\nsensitivities = true\n",
         scalable()
     ));
