@@ -6,8 +6,7 @@ use tiny_skia::{
 };
 use ttf_parser::OutlineBuilder;
 
-use super::drawing::{Anchor, Drawing, DrawingError, Element, Line, Raster, Text, rgb};
-use super::font::{Run, runs};
+use super::drawing::{Drawing, DrawingError, Element, Line, Raster, Text, rgb};
 use super::path::{self, Step};
 
 /// Pixels per px: 300 dots per inch where a px is 1/96 inch.
@@ -197,13 +196,7 @@ impl Canvas {
     }
 
     fn text(&mut self, text: &Text) {
-        let runs = runs(&text.text, text.size);
-        let width: f64 = runs.iter().map(Run::width).sum();
-        let mut along = match text.anchor {
-            Anchor::Start => 0.0,
-            Anchor::Middle => -0.5 * width,
-            Anchor::End => -width,
-        };
+        let (runs, mut along) = text.runs();
         let mut outline = Outline {
             path: PathBuilder::new(),
             origin: [0.0; 2],
