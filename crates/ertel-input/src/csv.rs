@@ -174,7 +174,7 @@ impl CsvTable {
         Ok(table)
     }
 
-    /// The titles of the columns, with units of a line of their own, and the rows below; or line, column and words of a problem.
+    /// The titles of the columns, with the units of a separate line, and the rows below; or line, column and words of a problem.
     fn read_rows(
         text: &str,
         head: &Head,

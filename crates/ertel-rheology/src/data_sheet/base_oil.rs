@@ -100,7 +100,6 @@ impl BaseOil {
                 return Estimate::midway(
                     &Self::Mineral.pressure_viscosity(nu),
                     &Self::Pao.pressure_viscosity(nu),
-                    "no measured slope of a Group III oil was found: the range covers those of mineral oils and of polyalphaolefins",
                 );
             }
         };

@@ -137,17 +137,9 @@ impl BaseOil {
                         * (1.0 + pao.beta_0 * (mineral.reference_temperature - CELSIUS_40)),
                     ..pao.volumetric_heat
                 };
-                let midway = |a: &Estimate, b: &Estimate| {
-                    Estimate::midway(
-                        a,
-                        b,
-                        "no measured heat of a Group III oil was found: the range covers those of mineral oils and of \
-                         polyalphaolefins",
-                    )
-                };
                 HeatEstimate {
-                    conductivity: midway(&mineral.conductivity, &pao.conductivity),
-                    volumetric_heat: midway(&mineral.volumetric_heat, &warmed),
+                    conductivity: Estimate::midway(&mineral.conductivity, &pao.conductivity),
+                    volumetric_heat: Estimate::midway(&mineral.volumetric_heat, &warmed),
                     ..mineral
                 }
             }

@@ -79,7 +79,7 @@ impl Estimate {
     }
 
     /// Of a Group III oil: midway between the estimates of a mineral oil and of a polyalphaolefin, with a range that holds both of theirs.
-    fn midway(a: &Self, b: &Self, basis: &'static str) -> Self {
+    fn midway(a: &Self, b: &Self) -> Self {
         let value = 0.5 * (a.value + b.value);
         let lowest = |e: &Self| e.value * (1.0 - e.below);
         let highest = |e: &Self| e.value * (1.0 + e.above);
@@ -90,7 +90,7 @@ impl Estimate {
                 highest(a).max(highest(b)) / value - 1.0,
             ],
             "none, midway between mineral oil and polyalphaolefin",
-            basis,
+            "no measured figure of a Group III oil was found: the range covers those of mineral oils and of polyalphaolefins",
         )
     }
 

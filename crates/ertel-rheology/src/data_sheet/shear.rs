@@ -77,17 +77,9 @@ impl BaseOil {
             },
             Self::GroupIII => {
                 let [mineral, pao] = [Self::Mineral.shear(), Self::Pao.shear()];
-                let midway = |a: &Estimate, b: &Estimate| {
-                    Estimate::midway(
-                        a,
-                        b,
-                        "no measured figure of a Group III oil was found: the range covers those of mineral oils and of \
-                         polyalphaolefins",
-                    )
-                };
                 ShearEstimate {
-                    eyring_stress: midway(&mineral.eyring_stress, &pao.eyring_stress),
-                    pressure_coefficient: midway(
+                    eyring_stress: Estimate::midway(&mineral.eyring_stress, &pao.eyring_stress),
+                    pressure_coefficient: Estimate::midway(
                         &mineral.pressure_coefficient,
                         &pao.pressure_coefficient,
                     ),
