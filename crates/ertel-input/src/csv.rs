@@ -35,6 +35,9 @@ use title::{NamedUnit, Title};
 /// Bytes of a line at most, some thousand columns: the search for the titles keeps the cells of some hundred lines.
 const LONGEST_LINE: usize = 32_768;
 
+/// Line, column and words of an error.
+type Problem = (usize, usize, String);
+
 const OPEN_QUOTE: &str = "the quote that begins here is not closed on its line";
 
 /// Error in a table, with its place.
@@ -174,11 +177,8 @@ impl CsvTable {
         Ok(table)
     }
 
-    /// The titles of the columns, with the units of a separate line, and the rows below; or line, column and words of a problem.
-    fn read_rows(
-        text: &str,
-        head: &Head,
-    ) -> Result<(Vec<String>, Vec<Row>), (usize, usize, String)> {
+    /// The titles of the columns, with the units of a separate line, and the rows below.
+    fn read_rows(text: &str, head: &Head) -> Result<(Vec<String>, Vec<Row>), Problem> {
         let header = &head.row;
         let n_columns = header.cells.len();
         let mut titles = header.cells.clone();

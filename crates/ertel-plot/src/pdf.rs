@@ -333,7 +333,14 @@ mod tests {
         drawing.ellipse([200.0, 100.0], [50.0, 20.0], 30.0, line);
         let label = "Film thickness *h*_{c} (µm), λ";
         let ink = drawing::INK;
-        drawing.turned_text([20.0, 100.0], label, 13.5, Anchor::Middle, ink, -90.0);
+        drawing.turned_text(
+            [20.0, 100.0],
+            label,
+            13.5,
+            drawing::Anchor::Middle,
+            ink,
+            -90.0,
+        );
         drawing
     }
 

@@ -352,7 +352,7 @@ mod tests {
             drawing::Stroke::solid("#0000ff", 1.0),
         );
         let ink = drawing::INK;
-        drawing.text([48.0, 44.0], "*h* (nm)", 12.0, Anchor::Middle, ink);
+        drawing.text([48.0, 44.0], "*h* (nm)", 12.0, drawing::Anchor::Middle, ink);
         let bytes = drawing.png().unwrap();
         let decoder = png_image::Decoder::new(std::io::Cursor::new(bytes));
         let mut reader = decoder.read_info().unwrap();
