@@ -9,6 +9,7 @@ use ertel_input::InputError;
 
 use super::figures;
 use crate::case::{Case, MachineContacts, Mechanics};
+use crate::figures::bearing::BEARING_TEMPERATURE;
 use crate::mark::Marked;
 use crate::point::MachineSolution;
 
@@ -128,7 +129,7 @@ fn asks_for_balance(solution: &MachineSolution) -> bool {
 /// The temperature from the heat of all contacts, K.
 fn temperature(solved: &SolvedMachine) -> Option<Marked> {
     let figures = figures(&solved.case, &solved.solution);
-    Some(figures.find("bearing_temperature")?.estimate)
+    Some(figures.find(BEARING_TEMPERATURE.name)?.estimate)
 }
 
 /// The next step, K, from the points (temperature, rest) before and now: half of the residual at first, then by the secant, which must fall.

@@ -15,8 +15,10 @@ pub use heat::{Balance, SolvedMachine};
 
 use self::curve::Curve;
 use crate::case::{Case, Mechanics};
+use crate::figures::Row;
+use crate::figures::machine::{FILM_CENTRAL, FILM_MINIMUM, LAMBDA_MINIMUM};
 use crate::mark::Marked;
-pub use crate::point::{MachineFigure, MachineFigures, Section};
+pub use crate::point::MachineFigures;
 use crate::point::{MachineSolution, PointSolution};
 use crate::solution::Figure;
 use crate::warning::silence;
@@ -105,22 +107,19 @@ fn smallest(
 }
 
 /// The smallest film of all, and the smallest film over roughness.
-fn films(solved: &MachineSolution) -> Vec<MachineFigure> {
+fn films(solved: &MachineSolution) -> Vec<Row> {
     let film = smallest(solved, |point| figure_of(point, Figure::FilmMinimum));
     let central = smallest(solved, |point| figure_of(point, Figure::FilmCentral));
     let lambda = smallest(solved, |point| {
         let mixed = point.outcome.solution()?.mixed.as_ref()?;
         Some(Marked::from(mixed.lambda_minimum))
     });
-    let figure = |name, words, unit, estimate: Option<Marked>| {
-        Some(Section::Films.figure(name, words, estimate?, unit, ""))
-    };
     [
-        figure("film_central", "smallest central film", "m", central),
-        figure("film_minimum", "smallest film", "m", film),
-        figure("lambda_minimum", "λ (minimum film / σ)", "", lambda),
+        (FILM_CENTRAL, central),
+        (FILM_MINIMUM, film),
+        (LAMBDA_MINIMUM, lambda),
     ]
     .into_iter()
-    .flatten()
+    .filter_map(|(figure, estimate)| Some(figure.row(estimate?, "")))
     .collect()
 }

@@ -244,9 +244,15 @@ pub fn unit_of_size(kind: Kind, size: f64) -> (f64, &'static str) {
         Kind::Length | Kind::Position | Kind::Offset => length_unit(size),
         Kind::PeakPressure | Kind::Stress => pressure_unit(size),
         Kind::Share => (100.0, "%"),
-        Kind::Temperature | Kind::Coefficient | Kind::Force | Kind::Moment | Kind::Power => {
-            (1.0, kind.unit(false))
-        }
+        Kind::Temperature
+        | Kind::Coefficient
+        | Kind::Force
+        | Kind::Moment
+        | Kind::Power
+        | Kind::Rise
+        | Kind::Angle
+        | Kind::Duration
+        | Kind::Revolutions => (1.0, kind.unit(false)),
     }
 }
 

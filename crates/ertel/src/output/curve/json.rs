@@ -2,9 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::super::machine::machine_figures_json;
 use super::super::result_json::{FORMAT_VERSION, figures_json, units};
-use super::super::transient::over_time_json;
+use super::super::rows::rows_json;
 use crate::case::CaseEcho;
 use crate::run::NUMERICS;
 use crate::study::{CurveSolution, Outcome, PointSolution};
@@ -57,7 +56,7 @@ pub fn point_json(index: usize, point: &PointSolution) -> serde_json::Result<Val
             "value": point.value,
             "converged": point.outcome.is_solved(),
             "seconds": point.seconds,
-            "figures": machine_figures_json(&machine.figures),
+            "figures": rows_json(&machine.figures.all),
             "n_contacts": machine.solution.n_contacts(),
             "n_failed": machine.solution.n_failed(),
             "unresolved": point.is_unresolved(),
@@ -126,7 +125,7 @@ fn json_in_time(index: usize, point: &PointSolution) -> serde_json::Result<Value
         "seconds": point.seconds,
     });
     if let Some(run) = point.outcome.in_time() {
-        json["over_time"] = over_time_json(&run.figures, point.case.contact.kind.is_line());
+        json["over_time"] = rows_json(&run.figures).into();
         json["steps"] = json!(run.steps[0]);
         json["refused_steps"] = json!(run.steps[1]);
         json["newton_iterations"] = json!(run.newton_iterations);

@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::super::figure::CELSIUS;
 use super::super::lines::{Lines, Table};
 use super::super::study::words;
-use crate::solution::Figure;
+use crate::figures::words_of;
 use crate::words::digits;
 
 /// Compared figures, by their column titles up to the unit.
@@ -222,14 +222,6 @@ fn number(cell: &str) -> Option<f64> {
 fn name_of(title: &str) -> (String, String) {
     let (name, unit) = words(title);
     (name.replace([' ', '-'], "_"), unit)
-}
-
-fn words_of(name: &str) -> String {
-    let of = Figure::ALL.into_iter().find(|figure| figure.name() == name);
-    of.map_or_else(
-        || name.replace('_', " "),
-        |figure| figure.words().to_owned(),
-    )
 }
 
 /// Unit of a temperature rise in page data; temperatures have the unit K and are shown in °C.

@@ -1,17 +1,14 @@
 //! Results of a machine: `machine.json`, `machine.csv`, pictures, a report, and contact folders.
 
 mod json;
-mod over;
 mod picture;
 mod report;
 mod table;
 
-pub(super) use json::machine_figures_json;
 pub use json::{MACHINE_FORMAT, machine_json};
-pub(super) use over::{DRAWN, DRAWN_IN_TIME, Drawn, REPORTED, REPORTED_IN_TIME};
 pub(super) use picture::pictures as machine_pictures;
 pub use report::machine_report;
-pub(super) use report::{shown, warnings, write_figures, write_idle};
+pub(super) use report::{warnings, write_figures, write_idle};
 pub use table::machine_table;
 pub(super) use table::table_of_pressed;
 
@@ -21,7 +18,9 @@ use super::folder::{NewFolder, Part};
 use super::html::{REPORT_PAGE, machine_page};
 use super::{OutputError, finite, write_files, write_picture};
 use crate::case::CaseEcho;
+use crate::figures::Row;
 use crate::machine::MachineFigures;
+use crate::mark::Marked;
 use crate::params::OutputParams;
 use crate::study::MachineSolution;
 
@@ -65,12 +64,13 @@ pub(super) fn check(
             return Err(OutputError::NotFinite { what });
         }
     }
-    let is_bad = |f: &&crate::machine::MachineFigure| {
-        !f.estimate.value.is_finite() || f.estimate.error.is_some_and(|e| !e.is_finite())
+    let is_bad = |row: &&Row| {
+        let Marked { value, error, .. } = row.estimate;
+        !value.is_finite() || error.is_some_and(|error| !error.is_finite())
     };
     match figures.all.iter().find(is_bad) {
-        Some(figure) => Err(OutputError::NotFinite {
-            what: figure.words.to_owned(),
+        Some(row) => Err(OutputError::NotFinite {
+            what: row.figure.words.to_owned(),
         }),
         None => Ok(()),
     }

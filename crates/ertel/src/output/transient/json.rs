@@ -3,32 +3,17 @@
 use serde_json::{Map, Value, json};
 
 use super::super::result_json::{FORMAT_VERSION, units};
+use super::super::rows::rows_json;
 use super::table::unresolved;
 use crate::case::CaseEcho;
 use crate::run::NUMERICS;
-use crate::run::over_time::{TimeFigure, over_time};
+use crate::run::over_time::over_time;
 use crate::run::transient::TransientSolution;
 use crate::solution::Figure;
 use crate::warning::{codes, silenced, texts};
 
 /// Value of the key `format` that identifies the results of a transient case.
 pub const TRANSIENT_FORMAT: &str = "ertel-transient";
-
-/// Figures of a whole run by name.
-pub(in crate::output) fn over_time_json(figures: &[TimeFigure], is_line: bool) -> Value {
-    let rows = figures.iter().map(|figure| {
-        let json = json!({
-            "value": figure.estimate.value,
-            "error": figure.estimate.error,
-            "time": figure.time,
-            "resolved": figure.resolved,
-            "unit": figure.kind.unit(is_line),
-            "words": figure.words,
-        });
-        (figure.name.to_owned(), json)
-    });
-    Value::Object(rows.collect())
-}
 
 /// The JSON document in SI units.
 pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json::Result<Value> {
@@ -112,7 +97,7 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
         "reason": found.failure.as_ref().map(ToString::to_string),
         "coefficient_of_restitution": restitution.map(|of| of.value),
         "coefficient_of_restitution_error": restitution.and_then(|of| of.error),
-        "over_time": over_time_json(&over_time(found), is_line),
+        "over_time": rows_json(&over_time(found, is_line)),
         "steps": found.info.steps,
         "refused_steps": found.info.refused,
         "newton_iterations": found.info.newton_iterations,

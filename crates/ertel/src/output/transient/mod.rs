@@ -10,13 +10,12 @@ mod table;
 
 pub use animation::animation;
 pub(super) use fields::is_file_of_instant;
-pub(super) use json::over_time_json;
 pub use json::{TRANSIENT_FORMAT, transient_json};
 pub use netcdf::transient_netcdf;
 pub(super) use picture::{film_axis, film_range};
 pub use picture::{film_over_time, map_of_film};
 pub use report::transient_report;
-pub(super) use report::{over_time_text, write_results};
+pub(super) use report::write_results;
 pub use table::{profiles_table, transient_table};
 
 use std::path::Path;
