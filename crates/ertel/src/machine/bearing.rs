@@ -9,10 +9,9 @@
 use ertel_machines::bearing::Geometry;
 use ertel_machines::bearing::kinematics::deformed_radius;
 
-use super::heat::CELSIUS;
+use super::contacts::{figure_of, sum};
 use super::rolling::rolling_coefficient;
 use super::slip::{Slip, stress};
-use super::{figure_of, sum};
 use crate::case::{BearingMechanics, Case, ContactKind};
 use crate::figures::Row;
 use crate::figures::bearing::{
@@ -25,7 +24,7 @@ use crate::plausible::LARGEST_TRACTION;
 use crate::point::{MachineSolution, PointSolution};
 use crate::solution::{Figure, limits};
 use crate::warning::{Warning, WarningKind};
-use crate::words::digits;
+use crate::words::{CELSIUS, digits};
 
 /// Smallest tilt of a roller that is reported, rad.
 const LEAST_TILT: f64 = 1e-9;

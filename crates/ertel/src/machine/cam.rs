@@ -13,8 +13,8 @@ use std::f64::consts::TAU;
 
 use ertel_machines::cam::CamPoint;
 
+use super::contacts::{self, figure_of};
 use super::curve::Curve;
-use super::figure_of;
 use crate::case::CamMechanics;
 use crate::figures::Row;
 use crate::figures::cam::{
@@ -73,7 +73,7 @@ fn mechanics(cam: &CamMechanics, turn: &[CamPoint]) -> Vec<Row> {
 
 /// Where the film is thinnest.
 fn thinnest(cam: &CamMechanics, solved: &MachineSolution) -> Option<Row> {
-    let i = super::thinnest(solved)?;
+    let i = contacts::thinnest(solved)?;
     Some(FILM_MINIMUM_ANGLE.row(
         cam.points[i].angle,
         "steady films: where the entrainment nearly vanishes, squeeze keeps the real film thicker",

@@ -14,8 +14,8 @@ use ertel_machines::gear::friction::schlenk;
 use ertel_machines::gear::safety::{micropitting, scuffing};
 use ertel_machines::gear::{FlashMethod, PathPoint, ThermalBody};
 
+use super::contacts::{self, figure_of};
 use super::curve::Curve;
-use super::figure_of;
 use super::rolling::rolling_coefficient;
 use crate::case::{Body, Case, GearMechanics};
 use crate::figures::Row;
@@ -74,7 +74,7 @@ fn mechanics(gears: &GearMechanics) -> Vec<Row> {
 
 /// Where the film is thinnest.
 fn thinnest(gears: &GearMechanics, solved: &MachineSolution) -> Option<Row> {
-    let i = super::thinnest(solved)?;
+    let i = contacts::thinnest(solved)?;
     Some(FILM_MINIMUM_POSITION.row(gears.path[i].position, ""))
 }
 
@@ -84,9 +84,16 @@ fn composite(gears: &GearMechanics) -> Option<f64> {
     Some(RMS_OVER_RA * pinion.hypot(wheel))
 }
 
+/// The smallest film of the path; its bar allows for what lies between the contacts.
+fn thinnest_film(gears: &GearMechanics, solved: &MachineSolution) -> Option<Marked> {
+    let films = (gears.path.iter().enumerate())
+        .filter_map(|(i, at)| Some((at.position, figure_of(solved.of(i)?, Figure::FilmMinimum)?)));
+    Some(Curve::new(films.collect())?.smallest().1)
+}
+
 /// Warns where the smallest film does not separate flanks whose Ra is given.
 fn rough(gears: &GearMechanics, solved: &MachineSolution) -> Option<Warning> {
-    let film = super::smallest(solved, |point| figure_of(point, Figure::FilmMinimum))?;
+    let film = thinnest_film(gears, solved)?;
     let words = format!("the smallest film of the path, {},", length(film.value));
     let warning = roughness_warning(&words, film.value, composite(gears)?)?;
     let text = format!(
@@ -455,12 +462,9 @@ fn specific_film(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -
     let Some((roughness, source)) = roughness(case, gears) else {
         return Vec::new();
     };
-    let films = (gears.path.iter().enumerate())
-        .filter_map(|(i, at)| Some((at.position, figure_of(solved.of(i)?, Figure::FilmMinimum)?)));
-    let Some(films) = Curve::new(films.collect()) else {
+    let Some(thinnest) = thinnest_film(gears, solved) else {
         return Vec::new();
     };
-    let (_, thinnest) = films.smallest();
     let limit = gears.limits.permissible_lambda;
     let Ok(found) = micropitting(&[thinnest.value], roughness, limit.unwrap_or(1.0)) else {
         return Vec::new();

@@ -12,13 +12,12 @@ use crate::case::{Case, MachineContacts, Mechanics};
 use crate::figures::bearing::BEARING_TEMPERATURE;
 use crate::mark::Marked;
 use crate::point::MachineSolution;
+use crate::words::CELSIUS;
 
 /// Largest difference between the temperature from the heat of the contacts and that of the lubricant, K.
 const TOLERANCE: f64 = 0.1;
 /// Largest number of rounds.
 const ROUNDS: usize = 8;
-/// 0 °C, K.
-pub(super) const CELSIUS: f64 = 273.15;
 /// Largest step, K.
 const STEP: f64 = 40.0;
 

@@ -10,6 +10,7 @@ use std::f64::consts::TAU;
 use ertel_machines::bearing::geometry::{BallGeometry, Ring};
 use ertel_machines::bearing::{Geometry, Material, life};
 
+use super::collected::Collected;
 use crate::case::{BearingMechanics, Case, Contamination, RatingBasis};
 use crate::figures::bearing::{
     BASIC_RATING_LIFE, BASIC_RATING_LIFE_TIME, CONTAMINATION_FACTOR, DYNAMIC_LOAD_RATING,
@@ -40,28 +41,6 @@ pub(super) fn figures(
     }
     warnings.append(&mut out.warnings);
     out.figures
-}
-
-/// Figures and warnings found so far.
-#[derive(Default)]
-pub(super) struct Collected {
-    figures: Vec<Row>,
-    warnings: Vec<Warning>,
-}
-
-impl Collected {
-    pub(super) fn add(
-        &mut self,
-        figure: Definition,
-        value: impl Into<Marked>,
-        source: &'static str,
-    ) {
-        self.figures.push(figure.row(value, source));
-    }
-
-    pub(super) fn warn(&mut self, kind: WarningKind, text: impl Into<String>) {
-        self.warnings.push(Warning::new(kind, text));
-    }
 }
 
 const ISO_281: &str = "ISO 281:2007; ISO 76 for C_0";

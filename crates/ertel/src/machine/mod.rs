@@ -2,6 +2,8 @@
 
 mod bearing;
 mod cam;
+mod collected;
+mod contacts;
 mod curve;
 mod gears;
 mod heat;
@@ -13,6 +15,7 @@ mod slip;
 pub(crate) use heat::solve_by;
 pub use heat::{Balance, SolvedMachine};
 
+use self::contacts::figure_of;
 use self::curve::Curve;
 use crate::case::{Case, Mechanics};
 use crate::figures::Row;
@@ -56,36 +59,6 @@ pub fn unsolved(case: &Case) -> Option<(MachineSolution, MachineFigures)> {
     };
     let figures = figures(case, &solution);
     Some((solution, figures))
-}
-
-/// The contact with the smallest film, by its place among the contacts.
-fn thinnest(solved: &MachineSolution) -> Option<usize> {
-    let films = solved
-        .solved()
-        .filter_map(|(i, point)| Some((i, figure_of(point, Figure::FilmMinimum)?.value)));
-    let (i, _) = films.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    Some(i)
-}
-
-/// A figure of a contact.
-fn figure_of(point: &PointSolution, figure: Figure) -> Option<Marked> {
-    Marked::of(point.outcome.solution()?, figure)
-}
-
-/// Sum over all loaded contacts, identical ones counted as often as they occur. `None` where one of them has no value.
-fn sum(
-    solved: &MachineSolution,
-    value: impl Fn(usize, &PointSolution) -> Option<Marked>,
-) -> Option<Marked> {
-    let machine = &solved.machine;
-    let own = machine.contacts.iter().enumerate();
-    let own = own.filter(|(i, contact)| contact.like == Some(*i));
-    let of = own.map(|(i, _)| Some(value(i, solved.of(i)?)? * machine.count(i) as f64));
-    let nothing = Marked {
-        error: Some(0.0),
-        ..Marked::exact(0.0)
-    };
-    of.into_iter().try_fold(nothing, |sum, of| Some(sum + of?))
 }
 
 /// The smallest value of all contacts. Along a path and over a turn its bar allows for what lies between the contacts.

@@ -5,7 +5,7 @@ use ertel_machines::bearing::friction::{
 };
 use ertel_machines::bearing::{Geometry, life};
 
-use super::life::Collected;
+use super::collected::Collected;
 use crate::case::BearingMechanics;
 use crate::figures::bearing::{FRICTION_TORQUE_PALMGREN, FRICTION_TORQUE_SKF};
 use crate::warning::WarningKind;
