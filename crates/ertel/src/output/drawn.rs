@@ -1,9 +1,9 @@
 //! Figures of machines and runs in time that are drawn over the quantity of a curve or the axis of a study.
 
-use super::figure::CELSIUS;
 use super::pictures::film_unit;
 use crate::figures::{Definition, bearing, gears, machine, run};
 use crate::solution::Kind;
+use crate::words::CELSIUS;
 use ertel_plot::Look;
 
 /// Figures drawn in one picture.

@@ -3,8 +3,7 @@
 use super::figure::{
     estimate, in_unit, number, peak, percent, place, position, pressure_estimate, temperature,
 };
-use super::lines::Lines;
-use super::report::two_columns;
+use super::lines::{Lines, two_columns};
 use crate::contact::Symmetry;
 use crate::solution::{ErrorClass, Estimate, Figure, Kind, Located, Section, Solution};
 

@@ -12,13 +12,19 @@ use super::curve::CURVE_FORMAT;
 use super::drawn::DRAWN;
 use super::machine::MACHINE_FORMAT;
 use super::result_json::FORMAT;
-use super::transient::{TRANSIENT_FORMAT, is_file_of_instant};
+use super::transient::TRANSIENT_FORMAT;
 use crate::params::PictureFormats;
+
+/// Name of the page in a result folder.
+pub const REPORT_PAGE: &str = "report.html";
+
+/// Prefix and suffix of the fields at an output time; its number, from 1, is between them.
+pub(super) const FIELDS: [&str; 2] = ["fields-", ".vtu"];
 
 /// Files of a result that are no pictures; a folder with any other file is not replaced.
 const FILES: [&str; 18] = [
     "result.json",
-    super::html::REPORT_PAGE,
+    REPORT_PAGE,
     "curve.json",
     "curve.csv",
     "report.txt",
@@ -200,6 +206,13 @@ fn is_picture(name: &str) -> bool {
         is_known && PictureFormats::NAMES.contains(&suffix)
     };
     name.rsplit_once('.').is_some_and(is_own)
+}
+
+/// Whether a file has the name of an instant's fields: `fields-001.vtu`.
+fn is_file_of_instant(name: &str) -> bool {
+    name.strip_prefix(FIELDS[0])
+        .and_then(|rest| rest.strip_suffix(FIELDS[1]))
+        .is_some_and(|number| !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()))
 }
 
 /// `007`

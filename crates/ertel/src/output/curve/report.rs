@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::super::figure::{estimate, number, peak, temperature};
+use super::super::lines::{Lines, Table};
 use super::super::mixed::share;
 use super::super::rows::{REPORTED, shown};
 use crate::case::CaseEcho;
@@ -16,31 +17,16 @@ use crate::words::digits;
 
 /// The points as a table, failures with their reasons, and warnings.
 pub fn curve_report(case: &CaseEcho, curve: &CurveSolution, folder: Option<&Path>) -> String {
-    let mut title: String = case.title.chars().filter(|c| !c.is_control()).collect();
-    if title.trim().is_empty() {
-        title = "Elastohydrodynamic contact".to_owned();
-    }
-    let rule = "─".repeat(title.chars().count().max(4));
-    let mut text = format!("{title}\n{rule}\n\nCurve over {}\n", curve.quantity.path);
+    let mut out = Lines::default();
+    out.title(&case.title);
+    out.heading(&format!("Curve over {}", curve.quantity.path));
     let is_machine = curve.points.iter().any(|p| p.machine.is_some());
     let is_in_time = curve.points.iter().any(|p| p.is_in_time);
-    let rows = match is_machine || is_in_time {
-        true => rows_of_figures(curve, !is_machine),
-        false => rows(curve),
-    };
-    let width = |j: usize| rows.iter().map(|r| r[j].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
-    for row in &rows {
-        let cells = row
-            .iter()
-            .zip(&widths)
-            .map(|(cell, w)| format!("{cell:<w$}"));
-        let _ = writeln!(
-            text,
-            "  {}",
-            cells.collect::<Vec<_>>().join("  ").trim_end()
-        );
-    }
+    out.table(match is_machine || is_in_time {
+        true => table_of_figures(curve, !is_machine),
+        false => table(curve),
+    });
+    let mut text = out.text();
     write_remarks(&mut text, curve);
     let _ = writeln!(
         text,
@@ -56,7 +42,7 @@ pub fn curve_report(case: &CaseEcho, curve: &CurveSolution, folder: Option<&Path
 }
 
 /// The table with its header; lambda ratio for rough surfaces, film and asperity friction with boundary friction.
-fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
+fn table(curve: &CurveSolution) -> Table {
     let mixed = |p: &PointSolution| p.outcome.solution()?.mixed.clone();
     let found: Vec<MixedLubrication> = curve.points.iter().filter_map(mixed).collect();
     let is_rough = !found.is_empty();
@@ -88,12 +74,12 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
         let cells = cells.filter_map(|(cell, (is_shown, _))| is_shown.then_some(cell));
         cells.collect::<Vec<String>>()
     };
-    let mut rows = vec![shown(columns.map(|(_, title)| title.to_owned()))];
+    let head = shown(columns.map(|(_, title)| title.to_owned()));
+    let mut rows = Vec::new();
     let none = || "-".to_owned();
     for point in &curve.points {
         let value = value_text(&curve.quantity, point.value);
         let time = format!("{} s", digits(point.seconds, 2));
-        let failed = || "failed".to_owned();
         rows.push(shown(match &point.outcome {
             Outcome::Solved(s) => {
                 let iterations: usize = s.stats.levels.iter().map(|l| l.newton_iterations).sum();
@@ -119,29 +105,18 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
                     time,
                 ]
             }
-            Outcome::InTime(_) | Outcome::Failed(_) => [
-                value,
-                failed(),
-                none(),
-                none(),
-                none(),
-                none(),
-                none(),
-                none(),
-                none(),
-                none(),
-                none(),
-                none(),
-                none(),
-                time,
-            ],
+            Outcome::InTime(_) | Outcome::Failed(_) => {
+                let mut cells = std::array::from_fn(|_| none());
+                [cells[0], cells[1], cells[13]] = [value, "failed".to_owned(), time];
+                cells
+            }
         }));
     }
-    rows
+    Table::fitted(head, rows)
 }
 
 /// The table of whole machines or transient runs with its header and their main figures, of runs those that are not zero in all of them.
-fn rows_of_figures(curve: &CurveSolution, is_in_time: bool) -> Vec<Vec<String>> {
+fn table_of_figures(curve: &CurveSolution, is_in_time: bool) -> Table {
     let columns: Vec<Definition> = (REPORTED.iter())
         .filter_map(|figure| {
             let mut found = curve.points.iter().filter_map(|p| p.row(figure.name));
@@ -153,7 +128,7 @@ fn rows_of_figures(curve: &CurveSolution, is_in_time: bool) -> Vec<Vec<String>> 
     head.extend(columns.iter().map(|figure| figure.words.to_owned()));
     let effort = if is_in_time { "steps" } else { "contacts" };
     head.extend([effort, "time"].map(str::to_owned));
-    let mut rows = vec![head];
+    let mut rows = Vec::new();
     for point in &curve.points {
         let mut row = vec![value_text(&curve.quantity, point.value)];
         row.extend(columns.iter().map(|figure| match point.row(figure.name) {
@@ -173,7 +148,7 @@ fn rows_of_figures(curve: &CurveSolution, is_in_time: bool) -> Vec<Vec<String>> 
         row.push(format!("{} s", digits(point.seconds, 2)));
         rows.push(row);
     }
-    rows
+    Table::fitted(head, rows)
 }
 
 /// Failures, and warnings with their points.

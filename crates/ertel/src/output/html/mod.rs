@@ -32,9 +32,6 @@ use crate::solution::{Kind, Solution};
 use crate::study::{CurveSolution, MachineSolution};
 use crate::words::{digits, pressure};
 
-/// Name of the page in a result folder.
-pub const REPORT_PAGE: &str = "report.html";
-
 /// Opening tag of the page's data element.
 const DATA_OPEN: &str = r#"<script type="application/json" id="ertel-data">"#;
 

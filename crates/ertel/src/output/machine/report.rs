@@ -170,12 +170,7 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
         .filter(|(shown, _)| *shown)
         .map(|(_, title)| (*title).to_owned())
         .collect();
-    let width = |j: usize| {
-        let cells = rows.iter().map(|r: &Vec<String>| r[j].chars().count());
-        cells.chain([head[j].chars().count()]).max().unwrap_or(0)
-    };
-    let widths = (0..head.len()).map(|j| (width(j), 2)).collect();
-    out.table(Table { head, rows, widths });
+    out.table(Table::fitted(head, rows));
     let marks: Marks = solutions()
         .map(|s| of_figure(s, Figure::FrictionPower))
         .sum();

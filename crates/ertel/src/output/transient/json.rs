@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::super::result_json::{FORMAT_VERSION, units};
 use super::super::rows::rows_json;
+use super::conditions::CONDITIONS;
 use super::table::unresolved;
 use crate::case::CaseEcho;
 use crate::run::NUMERICS;
@@ -34,26 +35,15 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
                     Some((figure.name().to_owned(), json))
                 })
                 .collect();
-            let mut row = json!({
-                "time": instant.time,
-                "entrainment_speed": 0.5 * (instant.speeds[0] + instant.speeds[1]),
-                "body_1_speed": instant.speeds[0],
-                "body_2_speed": instant.speeds[1],
-                "body_1_spin": instant.spin[0],
-                "body_2_spin": instant.spin[1],
-                "load": instant.load,
-                "radius": instant.radius,
-                "temperature": instant.temperature,
-                "oil_layer": instant.oil_layer,
-                "approach": instant.approach,
-                "approach_velocity": instant.approach_velocity,
-                "film_force": instant.film_force,
-                "figures": figures,
-                "unresolved": unresolved(instant),
-                "step": instant.step,
-                "newton_iterations": instant.newton_iterations,
-                "mass_error": instant.mass_error,
-            });
+            let mut row = json!({ "time": instant.time });
+            for condition in &CONDITIONS {
+                row[condition.name] = json!((condition.value)(instant));
+            }
+            row["figures"] = figures.into();
+            row["unresolved"] = json!(unresolved(instant));
+            row["step"] = json!(instant.step);
+            row["newton_iterations"] = json!(instant.newton_iterations);
+            row["mass_error"] = json!(instant.mass_error);
             if let Some(ratio) = found.amplitude_ratios.get(i) {
                 row["amplitude_ratio"] = json!(ratio);
             }

@@ -6,7 +6,7 @@ use super::super::figure::{number, with_bar};
 use super::super::lines::{Lines, Table};
 use super::super::pictures::film_unit;
 use super::super::rows;
-use super::AMPLITUDE_RATIO;
+use super::table::AMPLITUDE_RATIO;
 use crate::case::CaseEcho;
 use crate::contact::ContactKind;
 use crate::figures::{Definition, find, run};
@@ -194,16 +194,13 @@ pub(super) fn at(time: f64, (factor, unit): (f64, &str)) -> String {
     format!("{} {unit}", digits(factor * time, 4))
 }
 
+/// A film at an instant.
 fn shown(instant: &InstantSolution, figure: Figure) -> String {
     let measured = &instant.measured;
     if !measured.is_resolved(figure) {
         return "not resolved".to_owned();
     }
     let estimate = measured.estimate(figure);
-    let (factor, unit) = match figure {
-        Figure::FilmCentral | Figure::FilmMinimum => film_unit(estimate.value),
-        Figure::PressureMaximum => (1e-9, "GPa"),
-        _ => (1.0, ""),
-    };
+    let (factor, unit) = film_unit(estimate.value);
     with_bar(estimate, factor, unit)
 }
