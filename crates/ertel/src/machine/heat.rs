@@ -119,10 +119,8 @@ pub(crate) fn solve_by(
 
 /// Whether the case asks for a balance.
 fn asks_for_balance(solution: &MachineSolution) -> bool {
-    match &solution.machine.mechanics {
-        Mechanics::Bearing(bearing) => bearing.life.heat_balance,
-        Mechanics::Gears(_) | Mechanics::Cam(_) => false,
-    }
+    let mechanics = &solution.machine.mechanics;
+    matches!(mechanics, Mechanics::Bearing(bearing) if bearing.life.heat_balance)
 }
 
 /// The temperature from the heat of all contacts, K.

@@ -140,7 +140,7 @@ const JUMP: f64 = 1e-3;
 fn gears(machine: &MachineSolution) -> Option<&GearMechanics> {
     match &machine.machine.mechanics {
         Mechanics::Gears(gears) => Some(gears),
-        Mechanics::Bearing(_) | Mechanics::Cam(_) => None,
+        _ => None,
     }
 }
 

@@ -1,6 +1,7 @@
 //! `result.nc` of a transient case: figures at all instants, fields at the output times.
 
 use super::super::netcdf::classic::{Attribute, Dataset, Values, Variable};
+use super::super::netcdf::text;
 use super::conditions::CONDITIONS;
 use super::table::{AMPLITUDE_RATIO, figures};
 use crate::case::CaseEcho;
@@ -104,10 +105,6 @@ pub fn transient_netcdf(case: &CaseEcho, found: &TransientSolution) -> Vec<u8> {
     }
     data.dimensions.extend(names);
     data.to_bytes()
-}
-
-fn text(text: &str) -> Attribute {
-    Attribute::Text(ertel_input::escaped(text).into_owned())
 }
 
 /// Fill value for missing numbers, in the type of the values.
