@@ -1,7 +1,7 @@
 //! Layout of the contact area in a picture: the motion points right, or down if the contact is much longer across the motion than along it.
 
+use ertel_plot::Side;
 use ertel_plot::axis::Axis;
-use ertel_plot::chart::Side;
 use ertel_plot::drawing::{Drawing, INK, Stroke, number};
 use ertel_plot::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis, polyline};
 
