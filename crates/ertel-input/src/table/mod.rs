@@ -6,12 +6,10 @@ mod numbers;
 mod tables;
 mod text;
 
-pub(crate) use errors::nearest;
-
 use std::ops::Range;
 
-use super::Source;
 use super::inputs::Recorder;
+use super::source::Source;
 use super::tree::{Entry, Node, Value};
 
 /// A TOML table being read.
