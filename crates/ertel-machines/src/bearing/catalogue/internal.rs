@@ -154,7 +154,7 @@ impl Internal {
     }
 }
 
-impl super::Entry {
+impl Entry {
     /// The geometry to calculate with.
     pub fn geometry(&self) -> Geometry {
         self.internal.geometry()
@@ -287,4 +287,17 @@ fn estimated_balls(
         groove,
         play,
     }
+}
+
+/// A bearing of the catalogue.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// The designation requested.
+    pub designation: Designation,
+    /// Its boundary dimensions.
+    pub boundary: Boundary,
+    /// Its internal geometry.
+    pub internal: Internal,
+    /// Load ratings C and C_0, N, and who gives them.
+    pub ratings: Option<Sourced<[f64; 2]>>,
 }
