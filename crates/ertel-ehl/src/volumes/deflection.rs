@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::convolution::Convolution;
 use super::grid::Grid;
 use super::line_convolution::LineConvolution;
+use super::near_stencils::Stencils;
 use super::rows_convolution::RowsConvolution;
 
 /// How the bodies deflect under pressures at the nodes.
@@ -49,28 +50,5 @@ impl Deflection {
 impl From<Convolution> for Arc<Deflection> {
     fn from(convolution: Convolution) -> Arc<Deflection> {
         Arc::new(Deflection::Even(convolution))
-    }
-}
-
-/// Nine-point stencils, one for all rows or one for each: weights at the centre, along the first and the second direction, and on the diagonals.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Stencils(Vec<[f64; 4]>);
-
-impl Stencils {
-    /// One for each row.
-    pub fn of_rows(stencils: Vec<[f64; 4]>) -> Stencils {
-        Stencils(stencils)
-    }
-
-    /// That of a row.
-    #[inline(always)]
-    pub fn of(&self, row: usize) -> &[f64; 4] {
-        &self.0[row.min(self.0.len() - 1)]
-    }
-}
-
-impl From<[f64; 4]> for Stencils {
-    fn from(stencil: [f64; 4]) -> Stencils {
-        Stencils(vec![stencil])
     }
 }

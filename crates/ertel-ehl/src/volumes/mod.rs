@@ -14,9 +14,12 @@
 //! | [`rows`] | rows of nodes along a roller |
 //! | [`roller_zone`] | where its pressure ends |
 //! | [`convolution`] | deflection of the half-spaces |
+//! | [`near_stencils`] | its weights near a node |
 //! | [`rows_convolution`], [`line_convolution`], [`deflection`] | the same under rows of a roller, under a line |
+//! | [`node`] | quantities of the film equation at a node |
 //! | [`faces`] | flux through a face and its derivatives |
 //! | [`thinning`] | shear thinning of the film at a node |
+//! | [`storage`] | change in time at the nodes |
 //! | [`contents`] | oil in partly filled gaps |
 //! | [`behind`] | oil behind the film |
 //! | [`passing`] | how contents change with the pressures |
@@ -34,6 +37,7 @@
 //! | [`tangents`] | derivatives of the figures by inputs |
 //! | [`scope`] | which contacts it solves |
 //! | [`patches`] | which grids it solves them on |
+//! | [`plan`] | tolerances and limits |
 //! | [`engine`] | grids until the films reach the target error |
 //!
 //! Theory: Finite volumes.
@@ -59,9 +63,12 @@ pub mod level;
 pub mod line_convolution;
 pub mod line_factors;
 pub mod multigrid;
+pub mod near_stencils;
 pub mod newton;
+pub mod node;
 pub mod passing;
 pub mod patches;
+pub mod plan;
 pub mod preconditioner;
 pub mod rectangle;
 pub mod reduction;
@@ -71,13 +78,15 @@ pub mod rows_convolution;
 pub mod scope;
 pub mod stencil;
 pub mod step;
+pub mod storage;
 pub mod summary;
 pub mod system;
 pub mod tangents;
 pub mod thinning;
 pub mod transfer;
 
-pub use engine::{FiniteVolumes, Plan, Volumes};
+pub use engine::{FiniteVolumes, Volumes};
+pub use plan::Plan;
 pub use scope::{About, HeatAbout, why_not};
 
 #[cfg(test)]

@@ -14,8 +14,8 @@ use realfft::num_complex::Complex64;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
 use super::convolution::{Convolution, smooth};
-use super::deflection::Stencils;
 use super::grid::Grid;
+use super::near_stencils::Stencils;
 use super::rows::Rows;
 use crate::contact::{HertzZone, Turn};
 

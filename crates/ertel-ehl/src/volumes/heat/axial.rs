@@ -12,7 +12,7 @@
 use nalgebra::{DMatrix, SymmetricEigen};
 use realfft::num_complex::Complex64;
 
-use crate::volumes::grid::RING;
+use crate::volumes::rows::RING;
 use crate::volumes::rows::Rows;
 
 /// Shapes along the axis.

@@ -16,10 +16,10 @@
 //! | [`padded`] | the transforms themselves |
 //! | [`memory`] | stored heat of the bodies in time |
 //! | [`columns`] | the energy equation of the film over each node |
-//! | [`transport`] | heat flow from node to node |
+//! | [`flow`], [`transport`] | heat flow from node to node |
 //! | [`march`] | temperatures of the film by those of the walls, along the flow |
 //! | [`temperatures`] | Newton's method for film and surfaces |
-//! | [`warmth`] | temperature-dependent coefficients of the film equation |
+//! | [`warmth`], [`warm_up`] | temperature-dependent coefficients of the film equation |
 //! | [`rounds`] | film and heat in turn, from grid to grid |
 //! | [`tangents`] | derivatives of both by an input |
 //! | [`figures`], [`output`] | temperatures and heat in numbers; for results |
@@ -29,6 +29,7 @@
 pub mod axial;
 pub mod columns;
 pub mod figures;
+pub mod flow;
 pub mod march;
 pub mod memory;
 pub mod output;
@@ -40,9 +41,12 @@ pub mod tangents;
 pub mod temperatures;
 pub mod transport;
 pub mod turning;
+pub mod warm_up;
 pub mod warmth;
 
-pub use rounds::{Params, Warm};
+pub use rounds::Params;
+
+pub use temperatures::Warm;
 
 #[cfg(test)]
 mod tests;
