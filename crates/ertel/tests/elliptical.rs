@@ -16,7 +16,8 @@ use ertel::problem::predicted_film;
 use ertel::run::solve;
 use ertel::solution::Role;
 use ertel::solution::{Estimate, Solution};
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents};
+use ertel::solve::contact_surface::ContactSurface;
+use ertel::solve::discretisation::{Discretisation, Extents};
 use ertel_fem::linear::NEVER;
 use ertel_input::Document;
 

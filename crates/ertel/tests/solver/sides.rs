@@ -4,7 +4,7 @@ use std::path::Path;
 
 use ertel::case::Case;
 use ertel::problem::problem;
-use ertel::solve::discretisation::ContactSurface;
+use ertel::solve::contact_surface::ContactSurface;
 use ertel::solve::heat::sides::{SideRule, outer_sides};
 use ertel_fem::linear::NEVER;
 use ertel_input::Document;
