@@ -59,6 +59,11 @@ pub fn march(
         let info = newton(system, pattern, state, params, about, observer);
         all = all.and(NewtonInfo {
             converged: info.converged && is_steady,
+            // An error reports the change of the last step that failed.
+            change: match info.converged {
+                true => all.change,
+                false => info.change,
+            },
             ..info
         });
         if all.converged || all.interrupted {
