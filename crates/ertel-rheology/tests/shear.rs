@@ -306,6 +306,31 @@ fn closed_limits_at_high_stress() {
     }
 }
 
+/// Ree-Eyring: τ = τ₀ asinh(μγ̇/τ₀), from far below τ₀ to far above; any other law: τ φ(τ²) = μγ̇, with the sign of the rate.
+#[test]
+fn stresses_at_shear_rates() {
+    for rate in [-1e5, 1e-9, 3.0, 1e6, 1e30_f64] {
+        let expected = 5e6 * (10.0 * rate / 5e6).asinh();
+        assert_relative_eq!(
+            eyring(5e6).stress(10.0, 1e9, rate),
+            expected,
+            max_relative = 1e-9
+        );
+    }
+    for law in laws() {
+        assert_eq!(law.stress(10.0, 0.0, 0.0), 0.0);
+        for rate in [-1e3, 1e6] {
+            let stress = law.stress(10.0, 0.0, rate);
+            let product = stress * fluidity(&law, stress);
+            assert_relative_eq!(product, 10.0 * rate, max_relative = 1e-8);
+        }
+    }
+    let limited = ShearThinning::limited(StressLimit::new(20e6, 0.05).unwrap());
+    let stress = limited.stress(1e6, 1e9, 1e9);
+    let limit = 20e6 + 0.05 * 1e9;
+    assert!(stress > 0.9 * limit && stress < 1.1 * limit, "{stress}");
+}
+
 /// Theory: Newtonian limits.
 #[test]
 fn stresses_at_the_newtonian_limits() {

@@ -273,7 +273,6 @@ impl Levels {
             .chain(self.times.iter().copied())
             .collect();
         let weights = Weights::new(&times);
-        let params = newton_params(problem);
         let mut trial = Trial {
             levels: Vec::with_capacity(self.levels.len()),
             stored: Vec::with_capacity(self.levels.len()),
@@ -284,6 +283,7 @@ impl Levels {
             error: None,
         };
         for (l, (own, fixed)) in self.levels.iter().zip(&self.fixed).enumerate() {
+            let params = newton_params(problem, l);
             let (grid, deflection) = (own.system.grid.clone(), fixed.deflection.clone());
             let (mut system, mut state) = match trial.levels.last_mut() {
                 None => {

@@ -56,7 +56,7 @@ fn stepped(
     system: &System,
     state: &State,
 ) -> Result<Option<[f64; 2]>, SolveError> {
-    let params = newton_params(problem);
+    let params = newton_params(problem, 0);
     let at = system.linearise(state);
     let pattern = pattern(system)?;
     let Some(mut preconditioner) = Preconditioner::new(&pattern, &at) else {

@@ -68,7 +68,7 @@ fn solve_on(
 ) -> Result<NewtonInfo, SolveError> {
     let pattern = pattern(system)?;
     let about = (level, problem.scales.film);
-    let params = &newton_params(problem);
+    let params = &newton_params(problem, level);
     let start = state.clone();
     let at_once = NewtonParams {
         most_imbalance: match problem.fluid.is_exponential() {
@@ -79,7 +79,7 @@ fn solve_on(
     };
     let mut all = newton(system, &pattern, state, &at_once, about, observer);
     let patient = NewtonParams {
-        largest_change: RETRY.0,
+        largest_change: RETRY.0.min(newton_params(problem, 0).largest_change),
         max_iterations: RETRY.1,
         ..*params
     };

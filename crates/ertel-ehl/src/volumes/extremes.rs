@@ -111,14 +111,16 @@ impl Around {
         }
     }
 
-    /// Steps from the node to the vertex of the paraboloid, at most to the next nodes; along one direction alone where the paraboloid has no vertex nearby.
-    fn vertex(&self) -> [f64; 2] {
+    /// Steps from the node to the vertex of the paraboloid, `None` where it has none within reach.
+    fn vertex(&self) -> Option<[f64; 2]> {
         let ([u, v], [a, b], c) = (self.slopes, self.curvatures, self.mixed);
         let determinant = a * b - c * c;
-        let together = [(c * v - b * u) / determinant, (c * u - a * v) / determinant];
-        if determinant > 0.0 && together.iter().all(|step| step.abs() <= 1.0) {
-            return together;
-        }
+        let steps = [(c * v - b * u) / determinant, (c * u - a * v) / determinant];
+        (determinant > 0.0 && steps.iter().all(|step| step.abs() <= REACH)).then_some(steps)
+    }
+
+    /// Steps to the vertices of the parabolas along each direction alone.
+    fn vertices(&self) -> [f64; 2] {
         [0, 1].map(|d: usize| match (self.slopes[d], self.curvatures[d]) {
             (slope, curvature) if curvature != 0.0 && slope.abs() <= curvature.abs() => {
                 -slope / curvature
@@ -128,11 +130,55 @@ impl Around {
     }
 }
 
-/// Vertex of the paraboloid through the values at a node that is higher or lower than its neighbours. The paraboloid of a side lobe is rotated: separate
-/// parabolas along both directions miss its minimum by an amount that depends on the grid.
+/// Distance of a vertex from the node of its paraboloid, in cells: the lobe of a slender contact is a narrow valley at an angle to the grid, whose lowest node may lie
+/// more than a cell from the vertex.
+const REACH: f64 = 1.5;
+
+/// Changes of the node from which the vertex is computed.
+const MOST_NODES: usize = 3;
+
+/// Vertex of the paraboloid through the values at a node that is higher or lower than its neighbours, computed from the node next to the vertex. The paraboloid of a
+/// side lobe is rotated: separate parabolas along both directions miss its minimum by an amount that depends on the grid.
 pub fn extreme(grid: &Grid, values: &[f64], i: usize, j: usize) -> (f64, [f64; 2]) {
-    let around = Around::new(grid, values, i, j);
-    let steps = around.vertex();
+    let at_node = values[grid.index(i, j)];
+    let first = Around::new(grid, values, i, j);
+    let is_lowest = first.curvatures.iter().sum::<f64>() > 0.0;
+    let mut best = None;
+    let mut node = [i, j];
+    for _ in 0..MOST_NODES {
+        let around = Around::new(grid, values, node[0], node[1]);
+        let Some(steps) = around.vertex() else {
+            break;
+        };
+        let distance = steps[0].hypot(steps[1]);
+        let found = placed(grid, values, node, steps, &around);
+        let is_beyond_node = (found.0 <= at_node) == is_lowest;
+        if best.is_none_or(|(least, _)| distance < least) && is_beyond_node {
+            best = Some((distance, found));
+        }
+        let next = [0, 1].map(|d: usize| {
+            let moved = node[d] as f64 + steps[d].round();
+            moved.clamp(0.0, (grid.n[d] - 1) as f64) as usize
+        });
+        if next == node {
+            break;
+        }
+        node = next;
+    }
+    match best {
+        Some((_, found)) => found,
+        None => placed(grid, values, [i, j], first.vertices(), &first),
+    }
+}
+
+/// Value and place at some steps from a node.
+fn placed(
+    grid: &Grid,
+    values: &[f64],
+    [i, j]: [usize; 2],
+    steps: [f64; 2],
+    around: &Around,
+) -> (f64, [f64; 2]) {
     let mut at = grid.on_axes(i, j);
     let mut value = values[grid.index(i, j)];
     for d in (0..2).filter(|d| steps[*d] != 0.0) {

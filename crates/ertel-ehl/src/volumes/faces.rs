@@ -4,8 +4,9 @@
 //!   F = ū m − H₊³/λ · ½(ρ̄_a + ρ̄_b) · φ · (P_b − P_a)/h,     H₊ = max(H, 0) at the face,  m = ρ̄H
 //!   φ = (e^(−l_a) − e^(−l_b))/(l_b − l_a),  l = ln μ̄         exponential fitting (Scharfetter and Gummel 1969)
 //!   m = m_u + ¼s((1 − ⅓s) b + (1 + ⅓s) a),  a = m_d − m_u,  b = m_u − m_uu      third-order upwind where s = 1
-//!   s = (2ab + e²)/(a² + b² + e²) or 0,  e = m/10              limited where slopes differ (van Albada et al. 1982)
+//!   s = (1 − r²)² or 0,  r = (a − b)²/(a² + b² + e²),  e = m/5  limited where slopes differ much (van Albada et al. 1982: s = 1 − r)
 //! ```
+//! Where slopes differ a little, s = 1 − r takes 6 % off the correction and films converge at first order; (1 − r²)² leaves them at second order and has no kink at r = 1.
 //! φ is exact where ln μ̄ is linear between the nodes. Where stress thins the film, l is ln(μ̄/K) of the nodes, and −H₊³ρ̄/λ · ½(c_a + c_b) is added for the gradient
 //! across (see [`super::thinning`]). A negative film has no pressure-driven flow; its entrained flow keeps its sign, and
 //! a grid too coarse for a film still has a solution.
@@ -57,25 +58,28 @@ pub fn fitted(a: f64, b: f64) -> [f64; 3] {
     [phi, (phi - ea) / d, (eb - phi) / d]
 }
 
-/// Relative change of m from node to node below which differing slopes do not count as a kink.
-const SMOOTH: f64 = 0.1;
+/// Relative change of m from node to node below which differing slopes do not count as a kink. At half this value, a ball in a groove needs a grid of three times as many
+/// nodes for the film at its steep lobe; without a limiter, the pressure ridge has ripples of a tenth of its height.
+const SMOOTH: f64 = 0.2;
 
 /// m at a face from the nodes uu, u, d, and its derivatives by them.
 #[inline(always)]
 pub fn upwind([uu, u, d]: [f64; 3]) -> (f64, [f64; 3]) {
     let (a, b) = (d - u, u - uu);
     let mean = 0.5 * SMOOTH * (u.abs() + d.abs()) + f64::MIN_POSITIVE;
-    let e = mean * mean;
-    let (n, m) = (2.0 * a * b + e, a * a + b * b + e);
-    if n <= 0.0 {
+    let second = a - b;
+    let m = a * a + b * b + mean * mean;
+    let r = second * second / m;
+    if r >= 1.0 {
         return (u, [0.0, 1.0, 0.0]);
     }
-    let s = n / m;
+    let root = 1.0 - r * r;
+    let (s, by_r) = (root * root, -4.0 * r * root);
     let value = u + 0.25 * s * ((1.0 - s / 3.0) * b + (1.0 + s / 3.0) * a);
-    let by_s = 0.25 * ((1.0 - s / 1.5) * b + (1.0 + s / 1.5) * a) / m;
-    let by_a = 0.25 * s * (1.0 + s / 3.0) + by_s * 2.0 * (b - s * a);
-    let by_b = 0.25 * s * (1.0 - s / 3.0) + by_s * 2.0 * (a - s * b);
-    let by_mean = by_s * (1.0 - s) * SMOOTH * mean;
+    let by_r = 0.25 * by_r * ((1.0 - s / 1.5) * b + (1.0 + s / 1.5) * a) / m;
+    let by_a = 0.25 * s * (1.0 + s / 3.0) + by_r * 2.0 * (second - r * a);
+    let by_b = 0.25 * s * (1.0 - s / 3.0) - by_r * 2.0 * (second + r * b);
+    let by_mean = -by_r * r * SMOOTH * mean;
     let slopes = [
         -by_b,
         1.0 - by_a + by_b + by_mean * u.signum(),

@@ -115,7 +115,7 @@ mod tests {
         let deflection = convolution(&problem, &grid);
         let mut system = first_system(&problem, grid, deflection);
         let start = first_state(&problem, &system);
-        let (pattern, params) = (pattern(&system).unwrap(), newton_params(&problem));
+        let (pattern, params) = (pattern(&system).unwrap(), newton_params(&problem, 0));
         let about = (0, problem.scales.film);
         let (mut steady, mut marched) = (start.clone(), start);
         let found = newton(

@@ -1,4 +1,4 @@
-//! Where the Newtonian plateaus end and begin.
+//! Where the Newtonian plateaus end and begin, and the stress at a shear rate.
 //!
 //! Theory: Newtonian limits.
 
@@ -40,6 +40,26 @@ impl ShearThinning {
                 .then_some(stress)
         });
         [first, second]
+    }
+
+    /// Shear stress τ (Pa) of simple shear at a rate γ̇ (1/s), for a viscosity μ₁ (Pa·s) at `pressure` (Pa above ambient): τ φ(τ², p) = μ₁ γ̇.
+    pub fn stress(&self, viscosity: f64, pressure: f64, rate: f64) -> f64 {
+        let newtonian = (viscosity * rate).abs();
+        let scales = self.scales(pressure);
+        let stresses = [scales.knee, scales.growth, scales.limit];
+        let smallest = stresses.into_iter().flatten().fold(newtonian, f64::min);
+        if smallest <= 0.0 {
+            return 0.0;
+        }
+        let residual = |ln_stress: f64| {
+            let square = (Dual64::new(ln_stress, 1.0) * 2.0).exp();
+            let ln = self.relative_fluidity(square, pressure.into()).ln();
+            (ln_stress + ln.re - newtonian.ln(), 1.0 + ln.eps)
+        };
+        let from = smallest.ln() - LN_BELOW;
+        increasing_root(residual, from, newtonian.ln(), smallest.ln())
+            .exp()
+            .copysign(rate)
     }
 }
 

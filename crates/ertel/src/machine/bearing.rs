@@ -11,7 +11,7 @@ use ertel_machines::bearing::kinematics::deformed_radius;
 
 use super::contacts::{figure_of, sum};
 use super::rolling::rolling_coefficient;
-use super::slip::{Slip, stress};
+use super::slip::Slip;
 use crate::case::{BearingMechanics, Case, ContactKind};
 use crate::figures::Row;
 use crate::figures::bearing::{
@@ -236,6 +236,8 @@ fn stress_of(case: &Case) -> impl Fn(f64, f64) -> f64 {
         let viscosity = lubricant
             .viscosity
             .viscosity(pressure, lubricant.temperature);
-        stress(thinning, viscosity, pressure, rate)
+        thinning.map_or(viscosity * rate, |law| {
+            law.stress(viscosity, pressure, rate)
+        })
     }
 }
