@@ -405,7 +405,6 @@ impl From<SolveError> for Failure {
             | SolveError::ReliefNotResolved { .. }
             | SolveError::NotCoupled { .. }
             | SolveError::Thinned { .. }
-            | SolveError::AllFailed { .. }
             | SolveError::BothFailed { .. }
             | SolveError::Heat(_)
             | SolveError::Krylov(_)

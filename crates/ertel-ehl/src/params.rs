@@ -43,11 +43,9 @@ impl MeshPreset {
 pub struct MeshParams {
     /// Preset of the sizes below.
     pub preset: MeshPreset,
-    /// Target error (relative) of central and minimum film for local refinement; `None`: the mesh has the
+    /// Target error (relative) of central and minimum film, until which cells are halved; `None`: the mesh has the
     /// sizes below.
     pub target_error: Option<f64>,
-    /// Target root-mean-square error of the pressure over the dry contact, in p_h; `None`: only the films have a target.
-    pub pressure_error: Option<f64>,
     /// Most pressure unknowns, approximately; `None`: a default that depends on the bodies.
     pub max_unknowns: Option<usize>,
     /// Cell size in the Hertz zone.
@@ -99,7 +97,6 @@ impl MeshParams {
         MeshParams {
             preset,
             target_error: None,
-            pressure_error: None,
             max_unknowns: None,
             hertz_size,
             constriction_size,
@@ -118,32 +115,24 @@ impl MeshParams {
     }
 }
 
-/// Default limit of pressure unknowns for refinement: about a minute.
+/// Default limit of pressure unknowns of a halved mesh: about a minute.
 pub const DEFAULT_MAX_UNKNOWNS: usize = 100_000;
 
-/// The same where only the pressure misses its target: some seconds.
-pub const DEFAULT_MAX_UNKNOWNS_FOR_PRESSURE: usize = 16_000;
-
 /// The same with finite-element bodies, whose operator costs their square to their cube.
-pub const DEFAULT_MAX_UNKNOWNS_OF_BODIES: usize = 8_000;
+pub const DEFAULT_MAX_UNKNOWNS_OF_BODIES: usize = 16_000;
 
 /// Default target error.
 pub const DEFAULT_TARGET_ERROR: f64 = 0.002;
 
-/// Default target of the pressure (root mean square, in p_h), over the target error of the films, if only the latter is
-/// given.
-const PRESSURE_SHARE: f64 = 3.5;
-
 impl MeshParams {
-    /// Mesh refined locally until central and minimum film are accurate to `target_error`, relative; the sizes
+    /// Mesh whose cells are halved until central and minimum film are accurate to `target_error`, relative; the sizes
     /// are those that it starts from.
     pub fn adaptive(target_error: f64, kind: ContactKind) -> MeshParams {
         let start = MeshParams::preset(MeshPreset::Normal, kind);
-        // Refinement does not reduce the error of the growth, which falls with its square.
+        // Halved cells do not reduce the error of the growth, which falls with its square.
         let share = (target_error / DEFAULT_TARGET_ERROR).min(1.0).sqrt();
         MeshParams {
             target_error: Some(target_error),
-            pressure_error: Some(PRESSURE_SHARE * target_error),
             depth_growth: share * start.depth_growth,
             ..start
         }
@@ -251,9 +240,6 @@ pub struct SolverParams {
     pub formulation: Formulation,
     /// Isotropic diffusion coefficient ρ_id of Habchi 2008, eq. 3.18; 0 for none.
     pub isotropic_diffusion: f64,
-    /// Coefficient ρ_r of the diffusion at ridges of the pressure that elements do not resolve; `None`: 1 in circular and elliptical contacts of half-spaces
-    /// with the default stabilisation, else 0.
-    pub ridge_diffusion: Option<f64>,
     /// Whether SUPG and GLS include the deflection, too; without, they are as printed in Habchi
     /// 2008, eqs. 3.15 to 3.17, and incompressible lubricants are not stabilised at all.
     pub elastic_stabilisation: bool,
@@ -284,7 +270,6 @@ impl Default for SolverParams {
             method: None,
             formulation: Formulation::default(),
             isotropic_diffusion: 0.0,
-            ridge_diffusion: None,
             elastic_stabilisation: true,
             penalty: 1e4,
             penalty_scaling: PenaltyScaling::default(),

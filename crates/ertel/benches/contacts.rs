@@ -283,7 +283,7 @@ fn monolithic_iteration(name: &str) {
 fn sensitivities(runs: usize) {
     for name in ["ball-on-disc", "roller", "squalane-on-glass"] {
         let case = read(name, "");
-        let (_, start) = solve_from(&case, None, &[], &mut NoObserver).expect("a shipped case");
+        let (_, start) = solve_from(&case, None, &mut NoObserver).expect("a shipped case");
         let load = case.inputs().iter().find(|i| i.key == "contact.load");
         let load = 1.01 * load.expect("a load").value;
         let next = case
@@ -297,7 +297,7 @@ fn sensitivities(runs: usize) {
                 next.output.sensitivities = demand;
                 let clock = std::time::Instant::now();
                 let (solution, _) =
-                    solve_from(&next, Some(&start), &[], &mut NoObserver).expect("a warm solve");
+                    solve_from(&next, Some(&start), &mut NoObserver).expect("a warm solve");
                 seconds.push(clock.elapsed().as_secs_f64());
                 assert!(solution.stats.warm);
             }

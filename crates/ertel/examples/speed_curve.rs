@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut start: Option<Start> = None;
     for speed in [0.5, 1.0, 2.0, 4.0] {
         let next = case.with_values([("motion.entrainment_speed".to_owned(), speed)].into())?;
-        let (solution, end) = solve_from(&next, start.as_ref(), &[], &mut NoObserver)?;
+        let (solution, end) = solve_from(&next, start.as_ref(), &mut NoObserver)?;
         println!(
             "{speed} m/s {:.1} nm",
             solution.summary.film_central.value * 1e9

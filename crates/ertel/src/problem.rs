@@ -11,52 +11,33 @@ use crate::contact::{
     Contact, Family, Groups, Hertz, Inlet, Material, OilLayer, Outline, Planar, Scales, Shape,
     Supply, equivalent_body,
 };
-use crate::elastic::{BodyModel, Elasticity};
+use crate::elastic::Elasticity;
 use crate::film::FilmFluid;
 use crate::forms::energy::{BodyHeat, Heat};
 use crate::params::{
-    DEFAULT_MAX_UNKNOWNS, DEFAULT_MAX_UNKNOWNS_FOR_PRESSURE, DEFAULT_MAX_UNKNOWNS_OF_BODIES,
-    ElasticModel, Formulation, MeshParams,
+    DEFAULT_MAX_UNKNOWNS, DEFAULT_MAX_UNKNOWNS_OF_BODIES, ElasticModel, Formulation, MeshParams,
 };
 use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
 use crate::solution::Role;
-use crate::solve::adapt::AdaptParams;
 use crate::solve::discretisation::LevelSizes;
-use crate::solve::dry::with_dry_zone;
 use crate::solve::heat::column::Column;
 use crate::solve::heat::coupling::CouplingParams;
 use crate::solve::newton_level::NewtonParams;
-use crate::solve::sequence::{HeatPlan, Plan, Problem, Stage};
+use crate::solve::sequence::{HeatPlan, Plan, Problem, Stage, Target};
 use crate::solve::state::FilmConstants;
 pub use reliefs::{largest_cell, with_reliefs};
 
 /// Dimensionless problem of a case.
 pub fn problem(case: &Case) -> Problem {
-    make(case, Zone::Dry, None)
-}
-
-/// The same with the zone of a roller from its slices: fast, for uses that do not depend on the exact position of its rim, not
-/// for solves.
-pub fn problem_by_slices(case: &Case) -> Problem {
-    make(case, Zone::Slices, None)
+    make(case, None)
 }
 
 /// The same for a case close to that of a fluid, with which it shares tabulated properties: for residuals, not for solves.
 pub fn nearby_problem(case: &Case, own: &FilmFluid) -> Problem {
-    // Sensitivities evaluate residuals on the mesh of a solve: the position of the rim has no effect on them.
-    make(case, Zone::Slices, Some(own))
+    make(case, Some(own))
 }
 
-/// Where the zone of a roller comes from.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Zone {
-    /// Its dry contact by the elastic operator, up to seconds for a long one.
-    Dry,
-    /// Its slices, in a millisecond.
-    Slices,
-}
-
-fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
+fn make(case: &Case, own: Option<&FilmFluid>) -> Problem {
     let contact = case.contact.along_motion();
     let hertz = Hertz::new(&contact, case.reduced_modulus());
     let mut scales = scales(case, &contact, &hertz);
@@ -72,10 +53,6 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
     );
     let mesh_film = thinning::film_of_mesh(case, start_film * scales.film) / scales.film;
     let elasticity = elasticity(case, &scales);
-    let shape = match (zone, elasticity.model) {
-        (Zone::Dry, BodyModel::HalfSpace) => with_dry_zone(shape, &elasticity, scales.load),
-        _ => shape,
-    };
     let (heat, heat_plan) = heat(case, &scales).unzip();
     let (fluid, friction) = fluids(case, own, &scales, heat_plan.as_ref());
     let reach = area::reach(
@@ -99,9 +76,6 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
             case.solver.error_estimate,
             case.shear_thinning().is_some(),
             heat.is_some(),
-            // Continuations in sliding or in the shear law are known, and that of rollers in diffusion, away from the pressures at their
-            // ends that a diffusive start has smeared.
-            fluid.has_limit() || (heat.is_some() && fluid.slides()) || contact.roller.is_some(),
         ),
         mesh_film,
         thinned_share: mesh_film / start_film,
@@ -112,9 +86,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
             ..NewtonParams::default()
         },
         linear: case.solver.linear,
-        error_estimate: case.solver.error_estimate,
-        ridge_diffusion: ridge_diffusion(case),
-        adapt: refinement(case, &shape),
+        target: target(case, &shape),
         heat: heat_plan,
     };
     Problem {
@@ -202,7 +174,6 @@ fn film_constants(
         entrainment: case.motion.entrainment(scales.length),
         formulation: solver.formulation,
         isotropic_diffusion: solver.isotropic_diffusion,
-        ridge_diffusion: 0.0,
         elastic_stabilisation: solver.elastic_stabilisation,
         penalty: solver.penalty,
         penalty_scaling: solver.penalty_scaling,
@@ -211,9 +182,9 @@ fn film_constants(
     }
 }
 
-/// Refinement of the mesh to the target of the case, if it has one.
-fn refinement(case: &Case, shape: &Shape) -> Option<AdaptParams> {
-    let target = case.mesh.target_error?;
+/// Accuracy to which the meshes of a case are halved, if it has one.
+fn target(case: &Case, shape: &Shape) -> Option<Target> {
+    let error = case.mesh.target_error?;
     let most = match case.elastic_model() {
         ElasticModel::HalfSpace => DEFAULT_MAX_UNKNOWNS,
         _ => DEFAULT_MAX_UNKNOWNS_OF_BODIES,
@@ -223,29 +194,10 @@ fn refinement(case: &Case, shape: &Shape) -> Option<AdaptParams> {
         true => 1,
         false => (2.0 / shape.symmetry.multiplicity()) as usize,
     };
-    let most = case.mesh.max_unknowns.unwrap_or(parts * most);
-    let adapt = AdaptParams::new(target, case.mesh.pressure_error, most);
-    Some(match case.mesh.max_unknowns {
-        Some(_) => adapt,
-        None => AdaptParams {
-            max_unknowns_for_pressure: most.min(parts * DEFAULT_MAX_UNKNOWNS_FOR_PRESSURE),
-            ..adapt
-        },
+    Some(Target {
+        error,
+        max_unknowns: case.mesh.max_unknowns.unwrap_or(parts * most),
     })
-}
-
-/// ρ_r where the case does not set it: the thesis's method has none, a line contact's mesh resolves its spike for little.
-const RIDGE_DIFFUSION: f64 = 1.0;
-
-/// ρ_r of a case.
-fn ridge_diffusion(case: &Case) -> f64 {
-    let solver = &case.solver;
-    let suits = case.contact.kind.family() == Family::Point
-        && case.elastic_model() == ElasticModel::HalfSpace
-        && solver.formulation != Formulation::Galerkin
-        && solver.elastic_stabilisation;
-    let usual = if suits { RIDGE_DIFFUSION } else { 0.0 };
-    solver.ridge_diffusion.unwrap_or(usual)
 }
 
 /// Heat of a case and how it is solved for, if it counts and its data are complete.
@@ -294,7 +246,7 @@ fn heat(case: &Case, scales: &Scales) -> Option<(Heat, HeatPlan)> {
     Some((heat, plan))
 }
 
-/// Size of the first cells on the outlet side of the rim over that on the other, where half-spaces let the mesh be refined.
+/// Size of the first cells on the outlet side of the rim over that on the other, where the mesh of half-spaces is halved.
 ///
 /// The side lobes grow thinner with the load group than the central film that sets the sizes: h_min/h_c is 0.47 at M = 200, 0.30 at 2,000, 0.2
 /// at 10,000 (L = 5 to 10), about as M^(−1/5). Cells of the length h^(2/3) follow them; on coarser ones the film there comes out negative, and
@@ -344,13 +296,6 @@ pub fn predicted_film(case: &Case) -> f64 {
     h * along * (2.0 * g.speed).sqrt()
 }
 
-/// Whether that film is so thick compared with the contact that pressures far from it count.
-pub fn has_thick_film(case: &Case) -> bool {
-    let contact = case.contact.along_motion();
-    let hertz = Hertz::new(&contact, case.reduced_modulus());
-    outlet::is_thick(predicted_film(case) / scales(case, &contact, &hertz).film)
-}
-
 /// Scales of the variables of a case whose first principal direction is the one nearest to the motion.
 fn scales(case: &Case, contact: &Contact, hertz: &Hertz) -> Scales {
     let lubricant = &case.lubricant;
@@ -388,7 +333,7 @@ fn sizes(mesh: &MeshParams, rim_finesse: f64, film: f64) -> [LevelSizes; 2] {
     };
     // The growth of the cells away from the contact makes errors, too: it is coarsened likewise, or
     // the error estimate would not see them.
-    // Where the mesh is refined locally, its growth stays.
+    // Halved cells keep their growth.
     let doubled = |growth: f64| match mesh.target_error {
         Some(_) => growth,
         None => (2.0 * growth).min(LARGEST_GROWTH).max(growth),
@@ -416,7 +361,6 @@ fn stages(
     error_estimate: bool,
     thins: bool,
     heats: bool,
-    continuation_is_known: bool,
 ) -> Vec<Stage> {
     let [fine, coarse] = sizes(mesh, rim_finesse, film);
     let start = FilmConstants {
@@ -427,17 +371,11 @@ fn stages(
     let order = mesh.pressure_order;
     let solution = Stage {
         sizes: fine,
-        refinements: 0,
+        halvings: 0,
         pressure_order: order,
         constants,
-        viscosity_exponent: 1.0,
-        softness: 1.0,
-        sliding: 1.0,
         newtonian: false,
         heated: heats,
-        cold: false,
-        undamped: false,
-        given_up_early: continuation_is_known,
         role: Role::Final,
     };
     let start = Stage {
@@ -446,8 +384,6 @@ fn stages(
         constants: start,
         newtonian: thins,
         heated: false,
-        cold: true,
-        given_up_early: false,
         role: Role::Start,
         ..solution
     };
@@ -456,7 +392,6 @@ fn stages(
         sizes: coarse,
         newtonian: true,
         heated: false,
-        given_up_early: false,
         role: Role::Comparison,
         ..solution
     }));
@@ -467,7 +402,7 @@ fn stages(
         ..solution
     }));
     if mesh.target_error.is_some() {
-        // Refinement starts from the coarse mesh.
+        // The coarse mesh is halved.
         let first = Stage {
             sizes: coarse,
             ..solution

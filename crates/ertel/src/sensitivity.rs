@@ -1,8 +1,8 @@
 //! Derivatives of the figures of a solution by the inputs of its case file.
 //!
-//! Each input is moved a little to either side, the case is read again with it, and the two resulting problems are passed to
-//! [`crate::solve::sensitivity`]: machines, data sheets and laws of any kind need no special treatment. Where heat counts, which the adjoint
-//! does not include, the two problems are solved on the mesh of the solution.
+//! Each input is moved a little to either side, the case is read again with it, and the two resulting problems are passed to the method:
+//! machines, data sheets and laws of any kind need no special treatment. Finite volumes linearise; finite elements solve the two problems on the
+//! mesh of the solution.
 
 use std::collections::BTreeMap;
 
@@ -17,15 +17,11 @@ use crate::problem::{nearby_problem, problem};
 use crate::solution::{
     Figure, FigureSensitivity, LeftOut, Sensitivities, SensitivityInput, SensitivityMethod,
 };
-use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::figures::{Scope, figures};
-use crate::solve::sensitivity::Sensitivity;
 use crate::solve::sequence::{Plan, Problem, StageSolution, Start, solve_on_mesh};
 
-/// Steps of inputs, over their size: where the equations stay on their mesh, and where the mesh changes, whose elastic response has
-/// additional rounding.
+/// Step of an input of linearised equations, over its size.
 const STEP: f64 = 1e-5;
-const STEP_OF_SHAPE: f64 = 1e-3;
 
 /// Step of an input that is zero, over its uncertainty.
 const STEP_FROM_ZERO: f64 = 1e-3;
@@ -61,7 +57,7 @@ fn described(input: &Input) -> SensitivityInput {
     }
 }
 
-/// Derivatives of those figures that are `resolved` where heat counts: for each input two solves on the mesh of `start`, for `only_uncertain`
+/// Derivatives of those figures of finite elements that are `resolved`: for each input two solves on the mesh of `start`, for `only_uncertain`
 /// inputs or all of them.
 ///
 /// # Errors
@@ -111,8 +107,7 @@ pub fn by_differences(
                 return Ok(Err(AT_ITS_BOUND));
             };
             let mut problem = problem(&case);
-            problem.plan.adapt = None;
-            problem.plan.error_estimate = false;
+            problem.plan.target = None;
             Ok(match solve_on_mesh(&problem, start, observer)? {
                 Some(solution) => Ok(of(&problem, &solution)),
                 None => {
@@ -145,41 +140,17 @@ pub fn by_differences(
     Ok(sensitivities)
 }
 
-/// Derivatives of films, smooth pressure maximum and traction, of those that are `resolved`, by every input of an isothermal contact.
-///
-/// # Errors
-/// When the adjoints cannot be solved for.
-///
-/// # Panics
-/// For contacts with heat, which the adjoint does not reach.
-pub fn by_adjoint(
-    case: &Case,
-    problem: &Problem,
-    solution: &StageSolution,
-    rough: Option<RoughAdjoints>,
-    resolved: impl Fn(Figure) -> bool,
-) -> Result<Sensitivities, SolveError> {
-    let adjoint = Sensitivity::new(problem, solution, rough, resolved)?;
-    Ok(by_derivatives(
-        case,
-        problem,
-        &adjoint,
-        SensitivityMethod::Adjoint,
-    ))
-}
-
 /// Derivatives of the figures of a solution by every input of an isothermal contact.
 pub fn by_derivatives(
     case: &Case,
     problem: &Problem,
     solution: &impl Derivatives<Plan>,
-    by: SensitivityMethod,
 ) -> Sensitivities {
     let modulus = ByModulus::of(case);
     let mut missing = Vec::new();
     let follows = |input: &Input| modulus.as_ref().is_some_and(|m| m.follows(input));
     let inputs: Vec<&Input> = case.inputs().iter().filter(|i| !follows(i)).collect();
-    let asked = perturbed(case, problem, inputs, by, &mut missing);
+    let asked = perturbed(case, problem, inputs, &mut missing);
     let (inputs, sides): (Vec<&Input>, Vec<Perturbed<Plan>>) = asked.into_iter().unzip();
     let mut figures: Vec<FigureSensitivity> = (solution.figures().into_iter())
         .map(|figure| FigureSensitivity {
@@ -217,7 +188,7 @@ pub fn by_derivatives(
         }
     }
     Sensitivities {
-        by,
+        by: SensitivityMethod::LinearSolves,
         inputs: known,
         figures,
         left_out: missing,
@@ -229,11 +200,10 @@ fn perturbed<'a>(
     case: &Case,
     problem: &Problem,
     inputs: Vec<&'a Input>,
-    by: SensitivityMethod,
     missing: &mut Vec<LeftOut>,
 ) -> Vec<(&'a Input, Perturbed<Plan>)> {
     let both_sides: Vec<_> = (inputs.par_iter())
-        .map(|input| sides(case, problem, input, by))
+        .map(|input| sides(case, problem, input))
         .collect();
     let mut asked = Vec::new();
     for (input, sides) in inputs.into_iter().zip(both_sides) {
@@ -274,12 +244,7 @@ fn is_costly(case: &Case, input: &Input) -> bool {
 }
 
 /// The problems on either side of an input; `None` where it has no effect that a derivative could show.
-fn sides(
-    case: &Case,
-    own: &Problem,
-    input: &Input,
-    by: SensitivityMethod,
-) -> Option<Result<Perturbed<Plan>, String>> {
+fn sides(case: &Case, own: &Problem, input: &Input) -> Option<Result<Perturbed<Plan>, String>> {
     let at = |step: f64| -> Result<Perturbed<Plan>, String> {
         let side = |value: f64| {
             let values = BTreeMap::from([(input.key.clone(), value)]);
@@ -306,17 +271,7 @@ fn sides(
         0.0 => STEP_FROM_ZERO / STEP * input.uncertainty?.standard(),
         value => value.abs(),
     };
-    let sides = at(STEP * size);
-    let moves = |sides: &Perturbed<Plan>| {
-        let mut problems = sides.problems.iter();
-        // The answers of regular grids are closed forms.
-        by == SensitivityMethod::Adjoint
-            && problems.any(|problem| !own.shape.is_like(&problem.shape))
-    };
-    Some(match sides {
-        Ok(sides) if moves(&sides) => at(STEP_OF_SHAPE * size),
-        sides => sides,
-    })
+    Some(at(STEP * size))
 }
 
 /// Elastic constants of half-spaces count by the reduced modulus alone.

@@ -12,7 +12,6 @@ use ertel::contact::{Contact, ContactKind, Hertz, Symmetry};
 use ertel::elastic::Accuracy;
 use ertel::params::{Formulation, MeshParams, MeshPreset, Method};
 use ertel::problem::predicted_film;
-use ertel::solution::Role;
 use ertel::solution::{Estimate, Solution};
 use ertel::solve::contact_surface::ContactSurface;
 use ertel::solve::discretisation::{Discretisation, Extents};
@@ -174,14 +173,12 @@ fn slender(speed: f64) -> Case {
 }
 
 /// Along the longer axis of an ellipse ten times as long as wide, where cells are ten times as long: the first start leads to the case
-/// without a continuation, and the film is that of Nijenbanning, Venner and Moes (Wear 176 (1994) 217-229) within 5 %. With a diffusion that
+/// and the film is that of Nijenbanning, Venner and Moes (Wear 176 (1994) 217-229) within 5 %. With a diffusion that
 /// is as strong across the cells as along them, the start has 33 nm instead of 79.
 #[test]
 fn a_slender_ellipse_along_its_axis() {
     let case = slender(0.5);
     let solution = solved(&case);
-    let roles: Vec<Role> = solution.stats.levels.iter().map(|l| l.role).collect();
-    assert!(!roles.contains(&Role::Path), "{roles:?}");
     let film = solution.summary.film_central;
     assert_relative_eq!(film.value, predicted_film(&case), max_relative = 0.05);
 }

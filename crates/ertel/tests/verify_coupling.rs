@@ -8,7 +8,6 @@ use ertel::contact::ContactKind;
 use ertel::engine::{NoObserver, Observer};
 use ertel::reference::thermal::{ThermalReduction, thermal_loading};
 use ertel::run::{problem, solve};
-use ertel::solution::Role;
 use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
 
 /// Keeps the changes of the rounds of the last coupling.
@@ -91,13 +90,7 @@ fn rolling_at_high_speed_settles_from_the_isothermal_film() {
     let case = read(text);
     let mut rounds = Rounds::default();
     let solution = solve(&case, &mut rounds).unwrap_or_else(|e| panic!("{e}"));
-    let paths = solution
-        .stats
-        .levels
-        .iter()
-        .filter(|l| l.role == Role::Path);
     println!("{:?}", rounds.0);
-    assert_eq!(paths.count(), 0, "continuations");
     let thermal = solution.thermal.as_ref().unwrap();
     assert!(thermal.coupling.rounds <= 18, "{}", thermal.coupling.rounds);
     let left = 1.0 - thermal.reduction.as_ref().unwrap().film_central.value;

@@ -120,11 +120,6 @@ fn check(
         let unheated = column.unheated(heat);
         d = d.with_heat(1, column, unheated);
     }
-    // A share of each element in the diffusion at a ridge, from none to all.
-    d.at_ridge = (0..d.contact.n_elements())
-        .map(|c| (c % 5) as f64 / 4.0)
-        .collect();
-    let d = d;
     let rough = noise(d.pressure.n_nodes(), 3);
     let pressure: Vec<f64> = (d.pressure.points.iter().zip(&rough).zip(&d.pressure_dofs))
         .map(|((p, r), dof)| {
@@ -170,7 +165,6 @@ fn check(
             let constants = FilmConstants {
                 formulation,
                 isotropic_diffusion: diffusion,
-                ridge_diffusion: 1.4 * diffusion,
                 ..problem.plan.stages.last().unwrap().constants
             };
             let residual = |factor: f64| {

@@ -37,7 +37,6 @@ fn residual_is_relative_to_the_entrained_flow() {
     let constants = FilmConstants {
         formulation: Formulation::Galerkin,
         isotropic_diffusion: 0.0,
-        ridge_diffusion: 0.0,
         ..problem.plan.stages[0].constants
     };
     let state = State {

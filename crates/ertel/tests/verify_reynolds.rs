@@ -315,7 +315,6 @@ fn errors(
         entrainment: fields(kind)[0],
         formulation,
         isotropic_diffusion: diffusion,
-        ridge_diffusion: 0.0,
         penalty: 0.0,
         ..problem(&common::case(like, 100.0)).plan.stages[0].constants
     };

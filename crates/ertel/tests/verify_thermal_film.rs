@@ -138,20 +138,3 @@ fn heat_is_conducted_out_of_bodies_at_rest() {
     assert_relative_eq!(balance.to_bodies[1], -through, max_relative = 5e-3);
     assert!(balance.shear.abs() + balance.compression.abs() < 1e-9 * through);
 }
-
-/// A share of the sliding at the same entrainment: (u_1 + u_2)/2 stays, u_2 − u_1 is that share of itself.
-#[test]
-fn a_share_of_the_sliding_leaves_the_entrainment() {
-    let mut case = heated_case(ContactKind::Line, 4);
-    case.motion.slide_to_roll_ratio = 1.2;
-    let heat = problem(&case).heat.unwrap();
-    let u_m = case.motion.entrainment_speed;
-    for share in [0.0, 0.25, 1.0] {
-        let [plane, ball] = heat
-            .with_sliding(share)
-            .bodies
-            .map(|b| b.velocity.centre[0]);
-        assert_relative_eq!(plane + ball, 2.0 * u_m, max_relative = 1e-12);
-        assert_relative_eq!(ball - plane, 1.2 * share * u_m, epsilon = 1e-12);
-    }
-}

@@ -245,10 +245,6 @@ impl SurfaceResponse for FiniteBodies {
         self.deflection_of(&trace.loads(pressure), accuracy)
     }
 
-    fn deflect_transposed(&self, trace: &Trace, weights: &[f64], accuracy: Accuracy) -> Vec<f64> {
-        trace.loads_transposed(&self.deflection_of(weights, accuracy))
-    }
-
     fn respond(&self, _: &Trace, loads: &[f64]) -> Vec<f64> {
         self.deflect_loads(loads)
     }

@@ -111,16 +111,6 @@ impl SurfaceResponse for HalfSpace {
         self.deflect_values(&trace.values(pressure), accuracy)
     }
 
-    fn deflect_transposed(&self, trace: &Trace, weights: &[f64], accuracy: Accuracy) -> Vec<f64> {
-        let mut nodes = self.potential().apply_transposed(weights, accuracy);
-        nodes.iter_mut().for_each(|v| *v *= self.factor);
-        if let Some(lift) = &self.lift {
-            let sum: f64 = weights.iter().sum();
-            nodes.iter_mut().zip(lift).for_each(|(v, l)| *v += l * sum);
-        }
-        trace.values_transposed(&nodes)
-    }
-
     fn respond(&self, trace: &Trace, loads: &[f64]) -> Vec<f64> {
         self.deflect_values(&trace.density(loads), Accuracy::Krylov)
     }

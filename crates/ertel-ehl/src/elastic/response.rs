@@ -7,9 +7,6 @@ pub trait SurfaceResponse: Send + Sync {
     /// Deflection at the deflection nodes under nodal pressures.
     fn deflect(&self, trace: &Trace, pressure: &[f64], accuracy: Accuracy) -> Vec<f64>;
 
-    /// The transpose: from weights of the deflection nodes to weights of the pressure nodes.
-    fn deflect_transposed(&self, trace: &Trace, weights: &[f64], accuracy: Accuracy) -> Vec<f64>;
-
     /// Deflection under loads ∫p N of the deflection nodes.
     fn respond(&self, trace: &Trace, loads: &[f64]) -> Vec<f64>;
 

@@ -33,10 +33,6 @@ impl SurfaceResponse for Series {
         self.sum(|part| part.deflect(trace, pressure, accuracy))
     }
 
-    fn deflect_transposed(&self, trace: &Trace, weights: &[f64], accuracy: Accuracy) -> Vec<f64> {
-        self.sum(|part| part.deflect_transposed(trace, weights, accuracy))
-    }
-
     fn respond(&self, trace: &Trace, loads: &[f64]) -> Vec<f64> {
         self.sum(|part| part.respond(trace, loads))
     }

@@ -119,20 +119,6 @@ impl Trace {
         loads
     }
 
-    /// The transpose: ∫δ N of the pressure nodes.
-    pub fn loads_transposed(&self, deflection: &[f64]) -> Vec<f64> {
-        let mut sums = vec![0.0; self.n_pressure_nodes];
-        for (below, nodes, block) in self.elements() {
-            for (row, node) in block.chunks_exact(nodes.len()).zip(below) {
-                let value = deflection[*node as usize];
-                for (entry, target) in row.iter().zip(nodes) {
-                    sums[*target as usize] += entry * value;
-                }
-            }
-        }
-        sums
-    }
-
     /// Nodes of the pressure in the element of a deflection node, and their shape functions there.
     fn at_node(&self, (element, place): (u32, u32)) -> (&[u32], &[f64]) {
         let (n, _) = self.per_element();
@@ -163,21 +149,6 @@ impl Trace {
                     .sum()
             })
             .collect()
-    }
-
-    /// The transpose of that.
-    pub fn values_transposed(&self, weights: &[f64]) -> Vec<f64> {
-        if self.is_one_space() {
-            return weights.to_vec();
-        }
-        let mut sums = vec![0.0; self.n_pressure_nodes];
-        for (owner, weight) in self.owners.iter().zip(weights) {
-            let (nodes, basis) = self.at_node(*owner);
-            for (n, b) in nodes.iter().zip(basis) {
-                sums[*n as usize] += b * weight;
-            }
-        }
-        sums
     }
 
     /// Nodal values q at the deflection nodes of the pressure that has given loads, ∫q N = f, by conjugate gradients.

@@ -7,6 +7,7 @@
 //! both provide: the fields at its quadrature points and at any place.
 
 pub mod around;
+pub mod bars;
 pub mod coupling;
 mod error;
 pub mod far_field;

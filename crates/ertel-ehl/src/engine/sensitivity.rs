@@ -6,11 +6,6 @@ use crate::solution::Figure;
 /// The reason why derivatives by an input are unavailable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoDerivative {
-    /// It changes the response of a finite-element body.
-    #[error(
-        "it changes the compliance of finite-element bodies; with half-spaces the derivative is available"
-    )]
-    FiniteElements,
     /// It moves the edge of the contact area.
     #[error("it moves the edge of the contact area")]
     Edge,

@@ -514,24 +514,6 @@ fn first_order<const ACROSS: bool>(tau: [f64; 2], m: &Moments) -> Closure {
     closure
 }
 
-/// Closure of a law for the demands of a similar law, whose mid-plane stress is τ and whose points are in `rule`: one Newton step
-/// from there, and first derivatives only.
-#[inline(always)]
-pub fn close_nearby<const ACROSS: bool>(
-    law: &impl UniformFluidity,
-    tau: [f64; 2],
-    pressure_stress: [f64; 2],
-    sliding_stress: [f64; 2],
-    rule: &CrossFilm,
-) -> Closure {
-    let now = rate(law, rule, tau, pressure_stress, 0.0);
-    let excess = [0, 1].map(|i| now.excess[i] - sliding_stress[i]);
-    let step = solve(now.slopes, excess);
-    let tau = [tau[0] - step[0], tau[1] - step[1]];
-    let m = Moments::new::<false>(law, rule, tau, pressure_stress);
-    first_order::<ACROSS>(tau, &m)
-}
-
 /// A number, or several side by side.
 pub(super) trait Number: Copy + Add<Output = Self> + Mul<Output = Self> {}
 

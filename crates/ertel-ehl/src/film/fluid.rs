@@ -30,8 +30,6 @@ use crate::contact::{Planar, Scales};
 #[derive(Clone, Debug)]
 pub struct FilmFluid {
     properties: Arc<Properties>,
-    /// Exponent θ of the viscosity in force, μ̄^θ.
-    viscosity_exponent: f64,
     /// a p_h/R, Pa.
     stress_scale: f64,
     /// How stress thins the fluid.
@@ -58,7 +56,6 @@ impl FilmFluid {
     fn with_properties(properties: Properties, scales: &Scales) -> FilmFluid {
         FilmFluid {
             properties: Arc::new(properties),
-            viscosity_exponent: 1.0,
             stress_scale: scales.pressure * scales.film / scales.length,
             shear_thinning: None,
             slide: Planar::default(),
@@ -182,9 +179,9 @@ impl FilmFluid {
     /// ρ̄ and ln μ̄ of the fluid at P, or at P = 0 for pressures below.
     #[inline(always)]
     fn in_force(&self, pressure: f64, [mut rho, mut ln_mu]: [Jet2; 2]) -> [Jet2; 2] {
-        if self.viscosity_exponent != 1.0 || ln_mu.value > SOLID {
+        if ln_mu.value > SOLID {
             let x = Dual2_64::from_re(ln_mu.value).derivative();
-            ln_mu = ln_mu.through(jet(saturate(x * self.viscosity_exponent)));
+            ln_mu = ln_mu.through(jet(saturate(x)));
         }
         if pressure < 0.0 {
             let p = Dual2_64::from_re(pressure).derivative();
@@ -273,11 +270,6 @@ impl FilmFluid {
         Some(thinning.at(pressure, self.stress_scale, self.properties.pressure_scale))
     }
 
-    /// How stress thins the fluid.
-    pub(super) fn thinning(&self) -> Option<&Arc<Thinning>> {
-        self.shear_thinning.as_ref()
-    }
-
     /// Requirements on a quadrature across the film at P; `None` where the fluid is Newtonian.
     pub(super) fn stress_scales(&self, pressure: f64) -> Option<StressScales> {
         Some(self.thinning_at(pressure)?.scales())
@@ -333,14 +325,6 @@ impl FilmFluid {
         }
     }
 
-    /// The same fluid with a power of its relative viscosity, μ̄^θ: with θ < 1 an easier one, for continuation.
-    pub fn with_viscosity_exponent(&self, exponent: f64) -> FilmFluid {
-        FilmFluid {
-            viscosity_exponent: exponent,
-            ..self.clone()
-        }
-    }
-
     /// The same fluid with shear rates that grow less with the stress where they grow exponentially, by a factor `softness` ≥ 1
     /// ([`Thinning::softened`]): an easier one, for continuation.
     pub fn with_softness(&self, softness: f64) -> FilmFluid {
@@ -350,14 +334,6 @@ impl FilmFluid {
                 ..self.clone()
             },
             _ => self.clone(),
-        }
-    }
-
-    /// The same fluid between surfaces that slide by a share of their sliding.
-    pub fn with_sliding(&self, share: f64) -> FilmFluid {
-        FilmFluid {
-            slide: self.slide.times(share),
-            ..self.clone()
         }
     }
 
@@ -382,7 +358,7 @@ impl FilmFluid {
     /// ρ̄, μ̄ and their first two derivatives by P.
     pub fn at(&self, pressure: f64) -> PointFluid {
         let [mut rho, ln_mu] = self.properties.at(pressure.max(0.0));
-        let ln_mu = saturate(dual(ln_mu) * self.viscosity_exponent);
+        let ln_mu = saturate(dual(ln_mu));
         let mut mu = ln_mu.exp();
         if pressure < 0.0 {
             let p = Dual2_64::from_re(pressure).derivative();

@@ -5,7 +5,6 @@ pub mod cross_film;
 pub mod fluid;
 pub mod fluidity;
 pub mod lanes;
-pub mod nearby;
 mod patches;
 pub mod point;
 pub mod polynomial;

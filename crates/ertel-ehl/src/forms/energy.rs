@@ -100,21 +100,6 @@ impl Heat {
             t + share * (body.bulk_temperature - inlet)
         })
     }
-
-    /// The same contact between surfaces that slide by a share of their sliding, at the same entrainment.
-    #[must_use]
-    pub fn with_sliding(&self, share: f64) -> Heat {
-        let mut heat = self.clone();
-        if share == 1.0 {
-            return heat;
-        }
-        let mean = self.mean_velocity();
-        for body in &mut heat.bodies {
-            let own = body.velocity.plus(&mean.times(-1.0));
-            body.velocity = mean.plus(&own.times(share));
-        }
-        heat
-    }
 }
 
 /// A place in one of the layers.

@@ -7,7 +7,6 @@
 //!   + Σ_e ∫ τ (R − f) [β·∇W]                                  SUPG
 //!   + Σ_e ∫ τ (R − f) [β·∇W − ∇·(ε∇W)]                        GLS
 //!   + Σ_e ∫ ρ_id h_e H ∂ρ̄/∂P/(2l) (T∇P)·∇W                    isotropic diffusion
-//!   + Σ_e ∫ ρ_r h_e (H ∂ρ̄/∂P + c ρ̄ h_e)/(2l) (T∇P)·∇W       diffusion at a ridge
 //!   + Σ_e ∫ (coth Pe_δ − 1/Pe_δ) ρ̄/h_e κP κW                  unresolved pressure
 //!
 //!   β = (H ∂ρ̄/∂P + c ρ̄ h_e) ū,  τ = h_e/(2l|β|) (coth Pe − 1/Pe),  Pe = |β|h_e/(2lr²ε),  l the order
@@ -27,10 +26,6 @@
 //! term remains in the equation; then a pressure of higher order than the deflection has modes without
 //! deflection. Only the last term controls these; on smooth pressures it vanishes with the order of the
 //! deflection. Both can be switched off (`elastic_stabilisation`).
-//!
-//! Before the outlet the pressure has a ridge that falls off within a thousandth of the contact. On elements that do not resolve it,
-//! pressures of high order overshoot there, and Newton's method does not converge; there alone, ρ_r > 0 (see `solve::ridge`). It is
-//! proportional to h_e², and its effect on the films is part of their error estimates.
 //!
 //! Habchi 2008, eqs. 2.29, 3.8, 3.9, 3.13 to 3.18, 4.12; f = 0 but for manufactured solutions. The
 //! convection term is integrated by parts, so that the discrete equation conserves mass.
@@ -60,8 +55,6 @@ pub struct ElementConstants {
     pub formulation: Formulation,
     /// ρ_id.
     pub isotropic_diffusion: f64,
-    /// ρ_r, where the pressure has a ridge.
-    pub ridge_diffusion: f64,
     /// T, xx, xy, yy; `None`: the unit tensor.
     pub diffusion_tensor: Option<[f64; 3]>,
     /// r².
@@ -98,8 +91,6 @@ pub struct TestCoefficients<D> {
     pub laplacian: D,
     /// d.
     pub unresolved: D,
-    /// τ(R − f): approximately the part of the pressure that the elements do not resolve.
-    pub missed: D,
 }
 
 /// Deflection of a pressure that varies from element to element, in units of h_e times the pressure: a
@@ -141,16 +132,10 @@ pub fn reynolds_point<D: Number>(
         ],
         laplacian: zero,
         unresolved: zero,
-        missed: zero,
     };
     let l2 = 2.0 * e.order as f64;
     if e.isotropic_diffusion != 0.0 {
         let diffusion = h * m.density_slope * (e.isotropic_diffusion * e.size / l2);
-        e.diffuse(diffusion, s.pressure_gradient, &mut test.gradient);
-    }
-    if e.ridge_diffusion != 0.0 {
-        let beta = h * m.density_slope + m.density * (DEFLECTION_SHARE * e.size);
-        let diffusion = beta * (e.ridge_diffusion * e.size / l2);
         e.diffuse(diffusion, s.pressure_gradient, &mut test.gradient);
     }
     if e.formulation == Formulation::Galerkin {
@@ -177,7 +162,6 @@ pub fn reynolds_point<D: Number>(
     let peclet = beta * (u.hypot(v) * e.size / l2) / spread;
     let tau = upwind(peclet) * (e.size * e.size / (l2 * l2)) / spread;
     let weight = tau * residual;
-    test.missed = weight;
     test.gradient[0] += weight * beta * u;
     test.gradient[1] += weight * beta * v;
     if e.formulation == Formulation::Gls {

@@ -49,8 +49,7 @@ pub use sensitivities::{
 };
 pub use separation::{BOUNDARY_BELOW, FULL_FROM, Separation, roughness_warning};
 pub use starvation::Starvation;
-pub(crate) use stats::solved;
-pub use stats::{BeyondEdges, ErrorEstimate, LevelStats, Stats, TemperatureErrors, Timings};
+pub use stats::{LevelStats, Stats, Timings};
 pub use summary::Summary;
 pub use thermal::{
     Coupling, CrossProfile, FilmTemperatures, HeatBalance, TemperatureField, Thermal,

@@ -21,8 +21,6 @@ pub struct Sensitivities {
 /// How derivatives are found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SensitivityMethod {
-    /// An adjoint for each figure: those of the discrete solution.
-    Adjoint,
     /// A linear solve for each input on coarser grids, good to a few per cent of the largest.
     LinearSolves,
     /// Differences of two solves for each input, good to about a per cent.
@@ -33,7 +31,6 @@ impl SensitivityMethod {
     /// In words.
     pub fn words(self) -> &'static str {
         match self {
-            SensitivityMethod::Adjoint => "adjoint",
             SensitivityMethod::LinearSolves => "linear solves",
             SensitivityMethod::Differences => "differences of solves",
         }

@@ -34,71 +34,8 @@ pub struct LevelStats {
     /// largest pressure.
     #[serde(flatten)]
     pub figures: Figures,
-    /// Estimated errors, uncalibrated; `None` where none were.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub estimate: Option<ErrorEstimate>,
-    /// Wall seconds: mesh, elastic operator, assembly, preconditioner, Krylov, error estimate, the rest.
+    /// Wall seconds: mesh, elastic operator, assembly, preconditioner, Krylov, the rest.
     pub seconds: Timings,
-}
-
-/// Estimated errors on one mesh, uncalibrated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct ErrorEstimate {
-    /// Relative errors of central and minimum film from the cells.
-    pub films: [f64; 2],
-    /// Relative change of both films by the diffusion at ridges.
-    #[serde(skip_serializing_if = "are_zero")]
-    pub ridge: [f64; 2],
-    /// The same from the edges of the contact area, and from pressures below zero behind the film.
-    pub edges: [f64; 2],
-    /// Relative error of both films from pressures that the cells do not resolve.
-    pub unresolved: f64,
-    /// Root-mean-square error of the pressure over the dry contact, over p_h.
-    pub pressure: f64,
-    /// Root-mean-square error of the pressure in the cells around its largest value, Pa.
-    pub largest: f64,
-    /// The same around the top of the central hill, Pa.
-    pub central_pressure: f64,
-    /// By how much the ridge may be higher, Pa; zero without one.
-    pub ridge_pressure: f64,
-    /// Root-mean-square error around the spike on the centreline, Pa; zero without one.
-    pub spike: f64,
-    /// The same around the edge pressures at y < 0 and y > 0 of a roller, Pa; zero without them.
-    #[serde(skip_serializing_if = "are_zero")]
-    pub ends: [f64; 2],
-    /// Error of the largest shear stress from the slopes of the pressure, Pa.
-    pub shear_stress: f64,
-    /// Share of the Hertz zone that its boundary is uncertain by for the points at which the film is evaluated.
-    pub share_of_point: f64,
-    /// Rolling friction beyond the edges of the contact area.
-    pub beyond_edges: BeyondEdges,
-    /// Errors of the temperatures; zero where there are none, and where they are not of linear elements.
-    pub temperatures: TemperatureErrors,
-}
-
-/// Whether there is nothing to write.
-fn are_zero(values: &[f64; 2]) -> bool {
-    *values == [0.0; 2]
-}
-
-/// Share of the rolling friction between edges of the contact area that are set by hand and the default ones.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct BeyondEdges {
-    /// Traction coefficient at each wall.
-    pub traction: f64,
-    /// Friction power, W or W/m.
-    pub power: f64,
-    /// Share of the distance to the edges that is cut off.
-    pub cut: f64,
-}
-
-/// How far temperatures of linear elements are from those by recovered gradients, K.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct TemperatureErrors {
-    /// At most, around the largest and the lowest temperature of the film, and the largest ones of body 1 and body 2.
-    pub local: [f64; 4],
-    /// Root mean square over the Hertz zone, at mid-film.
-    pub rms: f64,
 }
 
 /// Wall-clock split of the work, s.
@@ -116,8 +53,6 @@ pub struct Timings {
     pub krylov: f64,
     /// Temperatures.
     pub heat: f64,
-    /// Error estimate: adjoints and misfits.
-    pub estimate: f64,
     /// Everything else: spaces, starts, step limits, figures of the level.
     pub other: f64,
 }
@@ -125,13 +60,7 @@ pub struct Timings {
 impl Timings {
     /// Sum of all parts but the rest.
     pub fn known(&self) -> f64 {
-        self.mesh
-            + self.operator
-            + self.assembly
-            + self.factorisation
-            + self.krylov
-            + self.heat
-            + self.estimate
+        self.mesh + self.operator + self.assembly + self.factorisation + self.krylov + self.heat
     }
 }
 
@@ -153,7 +82,7 @@ pub struct Stats {
 impl Stats {
     /// The level of the solution; failed attempts after it follow it.
     pub fn solved(&self) -> Option<&LevelStats> {
-        solved(&self.levels)
+        (self.levels.iter().rev()).find(|l| l.converged && l.role == Role::Final)
     }
 }
 
@@ -169,9 +98,4 @@ impl LevelStats {
         self.n_contact_elements == other.n_contact_elements
             && self.pressure_order == other.pressure_order
     }
-}
-
-/// The last level that is a solution.
-pub(crate) fn solved(levels: &[LevelStats]) -> Option<&LevelStats> {
-    (levels.iter().rev()).find(|l| l.converged && l.role == Role::Final)
 }

@@ -134,7 +134,7 @@ mod tests {
             uncertainty: standard.map(|standard| Uncertainty::Normal { standard }),
         };
         Sensitivities {
-            by: SensitivityMethod::Adjoint,
+            by: SensitivityMethod::LinearSolves,
             inputs: vec![
                 input("a", 2.0, Some(0.1)),
                 input("b", 5.0, Some(0.2)),

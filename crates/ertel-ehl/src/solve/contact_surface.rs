@@ -97,20 +97,15 @@ impl ContactSurface {
         ContactSurface::on(shape, extents, mesh, seconds, elasticity, stop)
     }
 
-    /// The same with elements halved `halvings` times in length, and others as conformity demands.
+    /// The same with every element halved in length.
     ///
     /// # Errors
     /// As [`ContactSurface::new`].
-    pub fn refined(&self, halvings: &[u32], stop: Stop) -> Result<ContactSurface, FiniteBodyError> {
+    pub fn halved(&self, stop: Stop) -> Result<ContactSurface, FiniteBodyError> {
         let start = Instant::now();
-        let sizes: Vec<f64> = halvings
-            .iter()
-            .enumerate()
-            .map(|(c, n)| match n {
-                0 => f64::INFINITY,
-                // a little more, for rounding
-                n => 1.001 * self.longest_unit_edge(c) / f64::from(1u32 << n),
-            })
+        // A little more, for rounding.
+        let sizes: Vec<f64> = (0..self.n_elements())
+            .map(|c| 0.5005 * self.longest_unit_edge(c))
             .collect();
         let mesh = match &self.support {
             Support::Surface(surface) => Mesh::Surface(Arc::new(surface.refined(&sizes)?)),
@@ -133,19 +128,6 @@ impl ContactSurface {
             shape: self.shape.clone().with_inlet(inlet),
             ..self.clone()
         }
-    }
-
-    /// The same mesh, moved along, around a contact of another shape; `None` above finite-element bodies, whose meshes do not move.
-    pub fn reshaped(&self, shape: &Shape, stop: Stop) -> Option<ContactSurface> {
-        let Support::Surface(mesh) = &self.support else {
-            return None;
-        };
-        let mesh = Mesh::Surface(mesh.clone());
-        let mut shape = shape.clone();
-        if let (Some(own), Some(other)) = (&self.shape.zone.roller, &shape.zone.roller) {
-            shape.zone.roller = Some(Arc::new(own.drawn_to(other.half_length())));
-        }
-        ContactSurface::on(&shape, &self.extents, mesh, 0.0, &self.elasticity, stop).ok()
     }
 
     /// Makes the elastic response of a mesh.

@@ -38,18 +38,11 @@ pub struct Discretisation {
     pub load: Vec<f64>,
     /// Operator from pressures to deflections.
     pub trace: Arc<Trace>,
-    /// Share of each element in the diffusion at a ridge of the pressure; empty: none.
-    pub at_ridge: Vec<f64>,
     /// Temperatures, where heat counts.
     pub heat: Option<Arc<HeatSpace>>,
 }
 
 impl Discretisation {
-    /// Share of an element in the diffusion at a ridge of the pressure.
-    pub fn share_at_ridge(&self, c: usize) -> f64 {
-        self.at_ridge.get(c).copied().unwrap_or(0.0)
-    }
-
     /// Pressure space of the given order on a contact area.
     pub fn new(contact: &Arc<ContactSurface>, pressure_order: usize) -> Discretisation {
         let surface = &contact.surface;
@@ -102,7 +95,6 @@ impl Discretisation {
             pressure_unresolved,
             deflection_table,
             load,
-            at_ridge: Vec::new(),
             heat: None,
         }
     }
@@ -141,18 +133,6 @@ impl Discretisation {
         self.contact
             .response
             .deflect(&self.trace, pressure, accuracy)
-    }
-
-    /// Weights of the pressure unknowns that correspond to `weights` of the surface nodes' deflections.
-    pub fn deflect_transposed(&self, weights: &[f64], accuracy: Accuracy) -> Vec<f64> {
-        let nodes = (self.contact.response).deflect_transposed(&self.trace, weights, accuracy);
-        let mut unknowns = vec![0.0; self.n_pressure];
-        for (value, dof) in nodes.iter().zip(&self.pressure_dofs) {
-            if *dof != CONSTRAINED {
-                unknowns[*dof as usize] = *value;
-            }
-        }
-        unknowns
     }
 
     /// ∫P over the contact area.

@@ -15,8 +15,8 @@ use crate::forms::flow::{
 };
 use crate::forms::reynolds::{ElementConstants, TestCoefficients, reynolds_point};
 
-/// Sums for each pressure node in addition to the blocks: ∂R/∂H0, R, entrainment, and its share of ∫(τR)².
-pub const N_SUMS: usize = 4;
+/// Sums for each pressure node in addition to the blocks: ∂R/∂H0, R and entrainment.
+pub const N_SUMS: usize = 3;
 
 /// Coefficients of a test function: W, W_x, W_y, ΔW, κW.
 const N_TEST: usize = 5;
@@ -42,10 +42,6 @@ pub struct Assembler<'a> {
     constants: &'a FilmConstants,
     state: &'a State,
     source: Source<'a>,
-    /// Share of the length over which a gap fills up.
-    filling: f64,
-    /// Share of the diffusion at a ridge.
-    ridge: f64,
     kernel: Kernel<'a>,
 }
 
@@ -73,8 +69,6 @@ struct Point {
     slopes: [[f64; GENERALIZED]; N_TEST],
     /// ρ̄Hū.
     entrainment: [f64; 2],
-    /// τR.
-    missed: f64,
 }
 
 impl<'a> Assembler<'a> {
@@ -98,27 +92,7 @@ impl<'a> Assembler<'a> {
             constants,
             state,
             source,
-            filling: 1.0,
-            ridge: 1.0,
             kernel,
-        }
-    }
-
-    /// The same where a gap fills up over a share of the length.
-    #[must_use]
-    pub fn filling_over(&self, share: f64) -> Assembler<'a> {
-        Assembler {
-            filling: share,
-            ..*self
-        }
-    }
-
-    /// The same without the diffusion at a ridge.
-    #[must_use]
-    pub fn without_ridge_diffusion(&self) -> Assembler<'a> {
-        Assembler {
-            ridge: 0.0,
-            ..*self
         }
     }
 
@@ -144,10 +118,7 @@ impl<'a> Assembler<'a> {
         let d = self.d;
         let order = d.pressure.element.order();
         let oil_layer = d.contact.shape.inlet.layer().copied();
-        let mut local =
-            (self.constants).on_element(d.contact.cell(c), order, oil_layer, d.share_at_ridge(c));
-        local.ridge_diffusion *= self.ridge;
-        local.filling_length *= self.filling;
+        let local = (self.constants).on_element(d.contact.cell(c), order, oil_layer);
         element.points.clear();
         element.pressure.resize(d.rule.len() * N_LISTS * N, 0.0);
         element.deflection.resize(d.rule.len() * 3 * M, 0.0);
@@ -275,7 +246,6 @@ impl<'a> Assembler<'a> {
                 value: [0.0; N_TEST],
                 slopes: [[0.0; GENERALIZED]; N_TEST],
                 entrainment: [0.0; 2],
-                missed: 0.0,
             });
         }
     }
@@ -329,7 +299,6 @@ impl<'a> Assembler<'a> {
                 sums[0] += by[4];
                 sums[1] += value;
                 sums[2] += test[1] * point.entrainment[0] + test[2] * point.entrainment[1];
-                sums[3] += test[0] * point.missed * point.missed;
             }
         }
         for (i, row) in block.chunks_exact_mut(n + m).enumerate() {
@@ -497,7 +466,6 @@ impl Point {
             slopes[..S].copy_from_slice(&t.slopes);
         }
         self.entrainment = carried.map(|c| c * self.state[4]);
-        self.missed = t.missed.re;
     }
 }
 

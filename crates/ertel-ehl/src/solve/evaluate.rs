@@ -62,17 +62,17 @@ pub fn minimum_film(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
 
 /// Thinnest point of an element.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Thinnest {
+struct Thinnest {
     /// Film there.
-    pub film: f64,
+    film: f64,
     /// The element.
-    pub cell: usize,
+    cell: usize,
     /// The point in it.
-    pub xi: [f64; 3],
+    xi: [f64; 3],
 }
 
 /// The thinnest point of each element on a lattice.
-pub(super) fn thinnest_points(d: &Discretisation, state: &State) -> Vec<Thinnest> {
+fn thinnest_points(d: &Discretisation, state: &State) -> Vec<Thinnest> {
     let lattice = Lattice::new(&d.contact.deflection.element, THINNEST_LATTICE);
     let thinnest = |cell: usize| {
         let mut best = Thinnest {
@@ -92,7 +92,7 @@ pub(super) fn thinnest_points(d: &Discretisation, state: &State) -> Vec<Thinnest
 }
 
 /// The film and the place of the thinnest point of an element, from that of the lattice.
-pub(super) fn refined(d: &Discretisation, state: &State, start: Thinnest) -> (f64, [f64; 2]) {
+fn refined(d: &Discretisation, state: &State, start: Thinnest) -> (f64, [f64; 2]) {
     let start = (start.film, start.cell, start.xi);
     let (h, cell, xi) = thinnest_in(d, state, start, 0.5 / THINNEST_LATTICE as f64);
     (h, d.contact.point(cell, xi))

@@ -12,14 +12,12 @@
 //!
 //! Theory: How it is solved.
 
-use std::cell::RefCell;
-
 use super::discretisation::Discretisation;
 use super::monolithic::BodyMatrices;
 use super::newton_level::{
     FilmModel, Method, NewtonLevel, NewtonParams, NewtonStats, NewtonStatus, RunLabel,
 };
-use super::preconditioner::{NearStiffness, Preconditioner};
+use super::preconditioner::NearStiffness;
 use super::state::State;
 use super::step::{Step, StepSolver, dot};
 use crate::elastic::Accuracy;
@@ -27,7 +25,7 @@ use crate::engine::{Observer, SolveError, Stopped};
 use crate::film::FilmFluid;
 use crate::params::LinearSolver;
 use crate::solution::IterationRecord;
-use crate::solve::evaluate::{central_film, minimum_film};
+use crate::solve::evaluate::central_film;
 use crate::solve::points::films_and_changes;
 use crate::solve::tuning::newton::{
     FAR_OUT, LONGEST_STRIDE, MOST_RISE, PREDICTED_FROM, PREDICTED_ORDER, SMALLEST_EXPONENTIAL_SHARE,
@@ -48,20 +46,6 @@ impl<'a> NewtonLevel<'a> {
             discretisation,
             method,
             load,
-            kept: RefCell::default(),
-        }
-    }
-
-    /// The preconditioner of the last converged run, once.
-    pub(super) fn take_preconditioner(&self) -> Option<Preconditioner> {
-        self.kept.take()
-    }
-
-    /// Data shared by the preconditioners of this level, where its systems are solved by iterations.
-    pub(super) fn near(&self) -> Option<&NearStiffness> {
-        match &self.method {
-            Method::Condensed(near) => Some(near),
-            Method::Monolithic(_) => None,
         }
     }
 
@@ -166,7 +150,7 @@ impl<'a> NewtonLevel<'a> {
                 shortened = true;
             };
             solver.stats.iterations += 1;
-            let before = std::mem::replace(state, next_state);
+            *state = next_state;
             observer.iteration(&IterationRecord {
                 level: label.level,
                 pressure_order: self.discretisation.pressure.element.order(),
@@ -191,8 +175,7 @@ impl<'a> NewtonLevel<'a> {
             let done = params.foresight
                 && predicted < params.update_tolerance
                 && next_system.relative_residual() < params.residual_tolerance;
-            if (converged || done) && self.films_settled(params, &before, state) {
-                self.kept.replace(solver.into_preconditioner());
+            if converged || done {
                 return Ok(NewtonStatus {
                     residual: next_system.relative_residual(),
                     update,
@@ -207,17 +190,6 @@ impl<'a> NewtonLevel<'a> {
             step = solver.newton_step(&system, state)?;
         }
         unreachable!("the last iteration returns")
-    }
-
-    /// Whether a step has changed central and minimum film by no more than a run may that has converged.
-    fn films_settled(&self, params: &NewtonParams, before: &State, after: &State) -> bool {
-        let films = |state| {
-            let d = self.discretisation;
-            [central_film(d, state), minimum_film(d, state).0]
-        };
-        params.film_tolerance.is_infinite()
-            || (films(before).iter().zip(films(after)))
-                .all(|(a, b)| (a - b).abs() <= params.film_tolerance * b.abs())
     }
 
     /// Multiple of a step, a power of two, up to which the residual falls by half with each doubling.

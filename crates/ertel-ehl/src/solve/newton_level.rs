@@ -1,10 +1,8 @@
 //! A level for Newton's method: its equations, settings, effort and state.
 
-use std::cell::RefCell;
-
 use super::discretisation::Discretisation;
 use super::monolithic::BodyMatrices;
-use super::preconditioner::{NearStiffness, Preconditioner};
+use super::preconditioner::NearStiffness;
 use super::state::FilmConstants;
 use crate::engine::SolveError;
 use crate::film::FilmFluid;
@@ -17,8 +15,6 @@ pub struct NewtonParams {
     pub update_tolerance: f64,
     /// Largest relative residual at which the run has converged.
     pub residual_tolerance: f64,
-    /// Largest relative change of central and minimum film in the last step of a run that has converged; infinite where pressures decide.
-    pub film_tolerance: f64,
     /// Iterations allowed.
     pub max_iterations: usize,
     /// Iterations without a smaller update after which the run stops because the updates cycle.
@@ -46,7 +42,6 @@ impl Default for NewtonParams {
         NewtonParams {
             update_tolerance: 1e-8,
             residual_tolerance: 1e-8,
-            film_tolerance: f64::INFINITY,
             max_iterations: 60,
             patience: 20,
             rise_limit: 0.2,
@@ -128,8 +123,6 @@ pub struct NewtonLevel<'a> {
     pub(super) method: Method,
     /// Target of ∫P.
     pub load: f64,
-    /// Preconditioner of the last converged run, for similar systems.
-    pub(super) kept: RefCell<Option<Preconditioner>>,
 }
 
 /// How the linear systems of a level are solved.

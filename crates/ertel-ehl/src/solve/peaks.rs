@@ -5,7 +5,7 @@
 
 use super::discretisation::Discretisation;
 use super::evaluate::largest_of_elements;
-use super::neighbours::Neighbours;
+use super::neighbours::neighbours;
 use super::state::State;
 use crate::engine::hills::hills;
 
@@ -31,7 +31,7 @@ pub(super) fn peaks(
     let (centre, _) = d.contact.locator.find(surface, [0.0; 2])?;
     let tops = largest_of_elements(d, state);
     let values: Vec<f64> = tops.iter().map(|(p, _)| *p).collect();
-    let hills = hills(&values, &Neighbours::new(surface).of, centre);
+    let hills = hills(&values, &neighbours(surface), centre);
     let others = hills.others.into_iter().map(|c| tops[c]);
     Some(Peaks {
         central: tops[hills.central],

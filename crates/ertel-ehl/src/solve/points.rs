@@ -9,10 +9,8 @@
 use ertel_fem::element::Tabulation;
 
 use super::discretisation::Discretisation;
-use super::element::Metric;
 use super::state::State;
 use crate::engine::PointFields;
-use crate::forms::flow::PointState;
 use crate::forms::oil_layer::{filling_length, missing};
 
 /// Fields at any place; `None` outside the contact area.
@@ -63,69 +61,6 @@ pub fn fields_from(
     let basis = of_point(deflection, q).iter().copied();
     (fields.place, fields.deflection) = surface(d, &state.deflection, cell, basis, 0.0);
     with_film(fields, d, state, cell)
-}
-
-/// State and place at the `q`-th quadrature point of an element, with derivatives of pressure and film.
-pub(super) fn point_state(
-    d: &Discretisation,
-    state: &State,
-    metric: &Metric,
-    cell: usize,
-    q: usize,
-) -> ([f64; 2], PointState<f64>) {
-    let [pressure, px, py, _, unresolved, xx, xy, yy] =
-        pressure_sums(d, &state.pressure, metric, cell, q);
-    let table = &d.deflection_table;
-    let (mut place, mut film) = ([0.0; 2], [state.rigid_separation, 0.0, 0.0]);
-    for (j, node) in d.contact.deflection.nodes_of(cell).iter().enumerate() {
-        let (k, v) = (q * table.n_nodes + j, state.deflection[*node as usize]);
-        let [gx, gy] = metric.gradient(&table.gradients[k]);
-        let basis = [table.values[k], gx, gy];
-        film.iter_mut().zip(basis).for_each(|(s, b)| *s += v * b);
-        let at_node = d.contact.deflection.points[*node as usize];
-        for (x, at) in place.iter_mut().zip(at_node) {
-            *x += table.values[k] * at;
-        }
-    }
-    let gap = d.contact.shape.gap.at(place);
-    let state = PointState {
-        pressure,
-        pressure_gradient: [px, py],
-        pressure_unresolved: unresolved,
-        pressure_curvature: [xx, xy, yy],
-        film: film[0] + gap.value,
-        film_gradient: [film[1] + gap.gradient[0], film[2] + gap.gradient[1]],
-    };
-    (place, state)
-}
-
-/// Nodal values of the pressure's space at the `q`-th quadrature point of an element: V, V_x, V_y, ΔV, κV, V_xx, V_xy, V_yy.
-pub(super) fn pressure_sums(
-    d: &Discretisation,
-    values: &[f64],
-    metric: &Metric,
-    cell: usize,
-    q: usize,
-) -> [f64; 8] {
-    let table = &d.pressure_table;
-    let mut sums = [0.0; 8];
-    for (j, node) in d.pressure.nodes_of(cell).iter().enumerate() {
-        let (k, v) = (q * table.n_nodes + j, values[*node as usize]);
-        let [gx, gy] = metric.gradient(&table.gradients[k]);
-        let [xx, xy, yy] = metric.second(&table.hessians[k]);
-        let basis = [
-            table.values[k],
-            gx,
-            gy,
-            metric.laplacian(&table.hessians[k]),
-            d.pressure_unresolved[k],
-            xx,
-            xy,
-            yy,
-        ];
-        sums.iter_mut().zip(basis).for_each(|(s, b)| *s += v * b);
-    }
-    sums
 }
 
 /// Film where the deflection's shape functions are these, with the place.

@@ -222,35 +222,20 @@ impl Preconditioner {
 
     /// Solves approximately for the pressure update, in place.
     pub fn solve(&mut self, rhs: &mut [f64]) {
-        self.solve_with(rhs, FrontalLu::solve, |e| [&e.rows, &e.columns]);
-    }
-
-    /// The same with the transposed matrix.
-    pub fn solve_transposed(&mut self, rhs: &mut [f64]) {
-        self.solve_with(rhs, FrontalLu::solve_transposed, |e| [&e.columns, &e.rows]);
-    }
-
-    /// Solves in place; `factors` are those of the right side and of the solution.
-    fn solve_with(
-        &mut self,
-        rhs: &mut [f64],
-        solve: impl Fn(&mut FrontalLu, &mut [f64]),
-        factors: impl Fn(&Equilibration) -> [&Vec<f64>; 2],
-    ) {
         let x = &mut self.scratch;
         x.fill(0.0);
         x[..self.n_pressure].copy_from_slice(rhs);
         let mut unit = 1.0;
         if let Some(e) = &self.equilibration {
-            for (x, f) in x.iter_mut().zip(factors(e)[0]) {
+            for (x, f) in x.iter_mut().zip(&e.rows) {
                 *x *= f;
             }
             unit = unit_of(x);
             x.iter_mut().for_each(|x| *x /= unit);
         }
-        solve(&mut self.lu, x);
+        self.lu.solve(x);
         if let Some(e) = &self.equilibration {
-            for (x, f) in x.iter_mut().zip(factors(e)[1]) {
+            for (x, f) in x.iter_mut().zip(&e.columns) {
                 *x *= f * unit;
             }
         }

@@ -17,8 +17,6 @@ pub struct FilmConstants {
     pub formulation: Formulation,
     /// ρ_id.
     pub isotropic_diffusion: f64,
-    /// ρ_r, on elements at a ridge of the pressure.
-    pub ridge_diffusion: f64,
     /// Whether the stabilisation includes the deflection.
     pub elastic_stabilisation: bool,
     /// ξ₀ in force.
@@ -38,7 +36,6 @@ impl FilmConstants {
         cell: Cell,
         order: usize,
         oil_layer: Option<OilLayer>,
-        share_at_ridge: f64,
     ) -> ElementConstants {
         let size = cell.size;
         let penalty = match self.penalty_scaling {
@@ -62,7 +59,6 @@ impl FilmConstants {
             penalty,
             formulation: self.formulation,
             isotropic_diffusion: self.isotropic_diffusion,
-            ridge_diffusion: self.ridge_diffusion * share_at_ridge,
             diffusion_tensor: cell.diffusion_tensor,
             slenderness: cell.diffusion_tensor.map_or(1.0, slenderness),
             elastic_stabilisation: self.elastic_stabilisation,

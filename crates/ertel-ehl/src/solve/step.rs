@@ -84,14 +84,6 @@ impl<'a, 'b> StepSolver<'a, 'b> {
         }
     }
 
-    /// The preconditioner in force.
-    pub fn into_preconditioner(self) -> Option<Preconditioner> {
-        match self.factors? {
-            Factors::Bordered(bordered) => Some(bordered.sparse),
-            Factors::Monolithic(_) => None,
-        }
-    }
-
     /// Linearised equations at a state.
     pub fn assemble(&mut self, model: &FilmModel, state: &State) -> System {
         let clock = Instant::now();

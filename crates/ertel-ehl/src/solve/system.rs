@@ -28,9 +28,6 @@ pub struct System {
     pub residual_scale: f64,
     /// ∂R/∂H0.
     pub by_separation: Vec<f64>,
-    /// ∫(τR)² over each element: about the square of what it misses of the pressure (Hauke et al., Comput. Methods Appl. Mech.
-    /// Eng. 195 (2006) 6026-6046); zero without stabilisation.
-    pub missed: Vec<f64>,
     /// Element blocks, row-major: pressure node by (pressure nodes, then deflection nodes), rows of edge
     /// nodes included.
     pub blocks: Vec<f64>,
@@ -51,7 +48,6 @@ impl System {
             residual: vec![0.0; d.n_pressure],
             residual_scale: 0.0,
             by_separation: vec![0.0; d.n_pressure],
-            missed: vec![0.0; n_elements],
             blocks: vec![0.0; n_elements * n * (n + m)],
         };
         let mut sums = vec![[0.0; N_SUMS]; n_elements * n];
@@ -71,7 +67,6 @@ impl System {
         let mut entrainment = vec![0.0; d.n_pressure];
         for c in 0..n_elements {
             for (node, sums) in d.pressure.nodes_of(c).iter().zip(&sums[c * n..]) {
-                system.missed[c] += sums[3];
                 let dof = d.pressure_dofs[*node as usize];
                 if dof != CONSTRAINED {
                     system.by_separation[dof as usize] += sums[0];

@@ -5,12 +5,13 @@ use super::levels::Levels;
 use super::present::Present;
 use super::run::{Instant, Params};
 use crate::engine::Problem;
+use crate::engine::bars::bars;
 use crate::engine::figures::sizes;
 use crate::solution::{Bar, Figure, Figures, Measured, OPEN_MASS_BALANCE};
 use crate::volumes::Plan;
 use crate::volumes::ending::balance_error;
 use crate::volumes::engine::{BAR_GRIDS, least_shares};
-use crate::volumes::figures::{bars, figures};
+use crate::volumes::figures::figures;
 
 /// Distance between the bodies, in a²/R, that is rounding.
 const ROUNDING: f64 = 1e-13;

@@ -8,7 +8,7 @@ use super::edges::effects;
 use super::ending::balance_error;
 use super::extremes::lowest;
 use super::far_pressure::Beyond;
-use super::figures::{Slowest, bar, bars, central, figures, is_settled, note_films};
+use super::figures::{central, figures, note_films};
 use super::heat::rounds::Rounds;
 use super::level::{Level, convolution, first_state, first_system, refined};
 use super::newton::{NewtonInfo, NewtonParams, newton};
@@ -19,6 +19,7 @@ use super::pseudo_time::{MOST_NODES, march};
 use super::rows::RING;
 use super::system::{State, System};
 use crate::contact::Symmetry;
+use crate::engine::bars::{Slowest, bar, bars, is_settled};
 use crate::engine::figures::sizes;
 use crate::engine::{Observer, Problem, SolveError};
 use crate::solution::{Figure, Figures, LevelStats, Measured, Role, Timings};
@@ -370,7 +371,6 @@ fn stats(
         krylov_iterations: info.krylov_iterations,
         factorisations: info.iterations,
         figures,
-        estimate: None,
         seconds: Timings::default(),
     }
 }

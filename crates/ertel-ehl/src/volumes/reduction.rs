@@ -7,8 +7,8 @@
 
 use super::engine::{FiniteVolumes, Volumes};
 
-use super::figures::{Slowest, bar};
 use super::plan::Plan;
+use crate::engine::bars::{Slowest, bar};
 use crate::engine::{Observer, Problem, SolveError};
 use crate::solution::{Estimate, Figure, FilmReduction};
 

@@ -77,14 +77,10 @@ rows! {
     }
     /// `[mesh]`.
     pub MESH {
-        target_error: Share, bounds [2e-4, 0.1], default "0.2 %" => r#"error of central and minimum film to be reached by adaptive mesh refinement,
+        target_error: Share, bounds [2e-4, 0.1], default "0.2 %" => r#"error of central and minimum film at which grids and meshes are no longer refined,
             in per cent, `"0.5 %"`, or as a ratio{}. Cannot be combined with `preset`, explicit cell sizes or growth"#;
-        refine_for: Choice(&["fields", "films"]), default "fields" => r#"`"fields"` (default): the mesh is refined for both films and for the
-            pressure; `"films"`: for the films only. Only with adaptive refinement"#;
-        pressure_error: Share, bounds [1e-4, 0.2] => r#"additional target, 3.5 times `target_error` if absent: root-mean-square error of the
-            pressure over the dry contact, relative to the Hertz pressure{}. Only with adaptive refinement, and not with `refine_for = "films"`"#;
         max_unknowns: Count, bounds [1e3, 2e6] => r"approximate limit of the pressure unknowns in this refinement{}; default 100,000, of finite volumes 400,000, with
-            finite-element bodies 8,000. If a limit is reached before the target, a warning names it, and the error bar is correspondingly
+            finite-element bodies 16,000. If a limit is reached before the target, a warning names it, and the error bar is correspondingly
             wider. Case files from before the half-space operator counted displacements here: their numbers are still valid, and allow finer
             meshes";
         preset: Choice(&["coarse", "normal", "fine"]) => r#"`"coarse"`, `"normal"` or `"fine"`: sets the cell sizes below, without refinement;
@@ -107,14 +103,10 @@ rows! {
     /// `[solver]`.
     pub SOLVER {
         method: Choice(&["finite-elements", "finite-volumes"]) => r#"`"finite-elements"`, as in Habchi's thesis, or `"finite-volumes"`
-            ([theory](../theory/finite-volumes.md)), for line, circular and elliptical contacts of half-spaces and rollers of finite length, flooded or starved, with heat, too. If absent: finite volumes for rollers of finite length, elliptical and circular contacts without heat, but of flooded circles that are thinned by a power of the stress only those with M above 1500 or L above 11, or with thick films; finite elements for all others and where a key is given that only they have. A case that one method does not solve is left to the other; so is one whose films finite elements do not resolve with default edges and without `max_unknowns`. A note says so. With
+            ([theory](../theory/finite-volumes.md)), for line, circular and elliptical contacts of half-spaces and rollers of finite length, flooded or starved, with heat, too. If absent: finite volumes, but finite elements for lines with heat, for contacts that finite volumes do not solve, and where a key is given that only elements have ([why](../decisions/0040-default-method.md)). A case that one method does not solve is left to the other; so is one whose films finite elements do not resolve with default edges and without `max_unknowns`. A note says so. With
             `"finite-volumes"` the keys of finite elements are errors"#;
         formulation: Choice(&["gls", "supg", "galerkin"]), default "gls" => "weak form of the Reynolds equation";
         isotropic_diffusion: Number, bounds [0.0, 10.0], default "0" => "coefficient ρ_id of the isotropic diffusion";
-        ridge_diffusion: Number, bounds [0.0, 10.0] => r"coefficient ρ_r{}, of the diffusion on elements that do not resolve a ridge of the
-            pressure; it acts on meshes that are refined for the pressure, and where Newton's method fails without it. If absent, 1 in circular
-            and elliptical contacts of half-spaces with `gls` or `supg` and `elastic_stabilisation`, else 0
-            ([why](../decisions/0023-ridge-diffusion.md))";
         elastic_stabilisation: Switch, default "true" => r"`true`: GLS and SUPG include the elastic deflection as well as the compression;
             `false`: as printed in the thesis ([why](../decisions/0006-elastic-stabilisation.md))";
         penalty: Number, bounds [1.0, 1e15], default "1e4" => "cavitation penalty ξ₀";

@@ -295,10 +295,9 @@ pub(super) fn body_of_wide_contact(case: &Case, table: &Table<'_>) -> Result<(),
 }
 
 /// Keys of [solver] and [mesh] that do not apply to finite volumes.
-const SOLVER_KEYS_OF_ELEMENTS: [&str; 10] = [
+const SOLVER_KEYS_OF_ELEMENTS: [&str; 9] = [
     "formulation",
     "isotropic_diffusion",
-    "ridge_diffusion",
     "elastic_stabilisation",
     "penalty",
     "penalty_scaling",
@@ -307,8 +306,7 @@ const SOLVER_KEYS_OF_ELEMENTS: [&str; 10] = [
     "max_iterations",
     "error_estimate",
 ];
-const MESH_KEYS_OF_ELEMENTS: [&str; 11] = [
-    "pressure_error",
+const MESH_KEYS_OF_ELEMENTS: [&str; 10] = [
     "hertz_size",
     "constriction_size",
     "rim_size",

@@ -8,8 +8,8 @@ use nalgebra::DMatrix;
 use ertel_input::{Document, Input, InputError, Inputs};
 use ertel_quantity::Correlation;
 
-use super::Case;
-use crate::params::SensitivityDemand;
+use super::{Case, finite_volumes_refuse};
+use crate::params::{Method, SensitivityDemand};
 
 /// Sections of numerical settings.
 const NUMERICS: [&str; 4] = ["mesh", "solver", "output", "curve"];
@@ -125,8 +125,11 @@ impl Case {
             (self.inputs().iter())
                 .any(|input| input.uncertainty.is_some() && (or_estimated || !input.estimated))
         };
-        // With heat, each input takes two solves: estimates alone do not request them.
-        let is_cheap = self.thermal().is_none();
+        // With heat and by finite elements, each input takes two solves: estimates alone do not request them.
+        let is_cheap = self.thermal().is_none()
+            && self.solver.method != Some(Method::FiniteElements)
+            && !self.has_key_of_elements()
+            && finite_volumes_refuse(self).is_none();
         match self.output.sensitivities {
             // The load changes a relief measured in half-widths, and so the problem.
             _ if !self.reliefs.is_empty() => false,

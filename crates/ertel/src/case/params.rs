@@ -35,8 +35,33 @@ const FIXED_MESH: [&str; 6] = [
 /// Targets that meshes of reasonable size reach, and above which films are meaningless.
 const TARGET_ERROR: Bounds = Bounds::closed(2e-4, 0.1);
 
-/// The same for the pressure.
-const PRESSURE_ERROR: Bounds = Bounds::closed(1e-4, 0.2);
+/// Keys of `[mesh]` and `[solver]` that no method reads any more, with what to do.
+const FORMER: [(&str, &str); 3] = [
+    (
+        "refine_for",
+        "remove it: meshes are halved as a whole, for films and pressure alike",
+    ),
+    (
+        "pressure_error",
+        "remove it: a smaller `target_error` gives finer meshes, for films and pressure alike",
+    ),
+    (
+        "ridge_diffusion",
+        "remove it: `method = \"finite-volumes\"` solves contacts whose ridge of the pressure elements do not resolve",
+    ),
+];
+
+/// Refuses keys that no method reads any more.
+fn refuse_former(table: &Table<'_>) -> Result<(), InputError> {
+    let mut table = table.clone();
+    let found = (FORMER.iter()).find(|(key, _)| table.contains(key));
+    match found {
+        Some((key, help)) => Err(table
+            .error(key, format!("`{key}` has no effect any more"))
+            .with_help(*help)),
+        None => Ok(()),
+    }
+}
 
 /// Default mesh.
 pub(super) fn default_mesh(contact: &Contact, error_estimate: bool) -> MeshParams {
@@ -95,10 +120,10 @@ pub fn read_mesh(
     contact: &Contact,
     error_estimate: bool,
 ) -> Result<MeshParams, InputError> {
+    refuse_former(&table)?;
     let mut mesh = chosen_mesh(&mut table, contact, error_estimate)?;
     let unknowns = table.optional_integer("max_unknowns", 1_000..=2_000_000)?;
     mesh.max_unknowns = unknowns.and_then(|n| usize::try_from(n).ok());
-    read_pressure_error(&mut table, &mut mesh)?;
     // Sizes in Hertz half-widths; below these, no memory is large enough.
     let finest = if contact.kind.is_line() { 0.0002 } else { 0.01 };
     let size = Bounds::closed(finest, 2.0);
@@ -158,41 +183,6 @@ pub fn read_mesh(
     Ok(mesh)
 }
 
-/// Further quantities that the mesh is refined for.
-fn read_pressure_error(table: &mut Table<'_>, mesh: &mut MeshParams) -> Result<(), InputError> {
-    let films_alone = table.optional_choice("refine_for", &[("films", true), ("fields", false)])?;
-    let error = table.optional_number("pressure_error", PRESSURE_ERROR)?;
-    for (key, given) in [
-        ("refine_for", films_alone.is_some()),
-        ("pressure_error", error.is_some()),
-    ] {
-        if given && mesh.target_error.is_none() {
-            return Err(table
-                .error(
-                    key,
-                    format!("`{key}` is for meshes that are refined to a target"),
-                )
-                .with_help(
-                    "set `target_error`, or remove sizes, growth, preset and error_estimate",
-                ));
-        }
-    }
-    match (films_alone, error) {
-        (Some(true), Some(_)) => {
-            return Err(table
-                .error(
-                    "pressure_error",
-                    "`pressure_error` is given, but the mesh is refined for films alone",
-                )
-                .with_help("remove `refine_for`, or `pressure_error`"));
-        }
-        (Some(true), None) => mesh.pressure_error = None,
-        (_, Some(error)) => mesh.pressure_error = Some(error),
-        _ => {}
-    }
-    Ok(())
-}
-
 /// A Lagrange order from 1 to `highest`.
 pub(super) fn order(
     table: &mut Table<'_>,
@@ -231,6 +221,7 @@ const MIN_TOLERANCE: f64 = 1e-11;
 /// # Errors
 /// Unknown keys, and values out of their bounds.
 pub fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputError> {
+    refuse_former(&table)?;
     let mut solver = SolverParams::default();
     let method = table.optional_choice(
         "method",
@@ -250,7 +241,6 @@ pub fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputError> {
         &mut solver.isotropic_diffusion,
         table.optional_number("isotropic_diffusion", Bounds::closed(0.0, 10.0))?,
     );
-    solver.ridge_diffusion = table.optional_number("ridge_diffusion", Bounds::closed(0.0, 10.0))?;
     set(
         &mut solver.elastic_stabilisation,
         table.optional_bool("elastic_stabilisation")?,

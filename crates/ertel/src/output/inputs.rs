@@ -78,7 +78,6 @@ pub(super) fn write(out: &mut Lines, solution: &Solution) {
         ));
     }
     match sensitivities.by {
-        SensitivityMethod::Adjoint => {}
         SensitivityMethod::LinearSolves => {
             out.line(
                 "from linear solves on coarser grids; accurate to a few per cent of the largest",
@@ -223,7 +222,7 @@ mod tests {
                 inputs: Vec::new(),
                 figures: vec![of(Figure::FilmCentral), of(Figure::TractionCoefficient)],
                 left_out: Vec::new(),
-                by: SensitivityMethod::Adjoint,
+                by: SensitivityMethod::LinearSolves,
             });
             let mut out = Lines::default();
             write(&mut out, &solution);

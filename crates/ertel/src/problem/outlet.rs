@@ -43,7 +43,7 @@ pub(super) fn behind_thick(film: f64, inlet: f64) -> Option<f64> {
 }
 
 /// Whether a contact has a film so thick that pressures far out count.
-pub(super) fn is_thick(film: f64) -> bool {
+fn is_thick(film: f64) -> bool {
     film > THICK
 }
 

@@ -23,10 +23,9 @@ mod volumes;
 use ertel_fem::platform::Instant;
 
 use crate::case::{Case, finite_volumes_refuse};
-use crate::contact::{ContactKind, Supply};
+use crate::contact::Supply;
 use crate::engine::{Observer, SolveError};
 use crate::params::{Method, SolverParams};
-use crate::problem::has_thick_film;
 pub use crate::problem::{estimated_film, groups, predicted_film, problem};
 use crate::solution::{Figure, Solution, Unresolved, Why};
 use crate::solve::sequence;
@@ -62,12 +61,11 @@ pub struct Start {
 /// # Errors
 /// If no mesh level converges, the mesh cannot be built, or the observer cancels.
 pub fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
-    let (solution, _) = solve_from(case, None, &[], observer)?;
+    let (solution, _) = solve_from(case, None, observer)?;
     Ok(solution)
 }
 
-/// Solves a case from the solution of a similar one if that converges, otherwise from the dry contact,
-/// on a mesh that also suits those of the cases `ahead` that are similar. Returns the solution and the
+/// Solves a case from the solution of a similar one if that converges, otherwise from the dry contact. Returns the solution and the
 /// start for the next case.
 ///
 /// # Errors
@@ -75,7 +73,6 @@ pub fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, Solve
 pub fn solve_from(
     case: &Case,
     start: Option<&Start>,
-    ahead: &[&Case],
     observer: &mut dyn Observer,
 ) -> Result<(Solution, Start), SolveError> {
     // On a thread of the pool: started from outside, each of the thousands of short parallel loops would wait for a
@@ -84,7 +81,7 @@ pub fn solve_from(
         let flooded = start.and_then(|start| start.flooded.as_deref());
         let flooded = solve_flooded(case, flooded, observer)?;
         let start = start.and_then(|start| start.own.as_deref());
-        let (mut solution, own) = solve_here(case, start, ahead, observer)?;
+        let (mut solution, own) = solve_here(case, start, observer)?;
         if let Some((full, _)) = &flooded {
             solution.compare_with_flooded(full);
         }
@@ -117,7 +114,7 @@ fn solve_flooded(
     if first_method(case) == Method::FiniteVolumes {
         flooded.solver.method = Some(Method::FiniteVolumes);
     }
-    match solve_here(&flooded, start, &[], observer) {
+    match solve_here(&flooded, start, observer) {
         Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
         end => Ok(end.ok()),
     }
@@ -126,14 +123,13 @@ fn solve_flooded(
 fn solve_here(
     case: &Case,
     start: Option<&sequence::Start>,
-    ahead: &[&Case],
     observer: &mut dyn Observer,
 ) -> Result<Ended, SolveError> {
     let by = |method: Method, observer: &mut dyn Observer| -> Result<Ended, SolveError> {
         let clock = Instant::now();
         let (mut solution, start) = match method {
             Method::FiniteElements => {
-                let (solution, start) = elements::solve(case, start, ahead, observer)?;
+                let (solution, start) = elements::solve(case, start, observer)?;
                 (solution, Some(start))
             }
             Method::FiniteVolumes => {
@@ -205,12 +201,8 @@ fn lacks_a_film(case: &Case, solution: &Solution) -> bool {
     is_free && case.solver.error_estimate && !unresolved_films(solution).is_empty()
 }
 
-/// Moes' groups M and L up to which finite elements are faster for a circular contact with power-law shear thinning.
-const ELEMENTS_UP_TO: [f64; 2] = [1500.0, 11.0];
-
-/// The method that a case requests, otherwise the faster one: finite volumes for the circular and elliptical contacts and rollers of finite length that they
-/// can solve. Finite elements for lines, for thermal contacts other than rollers, and for circular contacts with power-law shear thinning, unless the film is thin, or so thick that
-/// far pressures matter, or the viscosity law is steep.
+/// The method that a case requests, otherwise finite volumes; finite elements for lines with heat, which they solve in a fraction of the time, and for contacts that finite
+/// volumes do not solve (docs/decisions/0040-default-method.md).
 pub fn first_method(case: &Case) -> Method {
     if let Some(method) = case.solver.method {
         return method;
@@ -218,25 +210,8 @@ pub fn first_method(case: &Case) -> Method {
     if !case.standing_reliefs().is_empty() {
         return Method::FiniteVolumes;
     }
-    // For thermal contacts, both methods take equally long, except for rollers: elements of one size do not resolve both their ends and their middle.
-    let is_warm = case.thermal().is_some() && case.contact.kind != ContactKind::Roller;
-    let is_left = is_warm || finite_volumes_refuse(case).is_some();
-    // High-order elements refined only at the spike are faster for a line.
-    if needs_elements(case) || is_left || case.contact.kind.is_line() {
-        return Method::FiniteElements;
-    }
-    // Finite volumes recompute the flow of a shear-thinning film at each node for each derivative.
-    let thins_gently =
-        || (case.shear_thinning()).is_some_and(|thinning| !thinning.is_exponential());
-    let is_easy = || {
-        let lubricant = &case.lubricant;
-        let slope = (lubricant.viscosity).pressure_viscosity_slope(lubricant.temperature);
-        let groups = groups(case, slope);
-        let [load, material] = ELEMENTS_UP_TO;
-        groups.moes_load <= load && groups.moes_material <= material && !has_thick_film(case)
-    };
-    let is_flooded_circle = case.contact.kind == ContactKind::Circular && !case.supply.is_limited();
-    match is_flooded_circle && thins_gently() && is_easy() {
+    let is_warm_line = case.thermal().is_some() && case.contact.kind.is_line();
+    match needs_elements(case) || is_warm_line || finite_volumes_refuse(case).is_some() {
         true => Method::FiniteElements,
         false => Method::FiniteVolumes,
     }
@@ -248,7 +223,6 @@ fn needs_elements(case: &Case) -> bool {
     case.has_key_of_elements()
         || own.formulation != usual.formulation
         || own.isotropic_diffusion != usual.isotropic_diffusion
-        || own.ridge_diffusion != usual.ridge_diffusion
         || own.elastic_stabilisation != usual.elastic_stabilisation
         || own.penalty != usual.penalty
         || own.penalty_scaling != usual.penalty_scaling
@@ -259,7 +233,6 @@ fn did_not_converge(error: &SolveError) -> bool {
     matches!(
         error,
         SolveError::NotConverged { .. }
-            | SolveError::AllFailed { .. }
             | SolveError::Thinned { .. }
             | SolveError::Krylov(_)
             | SolveError::Factorisation(_)

@@ -18,7 +18,7 @@ use crate::contact::{Hertz, Motion, Supply};
 use crate::engine::Observer;
 use crate::params::Method;
 use crate::plausible;
-use crate::problem::{largest_cell, problem_by_slices, with_reliefs};
+use crate::problem::{largest_cell, problem, with_reliefs};
 use crate::solution::{Figure, OPEN_MASS_BALANCE};
 use crate::transient;
 use crate::transient::{
@@ -116,7 +116,7 @@ fn solve_here(
         ..Motion::straight(speed, case.motion.slide_to_roll_ratio)
     };
     reference.solver.method = Some(Method::FiniteVolumes);
-    let mut problem = problem_by_slices(&reference).with_plan(plan(&reference));
+    let mut problem = problem(&reference).with_plan(plan(&reference));
     let (length, film) = (problem.scales.length, problem.scales.film);
     let unit = length / speed;
     let conditions = conditions(transient, by, film, unit);

@@ -6,9 +6,9 @@ use crate::case::Case;
 use crate::engine::{Observer, Problem, SolveError};
 use crate::params::{DEFAULT_TARGET_ERROR, MeshPreset, Method};
 use crate::post::fields::centreline_of;
-use crate::problem::{largest_cell, problem_by_slices};
+use crate::problem::{self, largest_cell};
 use crate::sensitivity::by_derivatives;
-use crate::solution::{SensitivityMethod, Solution, Stats};
+use crate::solution::{Solution, Stats};
 use crate::volumes::film::PatchedFilm;
 use crate::volumes::heat::{Params, output};
 use crate::volumes::roller_zone::with_rows_by_film;
@@ -90,11 +90,11 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
     let mut solution = describe(case, &problem, &film, found, stats, recorder.history);
     drop(film);
     if case.wants_sensitivities() {
-        let own = problem_by_slices(case);
+        let own = problem::problem(case);
         let tangents = Tangents::new(&own, &solved, |figure| {
             solution.resolves(figure) && has_derivatives(case, figure)
         });
-        let found = by_derivatives(case, &own, &tangents, SensitivityMethod::LinearSolves);
+        let found = by_derivatives(case, &own, &tangents);
         note_sensitivities(&mut solution, case, Ok(found))?;
     }
     Ok(solution)
@@ -102,7 +102,7 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
 
 /// A case with cells that resolve its surface relief.
 fn own_problem(case: &Case) -> Problem<Plan> {
-    let mut problem = problem_by_slices(case).with_plan(plan(case));
+    let mut problem = problem::problem(case).with_plan(plan(case));
     problem.plan.largest_cell = largest_cell(&problem.shape);
     problem
 }

@@ -70,7 +70,6 @@ pub fn solve_curve(curve: &Curve, observer: &mut dyn CurveObserver) -> CurveSolu
             point,
             place: (index, n_points),
             label: value_text(&curve.quantity, point.value()),
-            ahead: plan.ahead(index).map(|i| &curve.points[i].case).collect(),
             simpler: [curve.newtonian, curve.isothermal],
             fields: curve.folders,
             workers: cores(),

@@ -181,7 +181,6 @@ impl Shared<'_> {
             point: &points[index],
             place: (index, points.len()),
             label: points[index].label.clone(),
-            ahead: self.plan.ahead(index).map(|i| &points[i].case).collect(),
             simpler: [false; 2],
             fields: self.fields,
             workers: 1,

@@ -1,7 +1,7 @@
 //! Which point of a study starts from which: a tree that the points alone determine, so that every run of the study,
 //! killed and resumed or in parts, computes the same digits.
 //!
-//! Points of one shape, one pair of bodies, the same settings and similar films make a group with one mesh. The point
+//! Points of one shape, one pair of bodies, the same settings and similar films make a group. The point
 //! in its middle is solved from the dry contact; then each next one is the farthest from all before, and
 //! starts from the nearest of these. So the tree is about as deep as the logarithm of the number of points, and most
 //! points still start from a near neighbour.
@@ -11,9 +11,9 @@ use std::collections::HashMap;
 use rayon::prelude::*;
 
 use crate::case::Study;
-use crate::problem::problem_by_slices;
+use crate::problem::problem;
 
-/// Ratio of the largest to the smallest relative film thickness in a group: one mesh has room for so many.
+/// Ratio of the largest to the smallest relative film thickness in a group.
 const FILM_RATIO: f64 = 2.8;
 
 /// Points of one group, at most: its tree takes their square in time.
@@ -27,17 +27,13 @@ pub struct Plan {
     /// All points, each after the one it starts from, and depth first: what starts from one point follows it
     /// directly.
     pub order: Vec<usize>,
-    /// Points that can share a mesh.
+    /// Points that are similar.
     pub groups: Vec<Vec<usize>>,
-    /// The group of each point.
-    pub group_of: Vec<usize>,
-    /// Whether a new mesh suits the later points of its group alone, and not all of them.
-    pub for_later: bool,
 }
 
 /// Features that distinguish points.
 struct Features {
-    /// Properties for which one mesh cannot serve: shape, bodies, settings.
+    /// Properties in which similar points agree: shape, bodies, settings.
     kind: String,
     /// Logarithm of the relative film thickness that formulas predict.
     film: f64,
@@ -65,8 +61,6 @@ impl Plan {
             parents: (0..n_points).map(|i| i.checked_sub(1)).collect(),
             order: (0..n_points).collect(),
             groups: vec![(0..n_points).collect()],
-            group_of: vec![0; n_points],
-            for_later: true,
         }
     }
 
@@ -76,8 +70,6 @@ impl Plan {
             parents: vec![None; n_points],
             order: (0..n_points).collect(),
             groups: vec![(0..n_points).collect()],
-            group_of: vec![0; n_points],
-            for_later: false,
         }
     }
 
@@ -92,24 +84,11 @@ impl Plan {
             parents: vec![None; n],
             order: Vec::with_capacity(n),
             groups: groups(&features),
-            group_of: vec![0; n],
-            for_later: false,
         };
-        for (i, members) in plan.groups.iter().enumerate() {
-            for m in members {
-                plan.group_of[*m] = i;
-            }
+        for members in &plan.groups {
             grow(&features, members, &mut plan.parents, &mut plan.order);
         }
         plan
-    }
-
-    /// The points that a new mesh for a point should suit, too.
-    pub fn ahead(&self, index: usize) -> impl Iterator<Item = usize> + '_ {
-        let group = &self.groups[self.group_of[index]];
-        let for_later = self.for_later;
-        let is_ahead = move |i: &usize| *i > index || (!for_later && *i < index);
-        group.iter().copied().filter(is_ahead)
     }
 
     /// The tree of one group, its points by their places among the members, and these members.
@@ -123,8 +102,6 @@ impl Plan {
             parents: members.iter().map(parent).collect(),
             order: order.collect(),
             groups: vec![(0..members.len()).collect()],
-            group_of: vec![0; members.len()],
-            for_later: self.for_later,
         };
         (plan, members)
     }
@@ -209,7 +186,7 @@ fn middle(features: &[Features], members: &[usize]) -> usize {
     best
 }
 
-/// Points that can share a mesh, groups and members in the order of the points.
+/// Points that are similar, groups and members in the order of the points.
 fn groups(features: &[Features]) -> Vec<Vec<usize>> {
     let mut kinds: Vec<(&str, Vec<usize>)> = Vec::new();
     for (i, f) in features.iter().enumerate() {
@@ -281,7 +258,7 @@ fn features(study: &Study) -> Vec<Features> {
     };
     let scales: Vec<_> = (0..study.columns.len()).map(scale).collect();
     let features = |point: &crate::case::study::StudyPoint| {
-        let problem = problem_by_slices(&point.case);
+        let problem = problem(&point.case);
         let case = &point.case;
         // Without the noise of the last digits.
         let bodies: Vec<String> = (problem.elasticity.bodies.iter())
@@ -362,8 +339,6 @@ mod tests {
             parents,
             order,
             groups: Vec::new(),
-            group_of: Vec::new(),
-            for_later: false,
         };
         // The middle, an end, and then halves of halves: log2(100) = 6.6.
         assert!(plan.depth() <= 9, "{}", plan.depth());
@@ -376,19 +351,13 @@ mod tests {
         assert!(short >= 60, "{short} of 99 steps");
     }
 
-    /// Each point of a chain starts from the one before, and a new mesh suits those that follow.
+    /// Each point of a chain starts from the one before.
     #[test]
     fn a_chain_goes_from_point_to_point() {
         let plan = Plan::chain(4);
         assert_eq!(plan.parents, [None, Some(0), Some(1), Some(2)]);
         assert_eq!(plan.order, [0, 1, 2, 3]);
         assert_eq!(plan.depth(), 4);
-        assert_eq!(plan.ahead(1).collect::<Vec<_>>(), [2, 3]);
-        let tree = Plan {
-            for_later: false,
-            ..plan
-        };
-        assert_eq!(tree.ahead(1).collect::<Vec<_>>(), [0, 2, 3]);
     }
 
     /// No group is too large for its tree, each point is in one, and groups are neighbours.

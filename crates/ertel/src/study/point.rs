@@ -27,8 +27,6 @@ pub(crate) struct Task<'a> {
     pub(crate) place: (usize, usize),
     /// Its values, for the observer.
     pub(crate) label: String,
-    /// Cases that its mesh should suit, too, if it needs a new one.
-    pub(crate) ahead: Vec<&'a Case>,
     /// Which of the [`SIMPLER`] cases are solved, too.
     pub(crate) simpler: [bool; 2],
     /// Whether its fields and iterations are kept.
@@ -92,7 +90,7 @@ impl Task<'_> {
             None => observer.point(index, n_points, &self.label),
         }
         let from = ends.own.as_deref();
-        let (outcome, end) = attempt(case, from, &self.ahead, self.fields, observer)?;
+        let (outcome, end) = attempt(case, from, self.fields, observer)?;
         ends.own = end.or(ends.own);
         let mut simpler = [None, None];
         for (i, (name, simplify)) in SIMPLER.into_iter().enumerate() {
@@ -100,15 +98,10 @@ impl Task<'_> {
                 continue;
             }
             observer.point(index, n_points, &format!("{}, {name}", self.label));
-            let simplified = |case: &Case| {
-                let mut case = case.clone();
-                simplify(&mut case);
-                case
-            };
-            let ahead: Vec<Case> = self.ahead.iter().map(|case| simplified(case)).collect();
-            let ahead: Vec<&Case> = ahead.iter().collect();
+            let mut simpler_case = case.clone();
+            simplify(&mut simpler_case);
             let from = ends.simpler[i].as_deref().or(ends.own.as_deref());
-            let (outcome, end) = attempt(&simplified(case), from, &ahead, false, observer)?;
+            let (outcome, end) = attempt(&simpler_case, from, false, observer)?;
             simpler[i] = Some(outcome);
             ends.simpler[i] = end.or(ends.simpler[i].take());
         }
@@ -200,14 +193,13 @@ impl Task<'_> {
 fn attempt(
     case: &Case,
     from: Option<&Start>,
-    ahead: &[&Case],
     fields: bool,
     observer: &mut dyn CurveObserver,
 ) -> Result<(Outcome, Option<Arc<Start>>), Interrupted> {
     if case.transient.is_some() {
         return Ok((attempt_in_time(case, fields, observer)?, None));
     }
-    let solve = || solve_from(case, from, ahead, observer);
+    let solve = || solve_from(case, from, observer);
     let failed = |reason| Ok((Outcome::Failed(reason), None));
     match catch_unwind(AssertUnwindSafe(solve)) {
         Ok(Ok((mut solution, end))) => {

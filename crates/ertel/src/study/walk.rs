@@ -131,7 +131,6 @@ mod tests {
     fn tree() -> Plan {
         Plan {
             parents: vec![None, Some(0), Some(1), Some(0)],
-            for_later: false,
             ..Plan::chain(4)
         }
     }

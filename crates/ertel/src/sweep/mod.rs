@@ -92,7 +92,6 @@ pub fn sweep_part(
     let shared = Shared {
         study,
         echo: &echo,
-        plan,
         wanted: &wanted,
         folder,
         params,

@@ -11,7 +11,6 @@ use crate::engine::Observer;
 use crate::output;
 use crate::study::CurveObserver;
 use crate::study::journal::{PointKey, Record};
-use crate::study::plan::Plan;
 use crate::study::point::{Ends, Interrupted, Task};
 use crate::study::table::{StudyEcho, record};
 use crate::study::walk::Walk;
@@ -20,7 +19,6 @@ use crate::study::walk::Walk;
 pub(super) struct Shared<'a> {
     pub(super) study: &'a Study,
     pub(super) echo: &'a StudyEcho,
-    pub(super) plan: &'a Plan,
     pub(super) wanted: &'a [bool],
     pub(super) folder: &'a Path,
     pub(super) params: &'a SweepParams,
@@ -64,7 +62,6 @@ impl Shared<'_> {
             point,
             place: (index, points.len()),
             label: point.label.clone(),
-            ahead: self.plan.ahead(index).map(|i| &points[i].case).collect(),
             simpler: [false; 2],
             fields: folders,
             // Idle cores help with the contacts of a machine.

@@ -12,8 +12,6 @@ pub struct StoppingRule {
     pub tolerance: f64,
     /// Share of the tolerance to which each half of a round is solved: changes below it that do not shrink are noise.
     pub inner_share: f64,
-    /// Whether the error counts, or the change alone.
-    pub by_error: bool,
 }
 
 impl StoppingRule {
@@ -21,7 +19,6 @@ impl StoppingRule {
     /// round to round; `None` after a single one.
     pub fn holds(&self, change: f64, share: f64, ratio: Option<f64>) -> bool {
         let limit = match ratio {
-            _ if !self.by_error => self.tolerance,
             Some(q) if q < 1.0 => self.tolerance * ((1.0 - q) / (share * q)).min(1.0),
             _ => self.inner_share * self.tolerance,
         };
@@ -36,7 +33,6 @@ mod tests {
     const RULE: StoppingRule = StoppingRule {
         tolerance: 1e-4,
         inner_share: 0.1,
-        by_error: true,
     };
 
     /// x_k = x_(k−1) + ω(J − 1)x_(k−1), x* = 0: x_k = qᵏ with q = 1 − ω(1 − J), whole changes (1 − J)x_(k−1), in closed form. A rule that
@@ -66,18 +62,12 @@ mod tests {
         }
     }
 
-    /// One change alone does not bound the error, nor do changes that grow; those below the tolerance of the halves are noise. Where the change alone
-    /// counts, it is enough.
+    /// One change alone does not bound the error, nor do changes that grow; those below the tolerance of the halves are noise.
     #[test]
     fn changes_without_contraction() {
         for ratio in [None, Some(1.1)] {
             assert!(!RULE.holds(5e-5, 1.0, ratio) && RULE.holds(0.9e-5, 1.0, ratio));
         }
         assert!(!RULE.holds(1.1e-4, 1.0, Some(0.01)));
-        let plain = StoppingRule {
-            by_error: false,
-            ..RULE
-        };
-        assert!(plain.holds(0.9e-4, 1.0, None) && !plain.holds(1.1e-4, 1.0, None));
     }
 }

@@ -53,7 +53,6 @@ impl SolveError {
                 "a larger [mesh] max_unknowns, or a longer low_pass, shortest_wavelength, wavelength or width in [[surface]]",
             ),
             SolveError::TooThin { help, .. } => Some(help),
-            SolveError::AllFailed { first, .. } => first.advice(),
             // Advice of a grid is the other method, which was tried.
             SolveError::BothFailed { first, second, .. } => [first, second]
                 .into_iter()
@@ -217,16 +216,6 @@ mod tests {
             assert_eq!(of_mesh, meshes, "{error}: {advice}");
         }
         assert!(SolveError::Interrupted.advice().is_none());
-        let all = SolveError::AllFailed {
-            first: Box::new(not_coupled(1.1)),
-            tried: vec!["sliding", "viscosity exponent"],
-        };
-        assert_eq!(all.advice(), not_coupled(1.1).advice());
-        assert!(
-            all.to_string()
-                .ends_with("failed, too (of: sliding; viscosity exponent)"),
-            "{all}"
-        );
         // The linear solver is an internal detail.
         assert!(!SolveError::Krylov(krylov).to_string().contains("GMRES"));
     }

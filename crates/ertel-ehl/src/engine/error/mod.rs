@@ -139,14 +139,6 @@ pub enum SolveError {
         /// Cell that resolves them.
         needed: f64,
     },
-    /// The usual stages failed, and so did all continuations through easier contacts.
-    #[error("{first}; continuation in steps failed, too (of: {})", .tried.join("; "))]
-    AllFailed {
-        /// Why the usual stages failed.
-        first: Box<SolveError>,
-        /// Continuations tried: the quantities that were brought to those of the case step by step.
-        tried: Vec<&'static str>,
-    },
     /// Neither method converged.
     #[error("{first}; {method} failed, too: {second}")]
     BothFailed {

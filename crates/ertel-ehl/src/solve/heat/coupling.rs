@@ -18,9 +18,7 @@ use crate::solve::newton_level::{
     FilmModel, NewtonLevel, NewtonParams, NewtonStats, NewtonStatus, RunLabel,
 };
 use crate::solve::state::State;
-use crate::solve::tuning::heat::{
-    FEW_STEPS, LEAST_SHRINKING, MOST_STEPS, ROUGHEST, ROUGHEST_ON_PATH,
-};
+use crate::solve::tuning::heat::{LEAST_SHRINKING, MOST_STEPS, ROUGHEST};
 
 /// Settings.
 #[derive(Clone, Copy, Debug)]
@@ -28,15 +26,10 @@ pub struct CouplingParams {
     /// Relative change of temperature rise, pressure and film from round to round, and the error that it leaves, at which all have
     /// converged.
     pub tolerance: f64,
-    /// Whether that error counts, or the change alone.
-    pub by_error: bool,
     /// Rounds allowed.
     pub max_rounds: usize,
     /// Share of new temperatures below which they are not halved further.
     pub smallest_share: f64,
-    /// Whether it is given up at once where temperatures for given films do not converge in a round, because a continuation is known:
-    /// these films are of no use.
-    pub given_up_early: bool,
     /// Temperatures for given films.
     pub heat: HeatParams,
 }
@@ -45,10 +38,8 @@ impl Default for CouplingParams {
     fn default() -> Self {
         CouplingParams {
             tolerance: 1e-4,
-            by_error: true,
             max_rounds: 40,
             smallest_share: 0.1,
-            given_up_early: false,
             heat: HeatParams::default(),
         }
     }
@@ -67,30 +58,6 @@ pub struct CouplingStats {
     pub tolerance: f64,
     /// Effort on the temperatures.
     pub heat: HeatStats,
-}
-
-impl CouplingStats {
-    /// The same together with a run before it, from whose end it started.
-    #[must_use]
-    pub fn after(self, earlier: Option<CouplingStats>) -> CouplingStats {
-        let Some(earlier) = earlier else {
-            return self;
-        };
-        CouplingStats {
-            rounds: self.rounds + earlier.rounds,
-            // A single round has nothing to compare its change with.
-            contraction: match self.rounds {
-                1 => earlier.contraction,
-                _ => self.contraction,
-            },
-            change: self.change,
-            tolerance: self.tolerance,
-            heat: HeatStats {
-                iterations: self.heat.iterations + earlier.heat.iterations,
-                krylov_iterations: self.heat.krylov_iterations + earlier.heat.krylov_iterations,
-            },
-        }
-    }
 }
 
 /// Iterates from `state`, which has temperatures.
@@ -123,7 +90,6 @@ pub fn solve_coupled(
     let stopping = StoppingRule {
         tolerance: params.tolerance,
         inner_share: INNER_SHARE,
-        by_error: params.by_error,
     };
     for round in 1..=params.max_rounds {
         if observer.cancelled() {
@@ -140,13 +106,8 @@ pub fn solve_coupled(
                 .fold(NEGLIGIBLE_RISE, f64::max)
         };
         temperatures.hold_flow(state);
-        let mut settled = false;
-        let most_steps = match params.given_up_early {
-            true => FEW_STEPS,
-            false => MOST_STEPS,
-        };
         let mut last = f64::INFINITY;
-        for _ in 0..most_steps {
+        for _ in 0..MOST_STEPS {
             let step = temperatures.step(state)?;
             if last.is_finite() {
                 shrinks = (step / last).clamp(LEAST_SHRINKING, 1.0);
@@ -154,32 +115,19 @@ pub fn solve_coupled(
             last = step;
             // Far from the solution, in the first round, they say nothing of the next.
             let left = if round == 1 { step } else { shrinks * step } / rise(state);
-            settled = left < (INNER_SHARE * change).max(0.1 * params.tolerance);
+            let settled = left < (INNER_SHARE * change).max(0.1 * params.tolerance);
             if settled {
                 break;
             }
         }
         stats.seconds.heat += clock.elapsed().as_secs_f64();
-        if !settled && params.given_up_early {
-            return Err(SolveError::NotCoupled {
-                part: "stage",
-                level: label.level,
-                rounds: round,
-                change,
-                contraction: coupling.contraction,
-            });
-        }
-        let roughest = match params.by_error {
-            true => ROUGHEST,
-            false => ROUGHEST_ON_PATH,
-        };
         let inner = NewtonParams {
             update_tolerance: (INNER_SHARE * change)
                 .max(newton.update_tolerance)
-                .min(roughest),
+                .min(ROUGHEST),
             residual_tolerance: (INNER_SHARE * change)
                 .max(newton.residual_tolerance)
-                .min(roughest),
+                .min(ROUGHEST),
             ..*newton
         };
         let heated = state.temperature.clone();

@@ -12,20 +12,16 @@
 //! - `newton`: temperatures for given pressures and films;
 //! - `coupling`: both in turn, until neither changes;
 //! - `balance`: sources and sinks of heat;
-//! - `recovery`: smooth temperatures from linear elements;
-//! - `deviation`: how far the linear elements are from them.
 
 pub mod balance;
 pub mod column;
 pub mod coupling;
 mod cross_flow;
-pub mod deviation;
 mod element;
 mod inflow;
 pub mod newton;
 mod prescribed;
 mod profile;
-pub mod recovery;
 pub mod sides;
 pub mod space;
 pub mod system;

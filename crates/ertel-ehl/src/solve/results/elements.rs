@@ -3,10 +3,9 @@
 use ertel_fem::element::Lagrange;
 use ertel_fem::space::Space;
 
-use crate::contact::{Scales, Symmetry};
+use crate::contact::Scales;
 use crate::solution::{ElementFields, FilmTemperatures, Polynomials, TemperaturePolynomials};
 use crate::solve::discretisation::Discretisation;
-use crate::solve::heat::recovery::{self, Recovery};
 use crate::solve::heat::space::HeatSpace;
 use crate::solve::points::film_of;
 use crate::solve::sequence::StageSolution;
@@ -32,8 +31,7 @@ pub fn elements(solution: &StageSolution, scales: &Scales) -> ElementFields {
         cells: cells.collect(),
         pressure: nodal(&d.pressure, |node| state.pressure[node] * scales.pressure),
         film_thickness: film(d, state, scales),
-        temperatures: (d.heat.as_ref())
-            .map(|space| temperatures(space, state, d.contact.shape.symmetry)),
+        temperatures: (d.heat.as_ref()).map(|space| temperatures(space, state)),
     }
 }
 
@@ -66,23 +64,14 @@ fn film(d: &Discretisation, state: &State, scales: &Scales) -> Polynomials {
     Polynomials { order, values }
 }
 
-/// Temperatures of film and surfaces: each a sum over the column's nodes, so a polynomial as the columns are; of linear
-/// elements the cubics by recovered gradients, whose kinks would be those of the mesh.
-fn temperatures(space: &HeatSpace, state: &State, symmetry: Symmetry) -> TemperaturePolynomials {
+/// Temperatures of film and surfaces: each a sum over the column's nodes, so a polynomial as the columns are.
+fn temperatures(space: &HeatSpace, state: &State) -> TemperaturePolynomials {
     let column = &space.column;
     let mut at_nodes = FilmTemperatures::default();
     for values in state.temperature.chunks_exact(column.n()) {
         at_nodes.push(&column.film, &column.film_of(values));
     }
-    let recovery =
-        (space.surface.element.order() == 1).then(|| Recovery::new(&space.surface, symmetry));
-    let field = |values: &[f64]| match &recovery {
-        Some(recovery) => Polynomials {
-            order: recovery::ORDER,
-            values: recovery.cubics(values),
-        },
-        None => nodal(&space.surface, |node| values[node]),
-    };
+    let field = |values: &[f64]| nodal(&space.surface, |node| values[node]);
     TemperaturePolynomials {
         mid: field(&at_nodes.mid),
         mean: field(&at_nodes.mean),

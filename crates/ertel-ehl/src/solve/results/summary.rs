@@ -5,12 +5,10 @@ use crate::contact::Scales;
 use crate::engine::Profile;
 use crate::post::limits::thin_film_warning;
 use crate::post::summary::{EdgeFilms, edge_warnings, summary_of};
-use crate::solution::{Figure, FilmReduction, LevelStats, Measured, Role, Summary, solved};
-use crate::solve::adapt::{RefinementEnd, bar_of_edges};
-use crate::solve::bars::reduction;
+use crate::solution::{Estimate, Figure, FilmReduction, LevelStats, Measured, Role, Summary};
 use crate::solve::evaluate::central_film;
 use crate::solve::newton_level::FilmModel;
-use crate::solve::sequence::StageSolution;
+use crate::solve::sequence::{MeshEnd, StageSolution};
 use crate::warning::{Warning, WarningKind};
 
 /// The figures of the finest stage.
@@ -47,37 +45,46 @@ pub(super) fn comparison_pair(levels: &[LevelStats], role: Role) -> Option<[&Lev
     let simpler = &levels[at];
     let full = levels[at + 1..]
         .iter()
-        .find(|l| l.converged && !l.role.leads() && l.has_mesh_of(simpler))?;
+        .find(|l| l.converged && l.role != Role::Start && l.has_mesh_of(simpler))?;
     Some([full, simpler])
 }
 
-/// Change of the largest pressure from mesh to mesh, relative, up to which it counts as resolved.
-const PRESSURE_RESOLVED: f64 = 0.05;
+/// 1 − with/without of a figure of two stages on one mesh: the effect of shear thinning or heat.
+///
+/// The mesh error of the first one is that of the solution; that of the second is much the same and mostly
+/// cancels: the quotient is taken to be as uncertain as the first one alone.
+pub fn reduction(
+    figure: Figure,
+    with: &LevelStats,
+    without: &LevelStats,
+    solution: &Measured,
+) -> Option<Estimate> {
+    let ratio = with.figures.value(figure)? / without.figures.value(figure)?;
+    let relative = relative_error_on(with, figure, solution);
+    Some(Estimate {
+        value: 1.0 - ratio,
+        error: relative.map(|relative| relative * ratio.abs()),
+    })
+}
 
-/// Why a mesh is not refined further, in words.
-fn refinement_ended(end: Option<RefinementEnd>) -> String {
+/// Error of a figure on the mesh of a stage, relative to the solution: its difference from that, and the error bar
+/// there.
+pub fn relative_error_on(level: &LevelStats, figure: Figure, solution: &Measured) -> Option<f64> {
+    let best = solution.find(figure)?;
+    let error = (level.figures.value(figure)? - best.value).abs() + best.error?;
+    Some(error / best.value.abs()).filter(|error| error.is_finite())
+}
+
+/// Why a mesh is not halved further, in words.
+fn mesh_ended(end: Option<MeshEnd>) -> String {
     match end {
-        None => "refinement ended at a mesh on which Newton's method does not converge".to_owned(),
-        Some(RefinementEnd::Unknowns(most)) => format!(
-            "refinement ended at the largest mesh allowed, of about {most} pressure unknowns ([mesh] max_unknowns)"
+        None | Some(MeshEnd::NotConverged) => {
+            "Newton's method does not converge on a finer mesh".to_owned()
+        }
+        Some(MeshEnd::Unknowns(most)) => format!(
+            "a finer mesh would have more than {most} pressure unknowns ([mesh] max_unknowns)"
         ),
-        Some(RefinementEnd::BodyUnknowns(most)) => format!(
-            "refinement ended at the largest body allowed, of about {most} displacement unknowns ([mesh] max_unknowns)"
-        ),
-        Some(RefinementEnd::Refinements(n)) => {
-            format!("refinement ended after {n} refinements, as many as a mesh may have")
-        }
-        Some(RefinementEnd::Pressure) => "the cells resolve the film, but the pressure error widens the bar: a \
-                                          smaller [mesh] pressure_error, without refine_for = \"films\", lowers it"
-            .to_owned(),
-        // Bars of another kind were wide before.
-        Some(RefinementEnd::Reached | RefinementEnd::NothingToHalve) => {
-            "the error estimate requires no smaller cells; a smaller [mesh] target_error lowers the error bar"
-                .to_owned()
-        }
-        Some(RefinementEnd::NoEstimate) => {
-            "the errors on the last mesh could not be estimated, so that it was not refined".to_owned()
-        }
+        Some(MeshEnd::Reached) => "bars of another kind are wide".to_owned(),
     }
 }
 
@@ -86,7 +93,6 @@ fn refinement_ended(end: Option<RefinementEnd>) -> String {
 pub fn warnings(
     summary: &Summary,
     solution: &StageSolution,
-    levels: &[LevelStats],
     target_error: Option<f64>,
 ) -> Vec<Warning> {
     let mut warnings = Vec::new();
@@ -101,15 +107,7 @@ pub fn warnings(
             "no error bar: no coarser mesh converged (or solver.error_estimate is off)",
         ));
     }
-    warnings.extend(film_errors(summary, solution, levels, target_error));
-    if solution.rough {
-        let update = solution.reached.update;
-        let text = format!(
-            "Newton's method ended at a pressure update of {update:.0e} p_h: it does not converge further on this mesh"
-        );
-        warnings.push(Warning::beyond(WarningKind::Convergence, update, text));
-    }
-    warnings.extend(spike(summary, levels));
+    warnings.extend(film_errors(summary, solution, target_error));
     let orders = [
         solution.discretisation.pressure.element.order(),
         solution.discretisation.contact.deflection.element.order(),
@@ -137,17 +135,10 @@ pub fn warnings(
 fn film_errors(
     summary: &Summary,
     solution: &StageSolution,
-    levels: &[LevelStats],
     target_error: Option<f64>,
 ) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    let side_key = match solution.discretisation.contact.shape.is_line() {
-        true => "",
-        false => ", side",
-    };
-    let own = solved(levels);
-    let edges = own.and_then(|l| l.estimate).map_or([0.0; 2], |e| e.edges);
-    let figures = [
+    let films = [
         (
             WarningKind::CentralFilmError,
             "central",
@@ -159,20 +150,13 @@ fn film_errors(
             summary.film_minimum,
         ),
     ];
-    for ((kind_of_error, name, figure), edges) in figures.into_iter().zip(edges) {
+    for (kind_of_error, name, figure) in films {
         let relative = figure.error.unwrap_or(0.0) / figure.value;
         let text = match target_error {
-            Some(target) if relative > target && bar_of_edges(edges) > 0.5 * relative => format!(
-                "the {name} film thickness is uncertain by {:.2} %, beyond [mesh] target_error, because the edges of the \
-                 contact area are near (move them outward, [mesh] inlet{}), or pressures below zero far behind a thick film pull at it ([solver] method = \
-                 \"finite-volumes\" has none)",
-                100.0 * relative,
-                side_key
-            ),
             Some(target) if relative > target => format!(
                 "the {name} film thickness is uncertain by {:.2} %, beyond [mesh] target_error: {}",
                 100.0 * relative,
-                refinement_ended(solution.refinement_end),
+                mesh_ended(solution.mesh_end),
             ),
             None if relative > 0.05 => format!(
                 "the {name} film thickness is uncertain by {:.0} %: use a finer mesh ([mesh] preset = \"fine\")",
@@ -185,23 +169,53 @@ fn film_errors(
     warnings
 }
 
-/// Warning about a largest pressure that the mesh does not resolve; `None` where it has an error bar, which says as much.
-fn spike(summary: &Summary, levels: &[LevelStats]) -> Option<Warning> {
-    let pressures: Vec<f64> = (levels.iter().filter(|l| l.converged))
-        .filter_map(|l| l.figures.value(Figure::PressureMaximum))
-        .collect();
-    let [.., coarse, fine] = pressures[..] else {
-        return None;
-    };
-    let change = (coarse / fine - 1.0).abs();
-    if summary.pressure_maximum.error.is_some() || change <= PRESSURE_RESOLVED || change.is_nan() {
-        return None;
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solution::{Bar, Bars, Figures, Reading, Timings};
+    use approx::assert_relative_eq;
+
+    fn level(film: f64) -> LevelStats {
+        let mut figures = Figures::default();
+        figures.note(Figure::FilmCentral, Reading::new(film));
+        LevelStats {
+            converged: true,
+            n_body_cells: 0,
+            n_contact_elements: 10,
+            n_pressure_dofs: 10,
+            n_displacement_dofs: 0,
+            n_contact_dofs: 10,
+            pressure_order: 2,
+            role: Role::Estimate,
+            newton_iterations: 1,
+            krylov_iterations: 1,
+            factorisations: 1,
+            figures,
+            seconds: Timings::default(),
+        }
     }
-    let text = format!(
-        "the largest pressure is that of a spike which the mesh does not resolve: {:.3} GPa on the \
-         mesh before, {:.3} GPa here; film thickness does not depend on it",
-        coarse / 1e9,
-        fine / 1e9
-    );
-    Some(Warning::beyond(WarningKind::Spike, change, text))
+
+    /// Both films 10 % too thick on the coarse mesh, one of them half the other: 50 % reduction, uncertain by half of
+    /// 10 % and 1 %; without a bar of the film there is none.
+    #[test]
+    fn reductions_are_as_uncertain_as_their_mesh() {
+        let (with, without, fine) = (level(1.1e-7), level(2.2e-7), level(1e-7));
+        let mut bars = Bars::default();
+        let bar = Bar {
+            value: 1e-9,
+            place: None,
+        };
+        bars.set(Figure::FilmCentral, bar);
+        let mut solution = Measured {
+            figures: fine.figures,
+            bars,
+            ..Measured::default()
+        };
+        let found = reduction(Figure::FilmCentral, &with, &without, &solution).unwrap();
+        assert_relative_eq!(found.value, 0.5, max_relative = 1e-12);
+        assert_relative_eq!(found.error.unwrap(), 0.5 * 0.11, max_relative = 1e-12);
+        solution.bars = Bars::default();
+        let found = reduction(Figure::FilmCentral, &with, &without, &solution).unwrap();
+        assert_eq!(found.error, None);
+    }
 }

@@ -1,7 +1,7 @@
 //! Temperatures and heat of a solved stage.
 
 use super::fields::sampled;
-use super::summary::comparison_pair;
+use super::summary::{self, comparison_pair, relative_error_on};
 use super::temperature_field::temperature_field;
 use crate::film::Nodal;
 use crate::params::ThermalParams;
@@ -11,7 +11,6 @@ use crate::solution::{
     Coupling, Estimate, Figure, FilmTemperatures, LevelStats, Measured, Role, Thermal,
     ThermalReduction,
 };
-use crate::solve::bars;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::heat::balance::heat_balance;
 use crate::solve::heat::space::HeatSpace;
@@ -57,9 +56,9 @@ pub fn thermal(
 /// surfaces slide.
 fn reduction(levels: &[LevelStats], measured: &Measured, slides: bool) -> Option<ThermalReduction> {
     let [thermal, isothermal] = comparison_pair(levels, Role::Isothermal)?;
-    let of = |figure| bars::reduction(figure, thermal, isothermal, measured);
+    let of = |figure| summary::reduction(figure, thermal, isothermal, measured);
     let isothermal_traction = isothermal.figures.value(Figure::TractionCoefficient)?;
-    let relative = bars::relative_error_on(thermal, Figure::TractionCoefficient, measured);
+    let relative = relative_error_on(thermal, Figure::TractionCoefficient, measured);
     Some(ThermalReduction {
         film_central: of(Figure::FilmCentral)?,
         film_minimum: of(Figure::FilmMinimum)?,

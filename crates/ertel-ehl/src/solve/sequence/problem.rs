@@ -4,15 +4,13 @@ use super::Stage;
 use crate::elastic::BodyModel;
 use crate::engine::{self, SolveError};
 use crate::params::LinearSolver;
-use crate::solve::adapt::{AdaptParams, RefinementEnd};
-use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::heat::column::Column;
 use crate::solve::heat::coupling::{CouplingParams, CouplingStats};
 use crate::solve::newton_level::{NewtonParams, NewtonStatus};
-use crate::solve::sizes::{LevelSizes, expected_unknowns};
+use crate::solve::sizes::expected_unknowns;
 use crate::solve::state::State;
-use crate::solve::tuning::stages::{MOST_UNKNOWNS, ROOM_TO_REFINE, THIN_RIM};
+use crate::solve::tuning::stages::{MOST_UNKNOWNS, THIN_RIM};
 
 /// A contact to be solved by finite elements.
 pub type Problem = engine::Problem<Plan>;
@@ -29,14 +27,33 @@ pub struct Plan {
     pub newton: NewtonParams,
     /// Condensed or monolithic.
     pub linear: LinearSolver,
-    /// Whether errors are estimated.
-    pub error_estimate: bool,
-    /// ρ_r of the stages that need it; 0: none does.
-    pub ridge_diffusion: f64,
-    /// Local refinement of the final stage, if an accuracy is requested.
-    pub adapt: Option<AdaptParams>,
+    /// Accuracy until which the mesh is halved, if one is requested.
+    pub target: Option<Target>,
     /// Temperatures, where heat counts.
     pub heat: Option<HeatPlan>,
+}
+
+/// How accurate films shall be, and how fine meshes may become for it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Target {
+    /// Largest relative error bar of central and minimum film.
+    pub error: f64,
+    /// Pressure unknowns that a halved mesh may have.
+    pub max_unknowns: usize,
+}
+
+/// Meshes at least, of point and of line contacts: two for error bars; three, which show the order of their errors, where cells are few.
+pub const LEAST_MESHES: [usize; 2] = [2, 3];
+
+/// Why no finer mesh follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeshEnd {
+    /// The errors meet their target, or there is none.
+    Reached,
+    /// A finer mesh would have more than so many pressure unknowns.
+    Unknowns(usize),
+    /// Newton's method does not converge on a finer mesh.
+    NotConverged,
 }
 
 /// How temperatures are solved for.
@@ -61,16 +78,10 @@ pub struct StageSolution {
     pub stage: Stage,
     /// State of Newton's method at its end.
     pub reached: NewtonStatus,
-    /// Whether it reached the tolerance of the stage.
-    pub converged: bool,
-    /// Whether it converged only as far as error estimation needs, and not to the tolerance of the case.
-    pub rough: bool,
-    /// Why its mesh is not refined further; `None` where it was to be.
-    pub refinement_end: Option<RefinementEnd>,
+    /// Why no finer mesh follows; `None` where one does.
+    pub mesh_end: Option<MeshEnd>,
     /// Convergence of its coupling with the heat, if there is one.
     pub coupling: Option<CouplingStats>,
-    /// Start of the adjoints, taken out when used because it is large.
-    pub adjoints: Option<Box<RoughAdjoints>>,
 }
 
 /// Share of the Newtonian film that stress leaves in the inlet, below which the constants of shear thinning are named as the reason of a failure:
@@ -82,9 +93,7 @@ impl Problem {
     pub(super) fn explained(&self, error: SolveError) -> SolveError {
         let share = self.plan.thinned_share;
         match error {
-            SolveError::NotConverged { .. } | SolveError::AllFailed { .. }
-                if share < FAR_FROM_OILS =>
-            {
+            SolveError::NotConverged { .. } if share < FAR_FROM_OILS => {
                 let error = Box::new(error);
                 SolveError::Thinned { error, share }
             }
@@ -101,10 +110,11 @@ impl Problem {
         let (Some(first), Some(last)) = (stages.first(), stages.last()) else {
             return Ok(());
         };
-        let (stage, limit, help) = match &self.plan.adapt {
-            Some(adapt) => (
+        let (stage, limit, help) = match &self.plan.target {
+            // The second mesh has cells half as large.
+            Some(target) => (
                 first,
-                adapt.max_unknowns as f64 / ROOM_TO_REFINE,
+                target.max_unknowns as f64 / f64::from(1 << self.shape.dim),
                 "a more viscous oil, a faster motion or a lower load makes the film thicker; [mesh] max_unknowns allows more",
             ),
             None => {
@@ -114,12 +124,12 @@ impl Problem {
                 (last, MOST_UNKNOWNS[model], help)
             }
         };
-        // Refinement brings the finer outlet side where the first mesh has none.
-        let sizes = LevelSizes {
-            outlet_rim: stage.sizes.rim,
-            ..stage.sizes
-        };
-        let unknowns = expected_unknowns(&self.shape, &self.extents, &sizes, last.pressure_order);
+        let unknowns = expected_unknowns(
+            &self.shape,
+            &self.extents,
+            &stage.sizes,
+            last.pressure_order,
+        );
         // Only where it is the rim that takes them: large areas around thick films are another matter.
         let thin = stage.sizes.rim < THIN_RIM * stage.sizes.hertz;
         if unknowns <= limit || !thin {

@@ -3,23 +3,18 @@
 use super::{Problem, StageSolution};
 use crate::elastic::Accuracy;
 use crate::solve::discretisation::Discretisation;
-use crate::solve::dry::dry_pressure;
 use crate::solve::evaluate::{central_film, minimum_film};
 use crate::solve::points::{fields_at, pressure_at};
 use crate::solve::state::State;
 
 /// Hertz pressure, and H0 such that the central film is the problem's start film.
 pub fn cold_start(problem: &Problem, d: &Discretisation) -> State {
-    let mut pressure: Vec<f64> = d
+    let pressure: Vec<f64> = d
         .pressure
         .points
         .iter()
         .map(|p| d.contact.shape.zone.pressure([p[0], p[1]]))
         .collect();
-    if problem.shape.zone.roller.is_some() {
-        // Slices give only a rough pressure at ends and kinks of the profile.
-        pressure = dry_pressure(d, &pressure, problem.load);
-    }
     let deflection = d.deflect(&pressure, Accuracy::Full);
     let mut state = State {
         pressure,

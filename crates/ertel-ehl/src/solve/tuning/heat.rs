@@ -1,4 +1,4 @@
-//! Heat: warming steps, coupling with the film, recovered temperatures.
+//! Heat: warming steps, coupling with the film.
 
 /// θ of the first time step of the temperatures, K: less than viscosities fall by e over, so that no layer feeds its own heating.
 pub const FIRST_WARMING: f64 = 20.0;
@@ -24,17 +24,11 @@ pub const BEYOND_BOUNDS: f64 = 1e30;
 /// Steps for the temperatures in one round.
 pub const MOST_STEPS: usize = 40;
 
-/// The same where a continuation is known that takes fewer.
-pub const FEW_STEPS: usize = 12;
-
 /// Smallest ratio of one step for the temperatures to the one before that is trusted.
 pub const LEAST_SHRINKING: f64 = 0.2;
 
 /// Roughest tolerance of the film equations in a round of film and temperature.
 pub const ROUGHEST: f64 = 1e-3;
-
-/// The same in a continuation.
-pub const ROUGHEST_ON_PATH: f64 = 2e-2;
 
 /// Relative residual of the mass matrix's solution for the flow across the film.
 pub const TOLERANCE: f64 = 1e-9;
@@ -42,16 +36,5 @@ pub const TOLERANCE: f64 = 1e-9;
 /// Iterations of it at most: each shrinks the residual by 3 at the least (Wathen, IMA J. Numer. Anal. 7 (1987) 449-457).
 pub const MOST_ITERATIONS: usize = 40;
 
-/// Smallest over largest singular value of a fit that the nodes determine; around a node of a mesh it is about 0.1,
-/// but zero where they all lie on a conic.
-pub const WELL_POSED: f64 = 0.02;
-
-/// Rings of elements around a node within which a fit is tried.
-pub const RINGS: usize = 4;
-
 /// Pressure over p_h above which an element belongs to the area under pressure.
 pub const PRESSED: f64 = 1e-8;
-
-/// Least distance from a place, in half-widths, within which temperatures count as around it; in large elements it is their
-/// size.
-pub const AROUND: f64 = 0.1;

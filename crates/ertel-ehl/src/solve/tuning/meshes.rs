@@ -12,18 +12,3 @@ pub const THINNEST_ELEMENTS: usize = 6;
 
 /// Points per edge of the lattice on which the thinnest point of an element is searched for.
 pub const THINNEST_LATTICE: usize = 4;
-
-/// Iterations of the dry contact of a roller: a start need not be exact.
-pub const MAX_ITERATIONS: usize = 80;
-
-/// Part of the load that may still sit at wrong places when they end.
-pub const TOLERANCE: f64 = 3e-3;
-
-/// Order of pressures and deflections where the rim of the dry contact is looked for.
-pub const ORDER: usize = 2;
-
-/// Width of the area of the dry contact over that of the zone.
-pub const WIDER: f64 = 1.3;
-
-/// Points across it at which pressures are summed.
-pub const ACROSS: usize = 150;

@@ -12,32 +12,11 @@ pub const PENALTY_CONTINUATION: [f64; 4] = [1e-4, 1e-3, 1e-2, 1e-1];
 /// Update, in p_h, at which a start is good enough.
 pub const START_TOLERANCE: f64 = 3e-2;
 
-/// Residual at which a solution is good enough to be measured and refined.
+/// Residual at which a solution is good enough to be measured.
 pub const ROUGH_RESIDUAL: f64 = 1e-3;
 
-/// Square of the update, in p_h, at which a solution is good enough to be measured, over the error that films may have: of the error, an
-/// update leaves its square or so.
-pub const ROUGH_SHARE: f64 = 0.05;
-
-/// Largest update, in p_h, at which it is.
-pub const ROUGH_UPDATE: f64 = 1e-2;
-
-/// Largest change of films in the last step to such a solution, over the error that they may have. In very thin films, small updates move them much.
-pub const ROUGH_FILM_CHANGE: f64 = 0.3;
-
-/// Update, in p_h, at which it is in line contacts, where an iteration costs nothing, and where a case asks for no error: the meshes of a preset are
-/// compared for error bars alone, which have to hold (M = 200, L = 10: with 1e-2, the bar of h_min is 1.1e-3, and the error 1.4e-3).
-pub const EXACT_ENOUGH: f64 = 1e-3;
-
-/// Update and residual at which a continuation step through fluids whose shear rate grows exponentially with the stress is good
-/// enough: there small updates may leave a large residual, and the next step would start far from its solution.
-pub const EXPONENTIAL_TOLERANCE: f64 = 1e-2;
-
-/// Change of film and temperature from round to round at which a continuation step is good enough.
-pub const PATH_COUPLING: f64 = 0.3;
-
-/// Rounds of film and temperature that a continuation step may take.
-pub const PATH_ROUNDS: usize = 15;
+/// Update, in p_h, at which it is: error bars have to hold (M = 200, L = 10: with 1e-2, the bar of h_min is 1.1e-3, and the error 1.4e-3).
+pub const ROUGH_UPDATE: f64 = 1e-3;
 
 /// Newton iterations that a start may take for each share of the penalty ramp.
 pub const START_ITERATIONS: usize = 30;
@@ -49,25 +28,13 @@ pub const START_STAGNATION: usize = 12;
 /// about 1.4, and starts that come through in the end have got it to 0.2 and mostly far below. Nothing starts from a state with more.
 pub const DIVERGENCE_LIMIT: f64 = 0.5;
 
-/// Newton iterations without a smaller update in a stage to which a continuation through easier contacts is known.
-pub const EARLY_STAGNATION: usize = 8;
-
-/// All iterations of such a stage; of rollers, whose thin ends come last, more.
-pub const EARLY_ITERATIONS: [usize; 2] = [25, 40];
-
-/// Iterations without a smaller update from a start that was thought to be near.
-pub const UNDAMPED_STAGNATION: usize = 5;
-
-/// Film near an edge of a roller that presses in, over that in the centre, below which there is none. The thinnest film of 34 rollers of the
-/// map that are solved is a fifth of the central one at least; of 19 others it is less than this, near such an edge, in two stages.
+/// Film near an edge of a roller that presses in, over that in the centre, below which there is none. The thinnest film of 34 rollers
+/// that are solved is a fifth of the central one at least; of 19 others it is less than this, near such an edge, in two stages.
 pub const NO_FILM: f64 = 0.02;
 
 /// Stages with less film than [`NO_FILM`] after which the end of a roller is taken to press in: the film of a first coarse mesh may be
 /// negative and come back.
 pub const STAGES_WITHOUT_END: usize = 2;
-
-/// A refined mesh has this many times the unknowns of the first at least, where films are thin.
-pub const ROOM_TO_REFINE: f64 = 3.0;
 
 /// Pressure unknowns beyond which a mesh that is not refined is not started, by half-spaces and by finite-element bodies, whose
 /// operator takes gigabytes.
@@ -75,3 +42,9 @@ pub const MOST_UNKNOWNS: [f64; 2] = [1e6, 4e4];
 
 /// Cell size at the rim over that in the Hertz zone, below which a film is thin.
 pub const THIN_RIM: f64 = 0.2;
+
+/// Ratio of the predicted films beyond which the solution of a similar problem is no start.
+pub const FARTHEST_FILM: f64 = 4.0;
+
+/// Share of the predicted new minimum film that such a start has left at the least.
+pub const LEAST_FILM: f64 = 0.5;

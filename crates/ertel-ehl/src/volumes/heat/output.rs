@@ -1,6 +1,7 @@
 //! Temperatures and heat of a solve for results, SI.
 
 use super::figures::sums;
+use crate::engine::bars::{Slowest, bar};
 use crate::engine::{Film, Observer, Problem, SolveError};
 use crate::params::ThermalParams;
 use crate::post::thermal::cross_film::profiles;
@@ -8,7 +9,6 @@ use crate::post::thermal::{temperatures, thermal_of};
 use crate::solution::{Coupling, Estimate, Figure, Measured, Thermal, ThermalReduction};
 use crate::volumes::engine::{FiniteVolumes, Volumes};
 use crate::volumes::fields::{nodes, profile};
-use crate::volumes::figures::{Slowest, bar};
 use crate::volumes::film::PatchedFilm;
 use crate::volumes::plan::Plan;
 use crate::volumes::reduction::on_grids;

@@ -1,11 +1,6 @@
 //! Fields with known contours, on meshes much coarser than the picture.
 
-use ertel_fem::mesh::{SurfaceParams, surface_mesh};
-use ertel_fem::space::Space;
-
 use super::*;
-use crate::contact::Symmetry;
-use crate::solve::heat::recovery::{self, Recovery};
 use ertel_plot::contour::Triangulation;
 
 /// Size of a pixel: 330 px over [−1, 1].
@@ -182,43 +177,4 @@ fn elements_outside_the_window_are_not_divided() {
     };
     let most = Sampling::new(&fields, &polynomials, &enlarged);
     assert!(most.triangles.len() <= MOST);
-}
-
-/// {exp(−r²) = exp(−0.7²)} of linear elements at most a quarter as long as its radius: within 0.1 px with recovered
-/// gradients; without them, a polygon that deviates by more than 0.3 px.
-#[test]
-fn recovered_gradients_round_a_polygon() {
-    let patch = SurfaceParams {
-        dim: 2,
-        x: [-1.0, 1.0],
-        y: [-1.0, 0.0],
-    };
-    let mesh = surface_mesh(&patch, &|_| 0.17).unwrap();
-    let space = Space::new(mesh.mesh(), 1);
-    let elements = ElementFields {
-        dim: 2,
-        vertices: space.points.iter().map(|p| [p[0], p[1]]).collect(),
-        cells: (0..space.n_elements())
-            .map(|c| [0, 1, 2].map(|i| space.nodes_of(c)[i]))
-            .collect(),
-        ..ElementFields::default()
-    };
-    let nodal: Vec<f64> = (space.points.iter())
-        .map(|p| (-p[0] * p[0] - p[1] * p[1]).exp())
-        .collect();
-    let linear = space.element_nodes.iter().map(|node| nodal[*node as usize]);
-    let [polygon, round] = [
-        (1, linear.collect()),
-        (
-            recovery::ORDER,
-            Recovery::new(&space, Symmetry::Half).cubics(&nodal),
-        ),
-    ]
-    .map(|(order, values)| {
-        let lines = level_lines(&elements, &Polynomials { order, values }, (-0.49_f64).exp());
-        assert_eq!(lines.len(), 1);
-        off_the_circle(&lines[0], 0.7)
-    });
-    assert!(polygon > 0.3, "{polygon} px");
-    assert!(round < 0.1, "{round} px");
 }
