@@ -81,10 +81,10 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
         "lambda ratio",
         "load on asperities",
         "total friction coefficient",
-        "at the film of smooth surfaces the asperities would carry",
     ] {
         assert!(solved.contains(words), "{words} in {solved}");
     }
+    assert!(!solved.contains("smooth surfaces"), "{solved}");
     let rows = rows_of(&folder.path().join("results/stribeck/curve.csv"));
     assert_eq!(rows.len(), 15);
     let sigma = 0.25e-6;
@@ -100,12 +100,8 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
             number(row, "friction_fluid"),
             number(row, "friction_asperities"),
         );
-        close(
-            fluid,
-            (1.0 - share.min(1.0)) * number(row, "traction_coefficient"),
-            1e-12,
-        );
-        close(asperities, 0.12 * share.min(1.0), 1e-9);
+        close(fluid, number(row, "traction_coefficient"), 1e-12);
+        close(asperities, 0.12 * share, 1e-9);
         close(number(row, "friction_total"), fluid + asperities, 1e-12);
     }
     // From the film to the asperities as the speed falls: share and friction of asperities rise, the total has its minimum in between.
@@ -115,7 +111,7 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
         .map(|r| number(r, "asperity_load_share"))
         .collect();
     assert!(share.windows(2).all(|w| w[1] > w[0]), "{share:?}");
-    assert!(share[0] < 1e-3 && share[14] > 0.2, "{share:?}");
+    assert!(share[0] < 1e-3 && share[14] > 0.9, "{share:?}");
     let least = (0..15)
         .min_by(|a, b| total[*a].total_cmp(&total[*b]))
         .unwrap();
@@ -125,7 +121,7 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
     let picture = std::fs::read_to_string(picture).unwrap();
     for words in [
         "film and asperities",
-        "asperities over the film of smooth surfaces",
+        "Oil and asperities share the load",
         "Friction coefficient",
     ] {
         assert!(picture.contains(words), "{words}");
@@ -135,7 +131,7 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
     assert_eq!(again.status.code(), Some(0), "{}", text(&again.stderr));
 }
 
-/// A point contact: `mixed` of result.json and the report; against the closed form with its film where that is almost flat.
+/// A point contact: `mixed` of result.json and the report; far smoother surfaces carry nothing on asperities.
 #[test]
 fn result_of_a_rough_ball() {
     let (folder, given) = rough_ball();
@@ -154,11 +150,7 @@ fn result_of_a_rough_ball() {
     assert_eq!(mixed["separation"], "mixed");
     let asperities = &mixed["asperities"];
     let share = value(&asperities["asperity_load_share"]);
-    let limit = asperities["asperity_load_share_limit"].as_f64().unwrap();
-    assert!(
-        0.0 < share && share < limit && limit < 1.0,
-        "{share} {limit}"
-    );
+    assert!(0.0 < share && share < 1.0, "{share}");
     assert!(asperities["asperity_load_share"]["error"].as_f64().unwrap() > 0.0);
     // The plane is the faster surface: friction has the sign of the traction.
     let friction = &asperities["friction"];
@@ -169,17 +161,15 @@ fn result_of_a_rough_ball() {
         "asperity load",
         "total friction coefficient",
         "mixed lubrication",
-        "these asperities carry at most",
     ] {
         assert!(report.contains(words), "{words}: {report}");
     }
-    // The same film under a smoother surface carries nothing, and the film is the same to the bit.
+    // The film of far smoother surfaces bears all.
     let smooth = given.replace("120 nm", "2 nm").replace("160 nm", "1 nm");
     std::fs::write(folder.path().join("smooth.toml"), smooth).unwrap();
     let output = ertel(folder.path(), &["solve", "smooth.toml"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let smooth = json("smooth");
-    assert_eq!(smooth["summary"], result["summary"]);
     let share = value(&smooth["mixed"]["asperities"]["asperity_load_share"]);
     assert!(share < 1e-12, "{share}");
     let total = value(&smooth["mixed"]["asperities"]["friction"]["friction_total"]);
@@ -201,8 +191,9 @@ fn study_of_roughness() {
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let rows = rows_of(&folder.path().join("results/study/results.csv"));
     let share = |i: usize| number(&rows[i], "asperity_load_share");
-    // p_a is as the square of σβη over one and the same film; the second point starts from the first.
-    close(share(1), 4.0 * share(0), 1e-2);
+    // p_a is as the square of σβη at one and the same film, but stiffer asperities lift the surfaces.
+    let ratio = share(1) / share(0);
+    assert!((1.5..4.0).contains(&ratio), "{ratio}");
     for column in ["lambda_minimum", "lambda_central", "friction_total"] {
         number(&rows[0], column);
     }

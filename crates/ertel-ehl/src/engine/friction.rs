@@ -188,7 +188,7 @@ pub fn friction<Plan>(problem: &Problem<Plan>, fluid: &FilmFluid, film: &impl Fi
             let work = |i: usize| slide[i] * s.stress[0][i] + mean[i] * s.difference[i];
             let part = Part {
                 work: work(0) + work(1),
-                offset: fields.pressure * shape.gap.at([x, y]).gradient[0],
+                offset: fields.total_pressure() * shape.gap.at([x, y]).gradient[0],
                 limits: (point.in_zone).then(|| match fluid.limits_depend_on_pressure() {
                     true => fluid.newtonian_limits(fields.pressure),
                     false => constant,
@@ -242,7 +242,11 @@ pub fn friction<Plan>(problem: &Problem<Plan>, fluid: &FilmFluid, film: &impl Fi
         work_around: (found.last().filter(|_| !around.is_empty()))
             .map_or(0.0, |([here, ..], _)| here.work * area),
         through_end: through_end * scales.pressure * speed * scales.film / scales.length * area,
-        offset: -whole.offset * fluid.stress_scale() / load,
+        offset: match problem.rough {
+            None => -whole.offset * fluid.stress_scale() / load,
+            // The identity is that of a gap that flows as it deflects.
+            Some(_) => whole.rolling / load,
+        },
     }
 }
 

@@ -59,6 +59,8 @@ impl Extremes {
 pub struct HeatSums {
     /// Made by shear.
     pub shear: f64,
+    /// Made by the friction of asperities.
+    pub rubbing: f64,
     /// Made by compression, minus the heat that expansion absorbs.
     pub compression: f64,
     /// The sum of its sizes.
@@ -72,9 +74,10 @@ pub struct HeatSums {
 impl HeatSums {
     /// (made − carried off)/(heat of shear + size of the heat of compression); zero without heat.
     pub fn error(&self) -> f64 {
-        let size = self.shear + self.compression_size;
+        let made = self.shear + self.rubbing;
+        let size = made + self.compression_size;
         let lost =
-            self.shear + self.compression - self.to_bodies[0] - self.to_bodies[1] - self.by_film;
+            made + self.compression - self.to_bodies[0] - self.to_bodies[1] - self.by_film;
         if size > 0.0 { lost / size } else { 0.0 }
     }
 }

@@ -1,36 +1,57 @@
-//! Load and friction of asperities over the film of smooth surfaces: a model of mixed lubrication.
+//! Mixed lubrication: the oil and the asperities of two rough surfaces share the load.
 //!
 //! ```text
 //!   λ = h_min/σ                                                             lambda ratio
-//!   p_a(h) = 16√2π/15 (σβη)² √(σ/β) E* F_{5/2}(h/σ)                         asperity pressure
-//!   W_a = ∫ p_a(h(x, y)) dA,     L = W_a/W                                  asperity load and its share
-//!   f = (1 − L) f_fluid + f_b 1/W ∫ p_a e dA                                friction coefficient
+//!   p_a(h) = κ F_{5/2}(h/σ),  κ = 16√2π/15 (σβη)² √(σ/β) E*                 asperity pressure
+//!   P = p + p_a(h) ≥ p_a(h)                                                 total pressure: deflects the bodies and bears the load
+//!   h_T = E[max(h + δ, 0)] = σ F_1(−h/σ)                                    mean gap
+//!   L = ∫ p_a dA/W,     f = ∫ τ dA/W + f_b/W ∫ p_a e dA                     load share of the asperities, friction coefficient
 //! ```
-//! σ is the composite rms height, η the density of asperities on each surface, β their tip radius, E* with 1/E* = Σ (1−ν²)/E the
-//! plane-strain modulus of the pair (half of E'), e the direction of sliding, f_b the boundary friction coefficient. The pressure
-//! is that of Greenwood and Tripp (1970, The contact of two nominally flat rough surfaces, Proc. IMechE 185, 625-633): elastic
-//! asperities of one tip radius on both surfaces, Gaussian heights, no interaction of neighbours.
+//! h is the distance of the mean planes, of any sign, σ the composite rms height, η the density of asperities on each surface, β their tip radius,
+//! E* with 1/E* = Σ (1−ν²)/E the plane-strain modulus of the pair (half of E'), p the pressure and τ the shear stress of the oil, e the direction
+//! of sliding, f_b the boundary friction coefficient. The asperity pressure is that of Greenwood and Tripp (1970, The contact of two nominally flat
+//! rough surfaces, Proc. IMechE 185, 625-633): elastic asperities of one tip radius on both surfaces, Gaussian heights, no interaction of
+//! neighbours. Finite volumes solve for oil and asperities together ([`crate::volumes`]).
 //!
-//! Film and traction are those of smooth surfaces under the whole load. The load on the asperities would lower the pressure of the
-//! film and thicken it; the model neglects that, and is valid while the share is small ([`SMALL_SHARE`]). A film has no negative
-//! thickness, so p_a is at most p_a(0), tens to some hundred MPa with usual asperities: under higher Hertz pressures the share
-//! stays below one however thin the film.
+//! Theory: Mixed lubrication.
 
-mod load;
+mod rough;
 mod statistics;
+mod table;
 
 use std::f64::consts::PI;
 
 use serde::Serialize;
 
-pub use load::{AsperityForces, TOLERANCE, asperity_forces};
-pub use statistics::{NOTHING_FROM, five_halves_integral};
+pub use rough::Rough;
+pub use statistics::five_halves_integral;
 
-/// Asperity load share above which the film of smooth surfaces is not accurate. With a tenth of its load removed, the film
-/// is 0.8 to 1.4 % thicker (h ∝ W^−0.073, Hamrock and Dowson 1977, to W^−0.13, Dowson and Higginson 1977), and the asperity pressure
-/// falls by several times that (−d ln F_{5/2}/d ln u is 6.1 at u = 2): the share errs by 5 to 8 % of its value. Our choice, not from
-/// a paper.
-pub const SMALL_SHARE: f64 = 0.1;
+/// The gap through which the oil flows between rough surfaces.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Flow {
+    /// The mean gap h_T: what the valleys hold, never negative.
+    #[default]
+    AverageGap,
+    /// The distance of the mean planes, none where they overlap.
+    Distance,
+}
+
+impl Flow {
+    /// Every choice, by its name in case files.
+    pub const ALL: [(&'static str, Flow); 2] = [
+        ("average-gap", Flow::AverageGap),
+        ("distance", Flow::Distance),
+    ];
+
+    /// For reports.
+    pub fn words(self) -> &'static str {
+        match self {
+            Flow::AverageGap => "through the mean gap",
+            Flow::Distance => "through the distance of the mean planes",
+        }
+    }
+}
 
 /// Asperities of two surfaces of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -42,9 +63,17 @@ pub struct Asperities {
     /// Friction of asperities over their load, if given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub boundary_friction_coefficient: Option<f64>,
+    /// Where the oil flows.
+    pub flow: Flow,
 }
 
 impl Asperities {
+    /// κ, Pa; `reduced_modulus` is E' = 2E* in Pa.
+    pub fn stiffness(&self, reduced_modulus: f64) -> f64 {
+        let shape = self.asperity_group.powi(2) * self.rms_height_to_asperity_radius.sqrt();
+        16.0 * 2f64.sqrt() * PI / 15.0 * shape * 0.5 * reduced_modulus
+    }
+
     /// Asperity pressure, Pa, at the film thickness over composite rms height u; `reduced_modulus` is E' = 2E* in Pa.
     ///
     /// ```text
@@ -53,15 +82,7 @@ impl Asperities {
     /// Greenwood and Tripp 1970, whose E' is E* here. As pairs of paraboloids of the radius β that overlap by w on the axis and pass
     /// at a distance r, each with 4/3 E* √(β/2) (w − r²/4β)^{3/2}, integrated over r and the heights.
     pub fn pressure(&self, film_to_height: f64, reduced_modulus: f64) -> f64 {
-        let shape = self.asperity_group.powi(2) * self.rms_height_to_asperity_radius.sqrt();
-        let factor = 16.0 * 2f64.sqrt() * PI / 15.0 * shape * 0.5 * reduced_modulus;
-        factor * five_halves_integral(film_to_height)
-    }
-
-    /// Share of a load (N, or N/m of lines) that they carry where the mean planes of both surfaces meet all over the dry contact
-    /// (m², or m), without the gap around it.
-    pub fn share_at_contact(&self, reduced_modulus: f64, area: f64, load: f64) -> f64 {
-        self.pressure(0.0, reduced_modulus) * area / load
+        self.stiffness(reduced_modulus) * five_halves_integral(film_to_height)
     }
 }
 
@@ -74,6 +95,7 @@ mod tests {
         asperity_group: 0.05,
         rms_height_to_asperity_radius: 1e-3,
         boundary_friction_coefficient: None,
+        flow: Flow::AverageGap,
     };
 
     /// The pressure from the pairs themselves, by sums over overlap and distance: no use of F_{5/2} and its factor.

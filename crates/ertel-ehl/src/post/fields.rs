@@ -17,7 +17,7 @@ pub fn centreline_of(
         let local = fluid.local(f.pressure, f.temperature.as_deref());
         let properties = local.point();
         line.x.push(x * scales.length);
-        line.pressure.push(f.pressure * scales.pressure);
+        line.pressure.push(f.total_pressure() * scales.pressure);
         line.film_thickness.push(f.film * scales.film);
         line.deflection.push(f.deflection * scales.film);
         line.viscosity
@@ -44,7 +44,7 @@ pub fn surface_of(
         field.points.push(f.place.map(|x| x * scales.length));
         field.film_thickness.push(f.film * scales.film);
         field.deflection.push(f.deflection * scales.film);
-        field.pressure.push(f.pressure * scales.pressure);
+        field.pressure.push(f.total_pressure() * scales.pressure);
         field
             .viscosity
             .push(properties.viscosity[0] * scales.viscosity);

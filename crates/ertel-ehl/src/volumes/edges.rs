@@ -13,7 +13,7 @@ use super::beyond::Beyond;
 use super::ending::LEAST_FILM;
 use super::engine::{Plan, newton_params, pattern};
 use super::extremes::lowest;
-use super::figures::central;
+use super::figures::{central, mean_gap};
 use super::level::Level;
 use super::preconditioner::Preconditioner;
 use super::system::{State, System};
@@ -76,7 +76,8 @@ fn stepped(
     }
     state.separation += step.separation;
     let levels = [Level::new(system.clone(), state)];
-    Ok(lowest(&levels).map(|lowest| [central(&levels), lowest.film]))
+    let films = lowest(&levels).map(|lowest| [central(&levels), lowest.film]);
+    Ok(films.map(|films| films.map(|film| mean_gap(problem, film))))
 }
 
 /// Gives the edges the pressures of a film that continues, and takes the load outside off that of the grid.
@@ -95,7 +96,7 @@ fn continue_outside(problem: &Problem<Plan>, system: &mut System, state: &mut St
         let x = grid.place(i, j)[0];
         if x < 0.0 && !grid.is_unknown(i, j) && !grid.is_end(j) {
             let k = grid.index(i, j);
-            state.pressure[k] = -c * x / films[k].powi(2);
+            state.give(k, -c * x / films[k].powi(2));
         }
     }
     // ∫P dX = 2c/X² from the edge on, H = X²/2.

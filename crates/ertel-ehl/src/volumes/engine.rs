@@ -9,7 +9,7 @@ use super::contents::Arrival;
 use super::edges::effects;
 use super::ending::{Ends, balance_error};
 use super::extremes::lowest;
-use super::figures::{Slowest, bar, bars, central, figures, is_settled, note_films};
+use super::figures::{Slowest, bar, bars, central, figures, gap_of, is_settled, note_films};
 use super::grid::RING;
 use super::heat::Params;
 use super::heat::rounds::Rounds;
@@ -214,10 +214,9 @@ fn ended(info: NewtonInfo) -> Result<NewtonInfo, SolveError> {
 
 /// Relative errors of the films of a level, from those before.
 fn film_errors(stats: &[LevelStats]) -> [f64; 2] {
-    let values = |figure| {
-        let mut values = stats.iter().rev().map(|level| level.figures.value(figure));
-        [(); 3].map(|()| values.next().flatten())
-    };
+    let mut newest = stats.iter().rev().map(|level| &level.figures);
+    let of_grids = [(); 3].map(|()| newest.next());
+    let values = |figure| gap_of(of_grids, figure);
     let settled = is_settled(values(Figure::FilmMinimum));
     [Figure::FilmCentral, Figure::FilmMinimum].map(|figure| {
         let values = values(figure);
@@ -409,7 +408,9 @@ const GRIDS_OF_ENDS: usize = 6;
 /// # Errors
 /// If it does: the pressure is zero there, and the surfaces touch.
 fn check_ends(problem: &Problem<Plan>, levels: &[Level]) -> Result<(), SolveError> {
-    if problem.shape.zone.roller.is_none() || levels.len() < GRIDS_OF_ENDS {
+    // Between rough surfaces asperities bear the pressure there.
+    let is_smooth_roller = problem.shape.zone.roller.is_some() && problem.rough.is_none();
+    if !is_smooth_roller || levels.len() < GRIDS_OF_ENDS {
         return Ok(());
     }
     let at_end = |n: usize| {
@@ -438,7 +439,7 @@ fn stats(
     [cells, unknowns]: [usize; 2],
 ) -> LevelStats {
     let mut figures = Figures::default();
-    note_films(&mut figures, &problem.scales, levels);
+    note_films(&mut figures, problem, levels);
     LevelStats {
         converged: info.converged,
         n_body_cells: 0,

@@ -9,16 +9,16 @@
 //! half; at least 1 where grids do not resolve the thinnest film. A difference that vanishes by chance is bounded from below by the previous one. Where a difference
 //! changes sign, or is about to (falls faster than the cube of the cell size), f is the remainder if the previous one falls at first order. Films, for which the grids are refined, converge at first order or better.
 
+use super::asperities::note_asperities;
 use super::extremes::{extreme, lowest, sharpness};
 use super::fields::profile;
 use super::film::PatchedFilm;
 use super::heat::figures::{extremes, sums};
 use super::level::Level;
-use crate::contact::Scales;
 use crate::engine::figures::{note_film, note_friction, note_roller, share_of_film};
 use crate::engine::heat::note_heat;
 use crate::engine::hills::hills;
-use crate::engine::{Film, PointTable, Problem, Profile};
+use crate::engine::{Film, PointFields, PointTable, Problem, Profile};
 use crate::solution::{Bar, Bars, Figure, Figures, Reading};
 
 /// H at the centre.
@@ -38,7 +38,7 @@ pub fn figures<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
         return figures;
     };
     let h_c = central(levels);
-    note_films(&mut figures, scales, levels);
+    note_films(&mut figures, problem, levels);
     note_pressures(&mut figures, problem, finest, h_c);
     let film = PatchedFilm::new(&problem.shape, levels);
     let profile = profile(&film);
@@ -59,6 +59,9 @@ pub fn figures<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
     note_roller(&mut figures, problem, largest, || moments(film.points()));
     let heats = finest.warm.is_some();
     note_friction(&mut figures, problem, &problem.fluid, &film, heats);
+    if let Some(rough) = &problem.rough {
+        note_asperities(&mut figures, problem, rough, &film);
+    }
     let cell = finest.system.grid.spacing[0];
     for figure in [Figure::BeyondFirstLimit, Figure::BeyondSecondLimit] {
         if let Some(share) = figures.value(figure) {
@@ -79,18 +82,46 @@ pub fn figures<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
     figures
 }
 
-/// Central and minimum film.
-pub fn note_films(figures: &mut Figures, scales: &Scales, levels: &[Level]) {
-    let h_c = scales.film * central(levels);
-    figures.note(Figure::FilmCentral, Reading::new(h_c));
-    if let Some(lowest) = lowest(levels) {
-        let reading = Reading {
-            misfit: scales.film * lowest.misfit,
-            ..Reading::new(scales.film * lowest.film)
+/// Mean gap of rough surfaces at a distance H of their mean planes; H of smooth ones.
+pub fn mean_gap<Plan>(problem: &Problem<Plan>, film: f64) -> f64 {
+    (problem.rough.as_ref()).map_or(film, |rough| rough.mean_gap(film)[0])
+}
+
+/// Central and minimum film; between rough surfaces as the distance of the mean planes, whose errors are relative to the mean gap, and as that.
+pub fn note_films<Plan>(figures: &mut Figures, problem: &Problem<Plan>, levels: &[Level]) {
+    let scales = &problem.scales;
+    let mut note = |[film, gap]: [Figure; 2], h: f64, misfit: f64, place: Option<[f64; 2]>| {
+        let mean = mean_gap(problem, h);
+        let reading = |value: f64| Reading {
+            misfit: scales.film * misfit,
+            size: scales.film * mean.abs(),
+            place,
+            ..Reading::new(scales.film * value)
         };
+        figures.note(film, reading(h));
+        if problem.rough.is_some() {
+            figures.note(gap, reading(mean));
+        }
+    };
+    let centre = [Figure::FilmCentral, Figure::MeanGapCentral];
+    note(centre, central(levels), 0.0, None);
+    if let Some(lowest) = lowest(levels) {
         let place = lowest.place.map(|x| x * scales.length);
-        figures.note(Figure::FilmMinimum, reading.at(place));
+        let minimum = [Figure::FilmMinimum, Figure::MeanGapMinimum];
+        note(minimum, lowest.film, lowest.misfit, Some(place));
     }
+}
+
+/// Readings of the figure by which a film is refined, from up to three grids: the mean gap of rough surfaces, whose distance may vanish.
+pub fn gap_of<'a>(of_grids: [Option<&'a Figures>; 3], film: Figure) -> [Option<f64>; 3] {
+    let gap = match film {
+        Figure::FilmCentral => Figure::MeanGapCentral,
+        _ => Figure::MeanGapMinimum,
+    };
+    of_grids.map(|figures| {
+        let figures = figures?;
+        figures.value(gap).or_else(|| figures.value(film))
+    })
 }
 
 /// Largest pressure at the nodes whose y is accepted, with its place.
@@ -109,7 +140,7 @@ fn largest_where(level: &Level, accepts: &dyn Fn(f64) -> bool) -> Option<(f64, [
 fn moments(points: &PointTable) -> [f64; 3] {
     points.iter().fold([0.0; 3], |sums, point| {
         let y = point.fields.place[1];
-        let share = point.area * point.fields.pressure;
+        let share = point.area * point.fields.total_pressure();
         [
             sums[0] + share,
             sums[1] + share * y,
@@ -135,7 +166,7 @@ fn note_misfit(figures: &mut Figures, figure: Figure, misfit: f64) {
 fn rise_of_spike(profile: &Profile) -> Option<f64> {
     let (top, x) = profile.spike()?;
     let i = profile.x.iter().position(|other| *other == x)?;
-    let neighbour = |i: usize| profile.fields.get(i).map(|fields| fields.pressure);
+    let neighbour = |i: usize| profile.fields.get(i).map(PointFields::total_pressure);
     Some(top - 0.5 * (neighbour(i.checked_sub(1)?)? + neighbour(i + 1)?))
 }
 
@@ -224,7 +255,10 @@ impl Slowest {
     /// Of a figure.
     pub fn of(figure: Figure) -> Slowest {
         match figure {
-            Figure::FilmCentral | Figure::FilmMinimum => Slowest::OF_FILMS,
+            Figure::FilmCentral
+            | Figure::FilmMinimum
+            | Figure::MeanGapCentral
+            | Figure::MeanGapMinimum => Slowest::OF_FILMS,
             _ => Slowest::OF_OTHERS,
         }
     }
@@ -295,11 +329,13 @@ pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64, least: [f64; 2]) -> Bars
         return bars;
     };
     let values = |figure| of_grids.map(|figures| Some(figures?.get(figure)?.value));
-    let settled = is_settled(values(Figure::FilmMinimum));
+    let settled = is_settled(gap_of(of_grids, Figure::FilmMinimum));
+    let is_rough = newest.get(Figure::MeanGapCentral).is_some();
     let error = |figure| bar(values(figure), settled, Slowest::of(figure));
     // Of what a film is likely to err by, without the factor.
     let of_film = |figure| {
-        let relative = error(figure).zip(newest.value(figure));
+        let gaps = gap_of(of_grids, figure);
+        let relative = bar(gaps, settled, Slowest::OF_FILMS).zip(gaps[0]);
         relative.map_or(0.0, |(error, film)| (error / film).abs() / SAFETY)
     };
     let [central, minimum] = [Figure::FilmCentral, Figure::FilmMinimum].map(of_film);
@@ -317,12 +353,12 @@ pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64, least: [f64; 2]) -> Bars
         let value = if value < least { least } else { value };
         // A film below zero is not resolved.
         let value = match figure {
-            Figure::FilmMinimum | Figure::FilmCentral if reading.value <= 0.0 => {
+            Figure::FilmMinimum | Figure::FilmCentral if reading.value <= 0.0 && !is_rough => {
                 value.max(2.0 * reading.value.abs())
             }
-            Figure::FilmCentral => value,
+            Figure::FilmCentral | Figure::MeanGapCentral => value,
             // Differences of both may change sign by chance, but rarely at the same time.
-            Figure::FilmMinimum => value
+            Figure::FilmMinimum | Figure::MeanGapMinimum => value
                 .max(reading.misfit)
                 .max(SAFETY * central * reading.size),
             // No figure is more accurate than the film that it depends on.

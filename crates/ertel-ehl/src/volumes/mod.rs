@@ -16,6 +16,7 @@
 //! | [`convolution`] | deflection of the half-spaces |
 //! | [`rows_convolution`], [`line_convolution`], [`deflection`] | the same under rows of a roller, under a line |
 //! | [`faces`] | flux through a face and its derivatives |
+//! | [`touching`] | oil and asperities at a node |
 //! | [`thinning`] | shear thinning of the film at a node |
 //! | [`contents`] | oil in partly filled gaps |
 //! | [`behind`] | oil behind the film |
@@ -28,6 +29,7 @@
 //! | [`beyond`], [`far_pressure`] | the region beyond the first grid |
 //! | [`level`] | from a grid to one with cells of half the size on a smaller patch |
 //! | [`film`], [`composite`], [`fields`] | the film on all patches together; its mesh and fields |
+//! | [`asperities`] | load and friction of asperities |
 //! | [`extremes`], [`figures`], [`summary`] | figures, error bars, warnings |
 //! | [`heat`] | temperatures of film and surfaces |
 //! | [`reduction`] | the film compared with that of the Newtonian fluid |
@@ -38,6 +40,7 @@
 //!
 //! Theory: Finite volumes.
 
+pub mod asperities;
 pub mod behind;
 pub mod beyond;
 pub mod composite;
@@ -75,6 +78,7 @@ pub mod summary;
 pub mod system;
 pub mod tangents;
 pub mod thinning;
+pub mod touching;
 pub mod transfer;
 
 pub use engine::{FiniteVolumes, Plan, Volumes};

@@ -5,6 +5,7 @@ use ertel_fem::platform::Instant;
 
 use super::ending::{Ends, Progress, balance_error, entered};
 use super::preconditioner::{Pattern, Preconditioner};
+use super::step::Step;
 use super::system::{Linearised, State, System};
 use crate::engine::Observer;
 use crate::solution::IterationRecord;
@@ -118,6 +119,44 @@ fn has_ended(
         || (film < NEGLIGIBLE_UPDATE * ends.film && pressure < NEGLIGIBLE_UPDATE * ends.pressure)
 }
 
+/// Moves the pressures of oil and asperities between rough surfaces on by a step, that of the oil by at most `most` and not below zero; returns the largest change.
+fn move_parts(
+    (system, at): (&System, &Linearised),
+    (state, step): (&mut State, &Step),
+    most: f64,
+    moved: &mut [f64],
+) -> f64 {
+    let grid = &system.grid;
+    let films = system.change_of_film(&step.pressure, step.separation);
+    let mut largest = 0.0;
+    for (k, [i, j]) in grid.nodes().enumerate() {
+        let (of, change) = (&at.touching[k], step.pressure[k]);
+        if !grid.is_unknown(i, j) {
+            state.wetted[k] = false;
+            continue;
+        }
+        let change = of.change_of_oil(change, films[k]) + of.slack;
+        let next = match change.abs() > most {
+            true => state.oil[k] + most.copysign(change),
+            false => state.oil[k] + change,
+        };
+        state.wetted[k] = at.wetted[k] && next > 0.0;
+        let next = if at.wetted[k] { next.max(0.0) } else { 0.0 };
+        // The asperities bear the rest, no less than nothing.
+        let [touch, slope] = of.pressure;
+        let pressure = next + (touch + slope * films[k]).max(0.0);
+        let size = (pressure - state.pressure[k]).abs();
+        moved[k] = size;
+        let size = size.max((next - state.oil[k]).abs());
+        if size > largest || !change.is_finite() {
+            largest = if change.is_finite() { size } else { f64::NAN };
+        }
+        state.oil[k] = next;
+        state.pressure[k] = pressure;
+    }
+    largest
+}
+
 /// Solves on a grid, starting from `state` and ending with the solution in it. `film_scale` is a²/R in m.
 pub fn newton(
     system: &System,
@@ -154,6 +193,7 @@ pub fn newton(
         info.seconds[0] += clock.elapsed().as_secs_f64();
         if ended {
             state.contents = at.contents;
+            system.settle(state);
             info.converged = true;
             return info;
         }
@@ -188,7 +228,16 @@ pub fn newton(
         info.krylov_iterations += step.krylov_iterations;
         info.change = 0.0;
         let mut moved = vec![0.0; step.pressure.len()];
-        for (k, (p, change)) in state.pressure.iter_mut().zip(&step.pressure).enumerate() {
+        if !at.touching.is_empty() {
+            info.change = move_parts(
+                (system, &at),
+                (state, &step),
+                params.largest_change,
+                &mut moved,
+            );
+        }
+        let smooth = if at.touching.is_empty() { step.pressure.len() } else { 0 };
+        for (k, (p, change)) in state.pressure.iter_mut().zip(&step.pressure).enumerate().take(smooth) {
             let most = params.largest_change;
             // Not `clamp`: it would turn NaN into a bound.
             let next = *p

@@ -4,7 +4,8 @@
 //!   G_i = Σ F through the faces of node i / its area + ∂m_i/∂T,    P_i ≥ 0,  G_i ≥ 0,  P_i G_i = 0
 //!   H = H_0 + G + δ_outer + K P,    ΣP dA = load of the grid
 //! ```
-//! Where the film has cavitated, P = 0 and the outflow exceeds the inflow; elsewhere they are equal.
+//! Where the film has cavitated, P = 0 and the outflow exceeds the inflow; elsewhere they are equal. Between rough surfaces P is that of oil and
+//! asperities, and the oil bears the rest p = P − p_a(H) ≥ 0, to which all of that applies ([`super::touching`]).
 
 use std::sync::Arc;
 
@@ -20,9 +21,11 @@ use super::grid::{Grid, RING};
 use super::heat::warmth::Warmth;
 use super::passing::Passing;
 use super::thinning::Thinned;
+use super::touching::Touch;
 use crate::contact::Planar;
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
+use crate::mixed::Rough;
 
 /// A film on a grid: data that do not change during a solve.
 #[derive(Clone)]
@@ -53,6 +56,8 @@ pub struct System {
     pub storage: Option<Storage>,
     /// The force balance of the pressures.
     pub balance: Balance,
+    /// Rough surfaces, whose asperities bear a part of the pressures.
+    pub rough: Option<Rough>,
 }
 
 /// The force balance: s_p (load − ∫P) + s_h H_0 + g = 0. A steady contact bears its load; in time a body may move by its inertia, or as it is given.
@@ -94,6 +99,8 @@ pub struct Storage {
 pub struct State {
     /// P at all nodes.
     pub pressure: Vec<f64>,
+    /// P of the oil at all nodes; none between smooth surfaces, where it is all of P.
+    pub oil: Vec<f64>,
     /// H_0.
     pub separation: f64,
     /// Where the film had not broken after the last step.
@@ -103,11 +110,29 @@ pub struct State {
 }
 
 impl State {
+    /// P of the oil.
+    pub fn oil(&self) -> &[f64] {
+        match self.oil.is_empty() {
+            true => &self.pressure,
+            false => &self.oil,
+        }
+    }
+
+    /// Sets the pressure of a node to that of oil alone.
+    pub fn give(&mut self, k: usize, pressure: f64) {
+        self.pressure[k] = pressure;
+        if let Some(oil) = self.oil.get_mut(k) {
+            *oil = pressure;
+        }
+    }
+
     /// Moves on by some of the changes of pressures, where the film is wetted, and of the separation. Where the film has cavitated the pressure is exactly zero, without the
-    /// residual of the linear solver: the next grid would take that for a filled gap.
+    /// residual of the linear solver: the next grid would take that for a filled gap. Between rough surfaces asperities press there; [`System::settle`] then
+    /// gives the oil its part.
     pub fn moved(&mut self, changes: &[f64], share: f64, wetted: &[bool]) {
+        let is_rough = !self.oil.is_empty();
         for (p, (change, wetted)) in self.pressure.iter_mut().zip(changes.iter().zip(wetted)) {
-            if *wetted {
+            if *wetted || is_rough {
                 *p += share * change;
             }
         }
@@ -119,6 +144,8 @@ impl State {
 pub struct Linearised {
     /// Fields at the nodes.
     pub nodes: Vec<Node>,
+    /// What asperities bear there, none between smooth surfaces.
+    pub touching: Vec<Touch>,
     /// Shear thinning there, none for Newtonian films.
     pub thinned: Vec<Thinned>,
     /// Faces towards the next node along the first direction, and along the second.
@@ -174,14 +201,14 @@ impl System {
     /// The equation and its derivatives at a state.
     pub fn linearise(&self, state: &State) -> Linearised {
         self.linearise_by(state, |nodes| {
-            self.thinned(nodes, &state.pressure, |_| true)
+            self.thinned(nodes, state.oil(), |_| true)
         })
     }
 
     /// The same where it differs little from another state and system: shear thinning is evaluated again only at the nodes that are `near`.
     pub fn linearise_nearby(&self, state: &State, other: &Linearised, near: &[bool]) -> Linearised {
         self.linearise_by(state, |nodes| {
-            let mut thinned = self.thinned(nodes, &state.pressure, |k| near[k]);
+            let mut thinned = self.thinned(nodes, state.oil(), |k| near[k]);
             for (k, (own, other)) in thinned.iter_mut().zip(&other.thinned).enumerate() {
                 if !near[k] {
                     *own = *other;
@@ -193,9 +220,10 @@ impl System {
 
     fn linearise_by(&self, state: &State, thinned: impl Fn(&[Node]) -> Vec<Thinned>) -> Linearised {
         let films = self.films(state);
-        let nodes: Vec<Node> = (state.pressure.par_iter().zip(&films).enumerate())
+        let touching = self.touching(state, &films);
+        let nodes: Vec<Node> = (state.oil().par_iter().zip(&films).enumerate())
             .with_min_len(BATCH)
-            .map(|(k, (p, film))| self.node(k, *p, *film))
+            .map(|(k, (p, film))| self.node(k, *p, touching.get(k).map_or(*film, |of| of.gap[0])))
             .collect();
         let thinned = thinned(&nodes);
         let mut faces = [0, 1].map(|direction| self.faces(&nodes, &thinned, direction));
@@ -236,6 +264,7 @@ impl System {
             },
             storage_rate: self.storage.as_ref().map_or(0.0, |storage| storage.rate),
             nodes,
+            touching,
             thinned,
             faces,
             outflow,
@@ -282,11 +311,11 @@ impl System {
             && (self.arrival).may_press(grid.place(i, j)[0], grid.spacing[0])
     }
 
-    /// ρ̄H at the nodes.
-    pub fn masses(&self, pressure: &[f64], films: &[f64]) -> Vec<f64> {
-        (pressure.par_iter().zip(films).enumerate())
+    /// ρ̄H at the nodes, of the gap that flows.
+    pub fn masses(&self, state: &State, films: &[f64]) -> Vec<f64> {
+        (state.oil().par_iter().zip(films).enumerate())
             .with_min_len(BATCH)
-            .map(|(k, (p, h))| self.node(k, *p, *h).mass)
+            .map(|(k, (p, h))| self.node(k, *p, self.gap_at(*h)).mass)
             .collect()
     }
 
@@ -408,7 +437,7 @@ impl System {
         self.change_by(at, pressure, &self.change_of_film(pressure, separation))
     }
 
-    fn change_of_film(&self, pressure: &[f64], separation: f64) -> Vec<f64> {
+    pub(super) fn change_of_film(&self, pressure: &[f64], separation: f64) -> Vec<f64> {
         let mut film = self.deflection(pressure);
         film.iter_mut().for_each(|h| *h += separation);
         film
@@ -419,10 +448,15 @@ impl System {
         let n = self.grid.n_nodes();
         let (pressure, separation) = (&changes[..n], changes[n]);
         let film = self.change_of_film(pressure, separation);
-        for (node, change) in at.nodes.iter_mut().zip(&film) {
+        let parts = own.parts(pressure, &film);
+        let (pressure, film) = match &parts {
+            None => (pressure, &film[..]),
+            Some([oil, gap]) => (&oil[..], &gap[..]),
+        };
+        for (node, change) in at.nodes.iter_mut().zip(film) {
             node.film += share * change;
         }
-        let through = self.change_through(own, pressure, &film);
+        let through = self.change_through(own, pressure, film);
         for (direction, faces) in at.faces.iter_mut().enumerate() {
             // Those of unknown nodes.
             let of_own = own.faces[direction].iter().map(|face| face.by_pressure);
@@ -440,6 +474,14 @@ impl System {
 
     /// The same by changes of pressures and films.
     pub(super) fn change_by(&self, at: &Linearised, pressure: &[f64], film: &[f64]) -> Vec<f64> {
+        match at.parts(pressure, film) {
+            None => self.change_of_oil(at, pressure, film),
+            Some([oil, gap]) => self.change_of_oil(at, &oil, &gap),
+        }
+    }
+
+    /// The same by changes of the pressures of the oil and of the gaps that flow.
+    pub(super) fn change_of_oil(&self, at: &Linearised, pressure: &[f64], film: &[f64]) -> Vec<f64> {
         let mut change = self.balance(self.change_through(at, pressure, film));
         self.store(&mut change, |k, storage| {
             if !at.is_full(k) {

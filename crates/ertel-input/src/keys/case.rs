@@ -24,7 +24,7 @@ rows! {
         motion: Table(MOTION) => "speeds of both surfaces";
         machine: Machine(MACHINES) => "dimensions, loads and speeds of a machine element, instead of `[contact]` and `[motion]`";
         bodies: Table(BODIES) => "both bodies: elastic constants, thermal properties, radii of ellipses, composite roughness";
-        surface_roughness: Table(ROUGHNESS) => "optional: rough surfaces and their asperities, for the model of mixed lubrication";
+        surface_roughness: Table(ROUGHNESS) => "optional: rough surfaces and their asperities, which share the load with the oil";
         inlet: Table(INLET) => "optional: how much oil reaches the contact; without this section the inlet is fully flooded";
         lubricant: FluidOrTable(LUBRICANT) => "the lubricant by its name, its laws or its data sheet, and the temperature of the film";
         temperature: TEMPERATURE => "temperature of the film, where `lubricant` is a name";
@@ -116,6 +116,9 @@ rows! {
             warning";
         boundary_friction_coefficient: Number, bounds [0.0, 2.0] => "friction of the asperities over their load{}; optional, for the friction of
             film and asperities";
+        flow: Choice(&["average-gap", "distance"]), default "average-gap" => r#"the gap through which the oil flows between asperities: `"average-gap"` (default),
+            the mean gap, which valleys keep open however close the surfaces are, so that oil is conserved; `"distance"`, that of the mean planes, none where they
+            overlap. The choice changes the load of the asperities by up to a quarter of the whole load"#;
     }
     /// `[inlet]`.
     pub INLET {

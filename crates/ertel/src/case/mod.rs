@@ -369,6 +369,7 @@ impl Case {
         };
         check::body_of_wide_contact(&case, tables.main())?;
         check::finite_elements_of_soft_bodies(&case, &document.root())?;
+        check::asperities(&case, surface_table.as_ref())?;
         check::finite_volumes(
             &case,
             solver_table.as_ref(),

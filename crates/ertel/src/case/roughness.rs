@@ -4,7 +4,7 @@ use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 
 use super::bodies::ROUGHNESS;
-use crate::mixed::Asperities;
+use crate::mixed::{Asperities, Flow};
 use crate::warning::{Warning, WarningKind};
 use crate::words::{digits, length};
 
@@ -34,6 +34,7 @@ const RMS_OVER_RA: f64 = 1.25;
 const RZ_OVER_RA: f64 = 6.0;
 const RZ_OVER_RA_RANGE: [f64; 2] = [4.0, 8.0];
 
+const FLOW: &str = "flow";
 const ASPERITY_KEYS: [&str; 2] = ["asperity_group", "rms_height_to_asperity_radius"];
 
 /// Contents of `[surface_roughness]`.
@@ -77,7 +78,7 @@ pub(super) fn read(mut table: Table<'_>, of_bodies: Option<f64>) -> Result<Surfa
         return Err(table
             .error_here("[surface_roughness] is empty")
             .with_help(format!(
-                "keys are: {}, {}, boundary_friction_coefficient",
+                "keys are: {}, {}, boundary_friction_coefficient, {FLOW}",
                 KEYS.as_flattened().join(", "),
                 ASPERITY_KEYS.join(", ")
             )));
@@ -162,6 +163,7 @@ fn composite(table: &mut Table<'_>, rules: &mut Vec<String>) -> Result<Option<f6
 fn asperities(table: &mut Table<'_>) -> Result<Option<Asperities>, InputError> {
     let [group, ratio] = ASPERITY_KEYS;
     let friction = "boundary_friction_coefficient";
+    let flow = table.optional_choice(FLOW, &Flow::ALL)?;
     if !table.contains(group) && !table.contains(ratio) {
         if table.contains(friction) {
             return Err(table
@@ -171,12 +173,21 @@ fn asperities(table: &mut Table<'_>) -> Result<Option<Asperities>, InputError> {
                 )
                 .with_help(format!("`{group}` and `{ratio}` describe them")));
         }
+        if flow.is_some() {
+            return Err(table
+                .error(
+                    FLOW,
+                    "the gap that flows is that between asperities, which are not described",
+                )
+                .with_help(format!("`{group}` and `{ratio}` describe them")));
+        }
         return Ok(None);
     }
     Ok(Some(Asperities {
         asperity_group: table.required_number(group, GROUP)?,
         rms_height_to_asperity_radius: table.required_number(ratio, HEIGHT_TO_RADIUS)?,
         boundary_friction_coefficient: table.optional_number(friction, BOUNDARY_FRICTION)?,
+        flow: flow.unwrap_or_default(),
     }))
 }
 

@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 use ertel_machines::cam::CamPoint;
 
 use super::curve::Curve;
-use super::{MachineFigure, Section, figure_of};
+use super::{MachineFigure, Section, figure_of, friction_of};
 use crate::case::CamMechanics;
 use crate::mark::{Mark, Marked, Marks};
 use crate::point::MachineSolution;
@@ -144,7 +144,7 @@ impl Rubbing {
                 continue;
             }
             let point = solved.of(i)?;
-            let mu = figure_of(point, Figure::TractionCoefficient)?.abs();
+            let mu = friction_of(point)?.abs();
             let power = figure_of(point, Figure::FrictionPower)?;
             coefficient.push((at.angle, mu));
             let rest = power.value - mu.value * slide(at);

@@ -139,13 +139,6 @@ fn write_film(out: &mut Lines, estimate: &CaseEstimate) {
             );
             out.row("asperity load share", text);
         }
-        if let Some(limit) = lambda.asperity_load_share_at_contact {
-            let text = format!(
-                "{} of the load, mean planes in contact",
-                percent_or_power(limit)
-            );
-            out.row("  largest share of this model", text);
-        }
     }
     if let Some(force) = estimate.rolling_resistance {
         let unit = estimate.kind.load_unit();

@@ -4,7 +4,6 @@ use std::fmt::Write;
 
 use super::figure::{in_unit, number, percent};
 use super::lines::Lines;
-use super::report::percent_or_power;
 use crate::mixed::Asperities;
 use crate::solution::{Estimate, Solution};
 use crate::words::{digits, pressure};
@@ -22,6 +21,7 @@ pub(super) fn describe(asperities: &Asperities) -> String {
     if let Some(friction) = asperities.boundary_friction_coefficient {
         let _ = write!(text, ", boundary friction {}", digits(friction, 6));
     }
+    let _ = write!(text, ", oil flows {}", asperities.flow.words());
     text
 }
 
@@ -55,12 +55,10 @@ pub(super) fn write_asperities(out: &mut Lines, solution: &Solution) {
     out.row(
         "asperity load",
         format!(
-            "{load}, {} of the load ({ASPERITY_SOURCE}, at the film of smooth surfaces)",
+            "{load}, {} of the load ({ASPERITY_SOURCE})",
             share(asperities.asperity_load_share)
         ),
     );
-    let limit = percent_or_power(asperities.asperity_load_share_limit);
-    out.row("  upper limit (dry)", limit);
     let largest = pressure(asperities.asperity_pressure_maximum);
     out.row("  largest asperity pressure", largest);
     let Some(friction) = &asperities.friction else {

@@ -99,12 +99,9 @@ pub(super) fn describe<Plan>(
             reduced_modulus: case.reduced_modulus(),
             load: case.contact.load,
         };
-        let symmetry = problem.shape.symmetry;
-        let (motion, summary) = (&case.motion, &summary);
-        let mixed = post::mixed::mixed_lubrication(
-            &surfaces, motion, symmetry, &elements, summary, &traction,
-        );
-        warnings.extend(post::mixed::warnings(&mixed, summary, rms_height));
+        let mixed = post::mixed::mixed_lubrication(&surfaces, &measured);
+        let film_minimum = summary.film_minimum.value;
+        warnings.extend(post::mixed::warning(&mixed, film_minimum, rms_height));
         mixed
     });
     let mut solution = Solution {
@@ -169,7 +166,8 @@ fn side_of<Plan>(problem: &Problem<Plan>, side: f64) -> f64 {
 
 /// Whether a figure has derivatives. These are of the film solve: friction by a law that is not part of it has none.
 pub(super) fn has_derivatives(case: &Case, figure: Figure) -> bool {
-    !(case.friction_by_law && figure.section() == Section::Traction)
+    let is_of_law = figure.section() == Section::Traction || figure == Figure::FrictionTotal;
+    !(case.friction_by_law && is_of_law)
 }
 
 /// Adds the sensitivities to the inputs and the resulting uncertainty. A solution without them remains valid.

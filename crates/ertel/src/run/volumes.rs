@@ -52,6 +52,8 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
     };
     let film_reduction = match (case.shear_thinning(), &isothermal, &problem.heat) {
         (None, ..) | (_, None, Some(_)) => None,
+        // Distances of mean planes may vanish.
+        _ if problem.rough.is_some() => None,
         (Some(_), thinned, _) => {
             let mut newtonian = case.clone();
             newtonian.solver.newtonian = true;

@@ -88,6 +88,7 @@ impl<'a> Manufactured<'a> {
             film: 1e-9,
             pressure: 1e-9,
             balance: 1e-9,
+            rough: None,
             load: 1e-9,
         };
         let mut grids: Vec<(Grid, Arc<Deflection>)> = Vec::new();
@@ -144,6 +145,7 @@ impl<'a> Manufactured<'a> {
             wetted: vec![true; pressure.len()],
             contents: Vec::new(),
             pressure,
+            oil: Vec::new(),
             separation: self.separation + swing(SEPARATION, time),
         }
     }
@@ -166,7 +168,7 @@ impl<'a> Manufactured<'a> {
     /// ρ̄H of the given fields at the nodes of each grid.
     fn masses(&mut self, time: f64) -> Vec<Vec<f64>> {
         let levels = self.levels(time);
-        let of_level = |level: &Level| level.system.masses(&level.state.pressure, &level.films);
+        let of_level = |level: &Level| level.system.masses(&level.state, &level.films);
         levels.iter().map(of_level).collect()
     }
 
@@ -211,7 +213,7 @@ impl<'a> Manufactured<'a> {
             let largest = b.iter().fold(0.0_f64, |m, p| m.max(*p));
             let pressure = (a.iter().zip(b)).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
             let [a, b] =
-                [own, exact].map(|level| level.system.masses(&level.state.pressure, &level.films));
+                [own, exact].map(|level| level.system.masses(&level.state, &level.films));
             let mass = (a.iter().zip(&b)).fold(0.0_f64, |m, (a, b)| m.max((a / b - 1.0).abs()));
             let separation = (own.state.separation - exact.state.separation).abs();
             [
