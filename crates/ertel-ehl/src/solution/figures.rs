@@ -82,9 +82,9 @@ figures! {
     /// Smallest film thickness on the centreline.
     FilmCentrelineMinimum, "film_centreline_minimum", "", "minimum film on the centreline", Length, Film, FilmOnCentreline, Place;
     /// Mean gap of rough surfaces at the centre of the contact.
-    MeanGapCentral, "mean_gap_central", "", "mean gap of rough surfaces, centre", Length, Film, Integral, Whole;
+    MeanGapCentral, "mean_gap_central", "", "central mean gap", Length, Film, Integral, Whole;
     /// Smallest mean gap of rough surfaces.
-    MeanGapMinimum, "mean_gap_minimum", "", "mean gap of rough surfaces, minimum", Length, Film, Integral, Place;
+    MeanGapMinimum, "mean_gap_minimum", "", "smallest mean gap", Length, Film, Integral, Place;
     /// Mean film thickness over the Hertz zone.
     FilmZoneMean, "film_zone_mean", "", "mean film in the Hertz zone", Length, Film, Integral, Whole;
     /// Largest pressure.

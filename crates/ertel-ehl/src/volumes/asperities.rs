@@ -47,6 +47,8 @@ pub fn note_asperities<Plan>(
     if let Some(film) = film {
         let total = Reading {
             size: film.size.max(boundary * share),
+            cut: film.cut,
+            misfit: film.misfit,
             ..Reading::new(film.value + friction[0])
         };
         figures.note(Figure::FrictionTotal, total);

@@ -125,7 +125,8 @@ pub(super) fn describe<Plan>(
         left_out: plausible::neglected::neglected(
             case,
             &Known {
-                film_central: summary.film_central.value,
+                film_central: (measured.find(Figure::MeanGapCentral))
+                    .map_or(summary.film_central.value, |gap| gap.value),
                 film_minimum: summary.film_minimum.value,
                 friction_power: traction.friction_power.value,
             },
