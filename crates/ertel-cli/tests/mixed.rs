@@ -181,6 +181,30 @@ fn result_of_a_rough_ball() {
     assert_eq!(smooth["mixed"]["separation"], "full");
 }
 
+/// Where no method shares the load between oil and asperities they are refused, with their line and the choice.
+#[test]
+fn asperities_are_not_left_out_silently() {
+    let (folder, given) = rough_ball();
+    for (keys, words) in [
+        (
+            "[solver]\nmethod = \"finite-elements\"\n",
+            "finite-elements\", which knows no asperities",
+        ),
+        (
+            "[solver]\nelasticity = \"equivalent\"\n",
+            "finite-element bodies",
+        ),
+    ] {
+        std::fs::write(folder.path().join("ball.toml"), given.clone() + keys).unwrap();
+        let output = ertel(folder.path(), &["solve", "ball.toml", "--check"]);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        for words in ["asperity_group", "cannot share the load", words] {
+            assert!(message.contains(words), "{words}: {message}");
+        }
+    }
+}
+
 /// A study has the columns, too, and any key of the section may vary.
 #[test]
 fn study_of_roughness() {

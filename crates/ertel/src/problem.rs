@@ -203,7 +203,12 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
 /// Rough surfaces of a case that describes their asperities.
 fn rough(case: &Case, scales: &Scales) -> Option<Rough> {
     let (asperities, rms_height) = (case.asperities.as_ref()?, case.roughness?);
-    Some(Rough::new(asperities, rms_height, case.reduced_modulus(), scales))
+    Some(Rough::new(
+        asperities,
+        rms_height,
+        case.reduced_modulus(),
+        scales,
+    ))
 }
 
 /// ρ_r where the case does not set it: the thesis's method has none, a line contact's mesh resolves its spike for little.

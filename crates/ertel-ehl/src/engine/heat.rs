@@ -76,8 +76,7 @@ impl HeatSums {
     pub fn error(&self) -> f64 {
         let made = self.shear + self.rubbing;
         let size = made + self.compression_size;
-        let lost =
-            made + self.compression - self.to_bodies[0] - self.to_bodies[1] - self.by_film;
+        let lost = made + self.compression - self.to_bodies[0] - self.to_bodies[1] - self.by_film;
         if size > 0.0 { lost / size } else { 0.0 }
     }
 }

@@ -43,7 +43,11 @@ impl Level {
 
     /// Missing oil at each node compared with a full gap, F.
     pub fn missing(&self, k: usize) -> f64 {
-        missing(self.system.gap_at(self.films[k]), self.held()[k], self.ambient_density())
+        missing(
+            self.system.gap_at(self.films[k]),
+            self.held()[k],
+            self.ambient_density(),
+        )
     }
 
     /// Contents of the nodes, infinite where gaps are full.

@@ -236,8 +236,18 @@ pub fn newton(
                 &mut moved,
             );
         }
-        let smooth = if at.touching.is_empty() { step.pressure.len() } else { 0 };
-        for (k, (p, change)) in state.pressure.iter_mut().zip(&step.pressure).enumerate().take(smooth) {
+        let smooth = if at.touching.is_empty() {
+            step.pressure.len()
+        } else {
+            0
+        };
+        for (k, (p, change)) in state
+            .pressure
+            .iter_mut()
+            .zip(&step.pressure)
+            .enumerate()
+            .take(smooth)
+        {
             let most = params.largest_change;
             // Not `clamp`: it would turn NaN into a bound.
             let next = *p

@@ -49,16 +49,8 @@ pub fn warnings(
     warnings.extend(thin_film_warning(words, minimum.value));
     let (target, most) = (problem.plan.target_error, problem.plan.max_unknowns);
     for (kind, name, figure) in [
-        (
-            WarningKind::CentralFilmError,
-            "central",
-            films[0],
-        ),
-        (
-            WarningKind::MinimumFilmError,
-            "minimum",
-            films[1],
-        ),
+        (WarningKind::CentralFilmError, "central", films[0]),
+        (WarningKind::MinimumFilmError, "minimum", films[1]),
     ] {
         let film = measured.estimate(figure);
         let relative = film.error.map_or(f64::INFINITY, |error| error / film.value);

@@ -200,9 +200,7 @@ impl System {
 
     /// The equation and its derivatives at a state.
     pub fn linearise(&self, state: &State) -> Linearised {
-        self.linearise_by(state, |nodes| {
-            self.thinned(nodes, state.oil(), |_| true)
-        })
+        self.linearise_by(state, |nodes| self.thinned(nodes, state.oil(), |_| true))
     }
 
     /// The same where it differs little from another state and system: shear thinning is evaluated again only at the nodes that are `near`.
@@ -481,7 +479,12 @@ impl System {
     }
 
     /// The same by changes of the pressures of the oil and of the gaps that flow.
-    pub(super) fn change_of_oil(&self, at: &Linearised, pressure: &[f64], film: &[f64]) -> Vec<f64> {
+    pub(super) fn change_of_oil(
+        &self,
+        at: &Linearised,
+        pressure: &[f64],
+        film: &[f64],
+    ) -> Vec<f64> {
         let mut change = self.balance(self.change_through(at, pressure, film));
         self.store(&mut change, |k, storage| {
             if !at.is_full(k) {

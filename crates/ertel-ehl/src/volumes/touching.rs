@@ -14,6 +14,9 @@ use rayon::prelude::*;
 use super::system::{Linearised, State, System};
 use crate::forms::energy::Heat;
 
+/// Nodes that a thread takes at a time.
+const BATCH: usize = 1024;
+
 /// What asperities bear at a node.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Touch {
@@ -61,7 +64,8 @@ impl System {
                 slack: state.pressure[k] - pressure[0] - state.oil()[k],
             }
         };
-        (0..films.len()).into_par_iter().map(of_node).collect()
+        let nodes = (0..films.len()).into_par_iter().with_min_len(BATCH);
+        nodes.map(of_node).collect()
     }
 
     /// The gap that flows at all nodes.
@@ -73,13 +77,19 @@ impl System {
 
     /// Heat of the friction of asperities at all nodes, W/m², half of it at each surface; none without asperities that rub.
     pub fn rubbing(&self, state: &State, heat: &Heat) -> Vec<f64> {
-        let boundary = self.rough.as_ref().and_then(|rough| rough.boundary_friction);
+        let boundary = self
+            .rough
+            .as_ref()
+            .and_then(|rough| rough.boundary_friction);
         let (Some(boundary), false) = (boundary, self.fluid.slide().is_zero()) else {
             return Vec::new();
         };
         // Δu = Ω-speed a p_h/R h/μ, as in the friction of the film.
         let speed = heat.pressure * heat.film.powi(2) / (heat.length * heat.viscosity);
-        let parts = self.grid.nodes().zip(state.pressure.iter().zip(state.oil()));
+        let parts = self
+            .grid
+            .nodes()
+            .zip(state.pressure.iter().zip(state.oil()));
         parts
             .map(|([i, j], (pressure, oil))| {
                 let [u, v] = self.fluid.slide().at(self.grid.place(i, j));
@@ -95,13 +105,16 @@ impl System {
         };
         let films = self.films(state);
         let grid = &self.grid;
-        state.oil = (grid.nodes().zip(state.pressure.iter().zip(&films)).enumerate())
-            .map(|(k, ([i, j], (p, film)))| match state.wetted[k] {
-                _ if !grid.is_unknown(i, j) => state.oil.get(k).copied().unwrap_or(*p),
-                true => (p - rough.pressure(*film)[0]).max(0.0),
-                false => 0.0,
-            })
-            .collect();
+        state.oil = (grid
+            .nodes()
+            .zip(state.pressure.iter().zip(&films))
+            .enumerate())
+        .map(|(k, ([i, j], (p, film)))| match state.wetted[k] {
+            _ if !grid.is_unknown(i, j) => state.oil.get(k).copied().unwrap_or(*p),
+            true => (p - rough.pressure(*film)[0]).max(0.0),
+            false => 0.0,
+        })
+        .collect();
     }
 }
 
@@ -113,7 +126,9 @@ impl Linearised {
         }
         let both = || self.touching.iter().zip(pressure.iter().zip(film));
         Some([
-            both().map(|(of, (p, h))| of.change_of_oil(*p, *h)).collect(),
+            both()
+                .map(|(of, (p, h))| of.change_of_oil(*p, *h))
+                .collect(),
             both().map(|(of, (_, h))| of.gap[1] * h).collect(),
         ])
     }

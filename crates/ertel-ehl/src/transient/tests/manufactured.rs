@@ -88,7 +88,6 @@ impl<'a> Manufactured<'a> {
             film: 1e-9,
             pressure: 1e-9,
             balance: 1e-9,
-            rough: None,
             load: 1e-9,
         };
         let mut grids: Vec<(Grid, Arc<Deflection>)> = Vec::new();
@@ -212,8 +211,7 @@ impl<'a> Manufactured<'a> {
             let [a, b] = [own, exact].map(|level| &level.state.pressure);
             let largest = b.iter().fold(0.0_f64, |m, p| m.max(*p));
             let pressure = (a.iter().zip(b)).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
-            let [a, b] =
-                [own, exact].map(|level| level.system.masses(&level.state, &level.films));
+            let [a, b] = [own, exact].map(|level| level.system.masses(&level.state, &level.films));
             let mass = (a.iter().zip(&b)).fold(0.0_f64, |m, (a, b)| m.max((a / b - 1.0).abs()));
             let separation = (own.state.separation - exact.state.separation).abs();
             [

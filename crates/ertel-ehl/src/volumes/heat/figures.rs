@@ -13,9 +13,8 @@ pub fn sums<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> HeatSums {
     for (l, level) in levels.iter().enumerate() {
         let Some(warm) = &level.warm else { continue };
         let grid = &level.system.grid;
-        let rubbing = (problem.heat.as_ref()).map_or_else(Vec::new, |heat| {
-            level.system.rubbing(&level.state, heat)
-        });
+        let rubbing = (problem.heat.as_ref())
+            .map_or_else(Vec::new, |heat| level.system.rubbing(&level.state, heat));
         for [i, j] in grid.nodes() {
             let k = grid.index(i, j);
             let weight = area * grid.cell(j) * share(levels, l, i, j);

@@ -422,12 +422,9 @@ impl Coupled<'_, '_> {
             add(flux, by, 1.0);
         }
         // Effect on the film.
-        let rebuilt = warmth::at(
-            &system,
-            (state.oil(), &films),
-            &temperatures.film,
-            |k| self.near[k],
-        );
+        let rebuilt = warmth::at(&system, (state.oil(), &films), &temperatures.film, |k| {
+            self.near[k]
+        });
         let mean = |temperatures: &Temperatures, k: usize| {
             let nodes = of.fluid.nodes();
             nodes.map_or(0.0, |nodes| {

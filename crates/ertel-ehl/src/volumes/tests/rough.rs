@@ -266,8 +266,9 @@ fn tangents_of_rough_surfaces_against_differences() {
     let n = tangents.grids();
     let of = |figures: &Figures, figure| figures.value(figure).unwrap();
     let here = figures_of(&own, n);
+    let mut off = Vec::new();
     for (k, size) in [0.8, 0.08].into_iter().enumerate() {
-        let step = 1e-2 * size;
+        let step = 2e-3 * size;
         let [below, above] = [-step, step].map(|d| match k {
             0 => figures_of(&by_speed(d), n),
             _ => figures_of(&by_roughness(d), n),
@@ -275,12 +276,15 @@ fn tangents_of_rough_surfaces_against_differences() {
         let found = derivatives[k].as_ref().unwrap();
         for (figure, own) in tangents.figures().into_iter().zip(found) {
             let difference = (of(&above, figure) - of(&below, figure)) / (2.0 * step);
-            let exact = difference * tangents.value(figure) / of(&here, figure);
+            let ratio = match figure {
+                Figure::FilmCentral | Figure::FilmMinimum => 1.0,
+                _ => tangents.value(figure) / of(&here, figure),
+            };
             let size = tangents.value(figure).abs() / size;
-            assert!(
-                (own - exact).abs() < 5e-3 * size,
-                "{figure:?} by input {k}: {own} of {exact}, size {size}"
-            );
+            if (own - difference * ratio).abs() > 5e-3 * size {
+                off.push((figure, k, *own, difference * ratio, size));
+            }
         }
     }
+    assert!(off.is_empty(), "{off:?}");
 }
