@@ -41,6 +41,13 @@ impl Level {
         }
     }
 
+    /// The state with the pressures of the oil that asperities leave: a common start of differences.
+    pub fn settled(&self) -> State {
+        let mut state = self.state.clone();
+        self.system.settle(&mut state);
+        state
+    }
+
     /// Missing oil at each node compared with a full gap, F.
     pub fn missing(&self, k: usize) -> f64 {
         missing(

@@ -193,7 +193,6 @@ pub fn newton(
         info.seconds[0] += clock.elapsed().as_secs_f64();
         if ended {
             state.contents = at.contents;
-            system.settle(state);
             info.converged = true;
             return info;
         }

@@ -336,7 +336,7 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
         let mut own = Side::new(self.problem);
         let mut moving = vec![true; sides.len()];
         for level in self.levels {
-            let at = level.system.linearise(&level.state);
+            let at = level.system.linearise(&level.settled());
             let pattern = Pattern::new(&level.system.grid, &level.system.convolution).ok();
             let preconditioner = (pattern.as_ref()).and_then(|p| Preconditioner::new(p, &at));
             let Some(mut preconditioner) = preconditioner else {

@@ -78,7 +78,7 @@ impl<'a> WarmSide<'a> {
         WarmSide {
             rounds,
             system: level.system.clone(),
-            state: level.state.clone(),
+            state: level.settled(),
             bodies: warm.bodies.clone(),
             temperatures: warm.temperatures.clone(),
             above: 0.0,
