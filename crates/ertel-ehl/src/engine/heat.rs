@@ -124,7 +124,7 @@ pub fn note_heat<Plan>(
     // The work of the surfaces becomes heat by shear or by compression of the lubricant.
     if let Some(power) = figures.get(Figure::FrictionPower) {
         let heats = power.value - power.misfit;
-        let misfit = (heats - sums.shear - sums.compression).abs();
+        let misfit = (heats - sums.shear - sums.rubbing - sums.compression).abs();
         figures.note(Figure::FrictionPower, Reading { misfit, ..power });
     }
     for (figure, value) in [
@@ -135,6 +135,9 @@ pub fn note_heat<Plan>(
         (Figure::HeatByFilm, sums.by_film),
     ] {
         figures.note(figure, Reading::new(value));
+    }
+    if problem.rough.is_some() {
+        figures.note(Figure::HeatAsperities, Reading::new(sums.rubbing));
     }
 }
 

@@ -157,6 +157,8 @@ figures! {
     TemperatureBody2Mean, "temperature_body_2_mean", "", "mean temperature of body 2", Temperature, Temperature, MeanTemperature, Whole;
     /// Heat made by shear: W, or W/m.
     HeatShear, "heat_shear", "", "heat made by shear", Power, Heat, HeatShear, Whole;
+    /// Heat made by the friction of asperities: W, or W/m.
+    HeatAsperities, "heat_asperities", "", "heat made by asperities", Power, Heat, Integral, Whole;
     /// Heat made by compression, less what expansion takes: W, or W/m.
     HeatCompression, "heat_compression", "", "heat made by compression", Power, Heat, HeatCompression, Whole;
     /// Heat carried off by body 1: W, or W/m.
