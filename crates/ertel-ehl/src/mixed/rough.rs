@@ -24,6 +24,9 @@ const ROUNDED: f64 = 1e-4;
 /// u from which the mean gap is the distance to the last digit.
 const APART: f64 = 9.0;
 
+/// The smallest distance for relative changes, in σ.
+const LEAST_GAP: f64 = 0.05;
+
 /// Asperity pressure of the start at the centre, in p_h: from thicker films Newton's method overshoots, since it sees no asperities there.
 const PRESSURE_OF_START: f64 = 0.3;
 
@@ -77,6 +80,14 @@ impl Rough {
                 };
                 [gap, gap / rounded]
             }
+        }
+    }
+
+    /// Smallest gap for relative changes: where no oil flows, the distance as the gap that flows vanishes.
+    pub fn least_gap(&self) -> f64 {
+        match self.flow {
+            Flow::AverageGap => 0.0,
+            Flow::Distance => LEAST_GAP * self.rms_height,
         }
     }
 

@@ -90,31 +90,32 @@ fn assert_parts(system: &System, state: &State) {
     let step = 1e-6;
     let [below, above] = [-step, step].map(moved);
     let size = own.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let [nx, _] = grid.n;
+    // Oil of broken nodes is none, whatever P is: those whose fluxes they share are left out.
+    let is_near_broken = |k: usize| {
+        [0, 1, 2, nx, 2 * nx].into_iter().any(|far| {
+            let around = [k.checked_sub(far), Some(k + far)];
+            (around.into_iter().flatten()).any(|k| at.wetted.get(k) == Some(&false))
+        })
+    };
+    let mut compared = 0;
     for (k, own) in own.iter().enumerate() {
-        // Oil of broken nodes is none, whatever P is.
-        let near = [k.saturating_sub(2), k - (k > 0) as usize, k + 1, k + 2];
-        let broken = (near.iter().chain([&k])).any(|k| at.wetted.get(*k) == Some(&false));
-        let slack = (above.touching[k].slack - below.touching[k].slack) / (2.0 * step);
-        if at.wetted[k] {
-            assert!(slack.abs() < 1e-4, "{k}: {slack}");
-        } else if grid.is_unknown(k % grid.n[0], k / grid.n[0]) {
-            let linear = at.touching[k].change_of_oil(change[k], film[k]);
-            assert_relative_eq!(slack, linear, epsilon = 1e-6, max_relative = 1e-4);
+        if !grid.is_unknown(k % nx, k / nx) {
             continue;
         }
-        let across = [grid.n[0], 2 * grid.n[0]];
-        let broken = broken
-            || across.iter().any(|far| {
-                [k.checked_sub(*far), Some(k + far)]
-                    .iter()
-                    .flatten()
-                    .any(|k| at.wetted.get(*k) == Some(&false))
-            });
-        if !broken && at.wetted[k] {
+        let slack = (above.touching[k].slack - below.touching[k].slack) / (2.0 * step);
+        let exact = match at.wetted[k] {
+            true => 0.0,
+            false => at.touching[k].change_of_oil(change[k], film[k]),
+        };
+        assert_relative_eq!(slack, exact, epsilon = 1e-4, max_relative = 1e-4);
+        if !is_near_broken(k) {
             let difference = (above.outflow[k] - below.outflow[k]) / (2.0 * step);
             assert_relative_eq!(*own, difference, epsilon = 2e-5 * size, max_relative = 1e-4);
+            compared += 1;
         }
     }
+    assert!(compared > 8, "{compared}");
 }
 
 /// A rigid cylinder in an oil of constant viscosity: Martin's film and the closed load of the asperities in a parabolic gap, 2 kN/m on R = 10 mm, σ 0.3 µm, κ
