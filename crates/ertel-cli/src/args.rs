@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
+use clap_complete::Shell;
 use ertel::case::study::MOST_POINTS;
 use ertel_input::csv::{ColumnMap, CsvParams, Decimal};
 
 use crate::colour::When;
 use crate::init::InitArgs;
-use crate::manual::{CompletionsArgs, ManArgs};
 use crate::schema::SchemaArgs;
 
 /// Film thickness and pressure of elastohydrodynamic contacts.
@@ -515,4 +515,24 @@ pub enum SolidsCommand {
         /// Name of the solid
         name: String,
     },
+}
+
+/// `ertel completions`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Bash: ertel completions bash > ~/.local/share/bash-completion/completions/ertel
+Zsh:  ertel completions zsh > \"${fpath[1]}/_ertel\"
+Fish: ertel completions fish > ~/.config/fish/completions/ertel.fish")]
+pub struct CompletionsArgs {
+    /// The shell
+    #[arg(value_name = "SHELL", value_enum)]
+    pub shell: Shell,
+}
+
+/// `ertel man`.
+#[derive(Debug, Args)]
+pub struct ManArgs {
+    /// Write the pages of all commands, `ertel.1`, `ertel-solve.1` and so on, into this folder; former pages there are replaced
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
 }

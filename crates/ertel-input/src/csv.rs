@@ -15,79 +15,31 @@ mod number;
 mod params;
 mod series;
 mod split;
+mod table;
 mod title;
 
 use std::borrow::Cow;
 use std::ops::Range;
 
 use super::excerpt;
-use super::shown::message;
 use ertel_quantity::{Dimension, Unit};
-use header::NoHead;
+use header::{Head, NoHead};
 use names::Match;
 use number::Marks;
 pub use number::{Decimal, is_missing};
 pub use params::{ColumnMap, CsvParams, Vocabulary};
 pub use series::Wanted;
 use split::{Records, Separator, is_comment};
+pub use table::{Column, CsvError, CsvTable, Row};
 use title::{NamedUnit, Title};
 
 /// Bytes of a line at most, some thousand columns: the search for the titles keeps the cells of some hundred lines.
 const LONGEST_LINE: usize = 32_768;
 
-/// Error in a table, with its place.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{}:{line}:{column}: {}", excerpt(file), message(problem))]
-pub struct CsvError {
-    /// Name of the file.
-    pub file: String,
-    /// Line, from 1.
-    pub line: usize,
-    /// Column of the table, from 1.
-    pub column: usize,
-    /// The problem, with the choices.
-    pub problem: String,
-}
+/// Line, column and words of an error.
+type Problem = (usize, usize, String);
 
-/// A table of text.
-#[derive(Clone, Debug)]
-pub struct CsvTable {
-    file: String,
-    separator: Separator,
-    header: Row,
-    /// The titles as they are read: with the units of a line of units, and as the user maps them.
-    titles: Vec<String>,
-    /// Ignored columns.
-    is_ignored: Vec<bool>,
-    rows: Vec<Row>,
-    marks: Marks,
-    notes: Vec<String>,
-}
-
-/// A line of a table.
-#[derive(Clone, Debug)]
-pub struct Row {
-    /// Its number, from 1.
-    pub line: usize,
-    /// Its bytes in the text, without the end of the line.
-    pub span: Range<usize>,
-    cells: Vec<String>,
-}
-
-/// A column of numbers with a unit.
-#[derive(Clone, Debug)]
-pub struct Column {
-    /// Its place, from 0.
-    pub index: usize,
-    /// Its name, without the unit.
-    pub name: &'static str,
-    /// Its unit.
-    pub unit: Unit,
-    /// Its unit as a quantity in a case has it; empty for a plain number.
-    pub unit_text: String,
-    /// Whether its title leaves open which quantity of its kind it is, as `film` does.
-    pub is_open: bool,
-}
+const OPEN_QUOTE: &str = "the quote that begins here is not closed on its line";
 
 impl CsvTable {
     /// Reads a table whose first line names the columns; `file` is the name that errors show.
@@ -139,7 +91,6 @@ impl CsvTable {
             );
             return Err(at(i + 1, 1, &problem));
         }
-        const OPEN_QUOTE: &str = "the quote that begins here is not closed on its line";
         let head = header::find(text, header::start_of(text), vocabulary, params).map_err(
             |none| match none {
                 NoHead::Empty => at(1, 1, "the file is empty"),
@@ -152,11 +103,33 @@ impl CsvTable {
                 }
             },
         )?;
-        let header = head.row;
-        let n_columns = header.cells.len();
+        let (titles, rows) = Self::read_rows(text, &head)
+            .map_err(|(line, column, problem)| at(line, column, &problem))?;
         let mut marks = Marks::new(params.decimal);
-        let mut rows: Vec<Row> = Vec::new();
+        for row in &rows {
+            row.cells.iter().for_each(|cell| marks.see(cell));
+        }
+        let mut table = Self {
+            file: file.to_owned(),
+            separator: head.separator,
+            is_ignored: vec![false; head.row.cells.len()],
+            header: head.row,
+            titles,
+            rows,
+            marks,
+            notes: Vec::new(),
+        };
+        table.apply(params, vocabulary)?;
+        table.check_untitled()?;
+        Ok(table)
+    }
+
+    /// The titles of the columns, with the units of a separate line, and the rows below.
+    fn read_rows(text: &str, head: &Head) -> Result<(Vec<String>, Vec<Row>), Problem> {
+        let header = &head.row;
+        let n_columns = header.cells.len();
         let mut titles = header.cells.clone();
+        let mut rows: Vec<Row> = Vec::new();
         // A line of units is looked at together with the one below it.
         let mut first: Option<Row> = None;
         for record in Records::new(text, head.rest.0, head.rest.1, head.separator) {
@@ -166,7 +139,7 @@ impl CsvTable {
             let line = record.line;
             let cells = record
                 .cells
-                .map_err(|place| at(line, place + 1, OPEN_QUOTE))?;
+                .map_err(|place| (line, place + 1, OPEN_QUOTE.to_owned()))?;
             let mut cells: Vec<String> = cells
                 .into_iter()
                 .map(|(_, cell)| cell.into_owned())
@@ -175,11 +148,8 @@ impl CsvTable {
                 continue;
             }
             if let Some(extra) = (n_columns..cells.len()).find(|i| !cells[*i].is_empty()) {
-                return Err(at(
-                    line,
-                    extra + 1,
-                    &too_many(&cells, n_columns, head.separator),
-                ));
+                let problem = too_many(&cells, n_columns, head.separator);
+                return Err((line, extra + 1, problem));
             }
             cells.truncate(n_columns);
             let row = Row {
@@ -200,22 +170,7 @@ impl CsvTable {
             rows.push(row);
         }
         rows.extend(first);
-        for row in &rows {
-            row.cells.iter().for_each(|cell| marks.see(cell));
-        }
-        let mut table = Self {
-            file: file.to_owned(),
-            separator: head.separator,
-            is_ignored: vec![false; n_columns],
-            header,
-            titles,
-            rows,
-            marks,
-            notes: Vec::new(),
-        };
-        table.apply(params, vocabulary)?;
-        table.check_untitled()?;
-        Ok(table)
+        Ok((titles, rows))
     }
 
     /// Numbers without a title are those of a column that was forgotten, or the decimals of the one before. The first column may
@@ -391,6 +346,30 @@ impl CsvTable {
         self.without_unit(name, dimension, &[], &is_near)
     }
 
+    /// The column of pressures, and whether they are absolute; `None` if there is none.
+    ///
+    /// # Errors
+    ///
+    /// As [`CsvTable::find_with_unit`]; columns of both kinds.
+    pub fn find_pressure(&self) -> Result<Option<(Column, bool)>, CsvError> {
+        let (gauge, absolute) = ("pressure", "absolute pressure");
+        // By its unit first: a pressure without one may be the absolute one.
+        let Some(second) = self.find(absolute, Dimension::PRESSURE)? else {
+            if let Some(column) = self.find_with_unit(gauge, Dimension::PRESSURE)? {
+                return Ok(Some((column, false)));
+            }
+            let column = self.find_with_unit(absolute, Dimension::PRESSURE)?;
+            return Ok(column.map(|column| (column, true)));
+        };
+        match self.find(gauge, Dimension::PRESSURE)? {
+            Some(_) => {
+                let problem = "give `pressure` or `absolute pressure`, not both".to_owned();
+                Err(self.error(&self.header, second.index, problem))
+            }
+            None => Ok(Some((second, true))),
+        }
+    }
+
     /// The column `name`, without some others; one that has this name and no more, but no unit or another's unit, is an error.
     ///
     /// # Errors
@@ -528,20 +507,6 @@ impl CsvTable {
             };
             self.error(row, column.index, problem)
         })
-    }
-}
-
-impl Row {
-    /// The cells, without spaces and quotes around them.
-    #[must_use]
-    pub fn cells(&self) -> &[String] {
-        &self.cells
-    }
-
-    /// A cell; empty where the line ends before it.
-    #[must_use]
-    pub fn cell(&self, index: usize) -> &str {
-        self.cells.get(index).map_or("", String::as_str)
     }
 }
 

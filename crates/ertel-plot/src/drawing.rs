@@ -1,7 +1,6 @@
 //! A picture as what it consists of: paths, text, images. Written as SVG, PDF or PNG by a backend each.
 
 use super::font;
-use super::{pdf, png, svg};
 
 /// Font size of tick labels and legends, px.
 pub const TICK_SIZE: f64 = 12.0;
@@ -106,6 +105,20 @@ pub(crate) struct Text {
     pub anchor: Anchor,
     pub colour: String,
     pub turn: f64,
+}
+
+impl Text {
+    /// Its runs, and the distance from its anchor to its start, negative to the left.
+    pub fn runs(&self) -> (Vec<font::Run>, f64) {
+        let runs = font::runs(&self.text, self.size);
+        let width: f64 = runs.iter().map(font::Run::width).sum();
+        let start = match self.anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => -0.5 * width,
+            Anchor::End => -width,
+        };
+        (runs, start)
+    }
 }
 
 /// Why a picture cannot be drawn in a format.
@@ -222,27 +235,6 @@ impl Drawing {
     /// Ends what [`Drawing::begin_clip`] began.
     pub fn end_clip(&mut self) {
         self.elements.push(Element::EndClip);
-    }
-
-    /// As an SVG file.
-    pub fn svg(&self) -> String {
-        svg::write(self)
-    }
-
-    /// As a PDF file of one page of the size of the picture: lines and areas as such, text with its font.
-    ///
-    /// # Errors
-    /// [`DrawingError::Font`].
-    pub fn pdf(&self) -> Result<Vec<u8>, DrawingError> {
-        pdf::write(self)
-    }
-
-    /// As a PNG file with 300 dots per inch.
-    ///
-    /// # Errors
-    /// [`DrawingError::Size`] and [`DrawingError::Png`].
-    pub fn png(&self) -> Result<Vec<u8>, DrawingError> {
-        png::write(self)
     }
 }
 

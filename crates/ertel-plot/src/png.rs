@@ -6,8 +6,7 @@ use tiny_skia::{
 };
 use ttf_parser::OutlineBuilder;
 
-use super::drawing::{Anchor, Drawing, DrawingError, Element, Line, Raster, Text, rgb};
-use super::font::{Run, runs};
+use super::drawing::{Drawing, DrawingError, Element, Line, Raster, Text, rgb};
 use super::path::{self, Step};
 
 /// Pixels per px: 300 dots per inch where a px is 1/96 inch.
@@ -15,8 +14,18 @@ const SCALE: f64 = 300.0 / 96.0;
 /// The same per metre, as the file says.
 const PER_METRE: u32 = 11_811;
 
+impl Drawing {
+    /// As a PNG file with 300 dots per inch.
+    ///
+    /// # Errors
+    /// [`DrawingError::Size`] and [`DrawingError::Png`].
+    pub fn png(&self) -> Result<Vec<u8>, DrawingError> {
+        write(self)
+    }
+}
+
 /// The file of a picture.
-pub(crate) fn write(drawing: &Drawing) -> Result<Vec<u8>, DrawingError> {
+fn write(drawing: &Drawing) -> Result<Vec<u8>, DrawingError> {
     let (width, height) = size(drawing, SCALE);
     let data = pixels(drawing, SCALE, (width, height))?;
     encode(width, height, &data, Some(PER_METRE))
@@ -197,13 +206,7 @@ impl Canvas {
     }
 
     fn text(&mut self, text: &Text) {
-        let runs = runs(&text.text, text.size);
-        let width: f64 = runs.iter().map(Run::width).sum();
-        let mut along = match text.anchor {
-            Anchor::Start => 0.0,
-            Anchor::Middle => -0.5 * width,
-            Anchor::End => -width,
-        };
+        let (runs, mut along) = text.runs();
         let mut outline = Outline {
             path: PathBuilder::new(),
             origin: [0.0; 2],
@@ -359,7 +362,7 @@ mod tests {
             drawing::Stroke::solid("#0000ff", 1.0),
         );
         let ink = drawing::INK;
-        drawing.text([48.0, 44.0], "*h* (nm)", 12.0, Anchor::Middle, ink);
+        drawing.text([48.0, 44.0], "*h* (nm)", 12.0, drawing::Anchor::Middle, ink);
         let bytes = drawing.png().unwrap();
         let decoder = png_image::Decoder::new(std::io::Cursor::new(bytes));
         let mut reader = decoder.read_info().unwrap();

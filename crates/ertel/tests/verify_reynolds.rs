@@ -26,9 +26,11 @@ use ertel::elastic::Elasticity;
 use ertel::film::FilmFluid;
 use ertel::params::Formulation;
 use ertel::run::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
+use ertel::solve::contact_surface::ContactSurface;
+use ertel::solve::discretisation::{Discretisation, Extents, LevelSizes};
 use ertel::solve::points::fields_in;
-use ertel::solve::system::{FilmConstants, State, System};
+use ertel::solve::state::{FilmConstants, State};
+use ertel::solve::system::System;
 use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::linear::NEVER;
 use ertel_fem::linear::lu::SparseLu;
@@ -279,14 +281,8 @@ fn mesh(kind: ContactKind, size: f64) -> Arc<ContactSurface> {
         body_depth: 2.0,
     };
     let sizes = LevelSizes {
-        hertz: size,
-        constriction: size,
-        rim: size,
-        outlet_rim: size,
-        rim_width: 0.0,
-        edge: size,
-        growth: 1.0,
         depth_growth: 20.0,
+        ..common::uniform(size)
     };
     let rigid = match kind {
         ContactKind::Line | ContactKind::Circular => Elasticity::finite_elements(2, &[]),

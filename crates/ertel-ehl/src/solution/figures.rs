@@ -3,7 +3,7 @@
 use serde::ser::{SerializeMap, Serializer};
 use serde::{Deserialize, Serialize};
 
-use super::{Estimate, Located};
+use super::{Estimate, Located, WIDEST};
 
 use super::figure_kinds::Scope;
 pub use super::figure_kinds::{ErrorClass, Kind, Section};
@@ -193,9 +193,6 @@ impl Figure {
     }
 }
 
-/// Largest error bar, over the size of the figure, with which the figure is shown as a number.
-pub const WIDEST: f64 = 0.5;
-
 /// The same of a largest pressure: a mesh too coarse for a peak cuts it off, and the value is only a lower bound.
 const WIDEST_OF_PEAK: f64 = 0.1;
 
@@ -237,13 +234,15 @@ impl Figure {
     /// Size below which a figure is shown as zero, SI.
     pub fn zero_below(self, sizes: &Sizes) -> f64 {
         let size = match self.kind() {
-            Kind::Length | Kind::Temperature => 0.0,
+            Kind::Length | Kind::Temperature | Kind::Rise | Kind::Duration | Kind::Revolutions => {
+                0.0
+            }
             Kind::PeakPressure | Kind::Stress => sizes.pressure,
             Kind::Moment => sizes.load * sizes.length,
             Kind::Position | Kind::Offset => sizes.length,
             Kind::Force => sizes.load,
             Kind::Power => sizes.load * sizes.speed.abs(),
-            Kind::Coefficient | Kind::Share => 1.0,
+            Kind::Coefficient | Kind::Share | Kind::Angle => 1.0,
         };
         ROUNDING * size
     }

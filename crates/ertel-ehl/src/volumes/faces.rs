@@ -10,24 +10,8 @@
 //! across (see [`super::thinning`]). A negative film has no pressure-driven flow; its entrained flow keeps its sign, and
 //! a grid too coarse for a film still has a solution.
 
+use super::node::Node;
 use super::thinning::Thinned;
-
-/// Nodal quantities of the film equation.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Node {
-    /// P.
-    pub pressure: f64,
-    /// H.
-    pub film: f64,
-    /// ρ̄ and ρ̄' by P.
-    pub density: [f64; 2],
-    /// ln μ̄ and its derivative by P.
-    pub ln_viscosity: [f64; 2],
-    /// m = ρ̄H.
-    pub mass: f64,
-    /// Its derivatives by P and by H.
-    pub mass_by: [f64; 2],
-}
 
 /// Flux through a face and its derivatives.
 #[derive(Clone, Copy, Debug, Default)]
@@ -230,6 +214,15 @@ mod tests {
             };
             Resistance::new(node, thins.then_some(&thinned), 0)
         })
+    }
+
+    /// By hand: H = 0.1, ρ̄ = 1.06 and c = 0.2 P H = 0.006 at both nodes, which have the same pressure: −H³ρ̄c/λ = −0.001 · 1.06 · 0.006/0.02.
+    #[test]
+    fn oblique_flow_by_hand() {
+        let nodes = [node(0.3, 0.1), node(0.3, 0.1)];
+        let ends = [&nodes[0], &nodes[1]];
+        let flux = face(ends, resistances(ends, true), ends, 0.0, 0.02, 0.05).flux;
+        assert_relative_eq!(flux, -3.18e-4, max_relative = 1e-12);
     }
 
     /// All derivatives of a flux against differences, flow from either side, where it is smooth, at a kink and where it turns, thinned and not.

@@ -2,14 +2,14 @@
 
 use std::sync::{Arc, OnceLock};
 
-use super::behind::Edges;
+use super::contents::Edges;
 use super::contents::{Arrival, missing};
 use super::deflection::Deflection;
 use super::grid::Grid;
 use super::heat::Warm;
+use super::kernel::Kernel;
 use super::system::{Balance, State, System};
 use crate::contact::Gap;
-use crate::elastic::compliance;
 use crate::engine::Problem;
 
 /// A grid that was solved on.
@@ -116,11 +116,11 @@ pub fn outside(grid: &Grid, patch: [[usize; 2]; 2], values: &[f64]) -> Vec<f64> 
 pub fn convolution<Plan>(problem: &Problem<Plan>, grid: &Grid) -> Arc<Deflection> {
     Arc::new(Deflection::new(
         grid,
-        compliance(&problem.elasticity.bodies),
+        Kernel::of(&problem.elasticity.bodies),
     ))
 }
 
-/// Half-spaces under a grid, without pressure beyond it.
+/// Bodies under a grid, without pressure beyond it.
 pub fn first_system<Plan>(
     problem: &Problem<Plan>,
     grid: Grid,

@@ -104,7 +104,7 @@ pub struct LineKernel {
 }
 
 impl LineKernel {
-    /// For n unknowns and the deflection of a node by one so many nodes away, 0, 1, … n + 1.
+    /// For n unknowns and influence coefficients of nodes 0, 1, … n + 1 apart.
     pub fn new(values: &[f64], n: usize) -> LineKernel {
         let mut products = Vec::new();
         let mut size = n;

@@ -13,11 +13,15 @@
 //! | [`grid`] | nodes of a patch |
 //! | [`rows`] | rows of nodes along a roller |
 //! | [`roller_zone`] | where its pressure ends |
-//! | [`convolution`] | deflection of the half-spaces |
-//! | [`rows_convolution`], [`line_convolution`], [`deflection`] | the same under rows of a roller, under a line |
+//! | [`kernel`] | influence of the pressure on the deflection of the bodies |
+//! | [`convolution`], [`rows_convolution`] | sums with influence coefficients on a grid, also those of heat; under rows of a roller |
+//! | [`along`], [`padded`], [`axial`] | the transforms, along rows and of grids; shapes along the axis of a roller |
+//! | [`deflection`], [`inverse`] | deflection under the pressures of a grid; stencils near to the inverse |
+//! | [`node`] | quantities of the film equation at a node |
 //! | [`faces`] | flux through a face and its derivatives |
 //! | [`touching`] | oil and asperities at a node |
 //! | [`thinning`] | shear thinning of the film at a node |
+//! | [`storage`] | change in time at the nodes |
 //! | [`contents`] | oil in partly filled gaps |
 //! | [`behind`] | oil behind the film |
 //! | [`passing`] | how contents change with the pressures |
@@ -26,6 +30,7 @@
 //! | [`multigrid`], [`transfer`] | a cycle over coarser grids that solves it |
 //! | [`stencil`], [`rectangle`] | its matrix, incomplete and complete factors |
 //! | [`newton`], [`ending`] | Newton's method with active sets, and when it ends |
+//! | [`pseudo_time`] | a steady film as the end of one in time |
 //! | [`beyond`], [`far_pressure`] | the region beyond the first grid |
 //! | [`level`] | from a grid to one with cells of half the size on a smaller patch |
 //! | [`film`], [`composite`], [`fields`] | the film on all patches together; its mesh and fields |
@@ -36,11 +41,14 @@
 //! | [`tangents`] | derivatives of the figures by inputs |
 //! | [`scope`] | which contacts it solves |
 //! | [`patches`] | which grids it solves them on |
+//! | [`plan`] | tolerances and limits |
 //! | [`engine`] | grids until the films reach the target error |
 //!
 //! Theory: Finite volumes.
 
+pub mod along;
 pub mod asperities;
+pub mod axial;
 pub mod behind;
 pub mod beyond;
 pub mod composite;
@@ -58,14 +66,19 @@ pub mod figures;
 pub mod film;
 pub mod grid;
 pub mod heat;
+pub mod inverse;
+pub mod kernel;
 pub mod level;
-pub mod line_convolution;
 pub mod line_factors;
 pub mod multigrid;
 pub mod newton;
+pub mod node;
+pub mod padded;
 pub mod passing;
 pub mod patches;
+pub mod plan;
 pub mod preconditioner;
+pub mod pseudo_time;
 pub mod rectangle;
 pub mod reduction;
 pub mod roller_zone;
@@ -74,6 +87,7 @@ pub mod rows_convolution;
 pub mod scope;
 pub mod stencil;
 pub mod step;
+pub mod storage;
 pub mod summary;
 pub mod system;
 pub mod tangents;
@@ -81,7 +95,8 @@ pub mod thinning;
 pub mod touching;
 pub mod transfer;
 
-pub use engine::{FiniteVolumes, Plan, Volumes};
+pub use engine::{FiniteVolumes, Volumes};
+pub use plan::Plan;
 pub use scope::{About, HeatAbout, why_not};
 
 #[cfg(test)]

@@ -7,14 +7,18 @@ use ertel_rheology::viscosity::ViscosityLaw;
 
 use super::composite::Composite;
 use super::contents::Arrival;
-use super::convolution::Convolution;
 use super::deflection::Deflection;
 use super::ending::Ends;
-use super::engine::{FiniteVolumes, Plan, Volumes};
+use super::engine::{FiniteVolumes, Volumes};
 use super::figures::figures;
 use super::film::PatchedFilm;
 use super::grid::Grid;
-use super::system::{Balance, State, Storage, System};
+use super::kernel::Kernel;
+use super::level::Sampled;
+use super::plan::Plan;
+use super::storage::Storage;
+use super::summary::summarise;
+use super::system::{Balance, State, System};
 use super::tangents::Tangents;
 use crate::contact::{Contact, Hertz, HertzZone, Material, Motion, Planar, Scales, Shape, Turn};
 use crate::elastic::Elasticity;
@@ -22,7 +26,8 @@ use crate::engine::sensitivity::{Derivatives, Perturbed};
 use crate::engine::{Extents, Film, NoObserver, Problem};
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures};
-use crate::volumes::behind::Edges;
+use crate::volumes::contents::Edges;
+use crate::volumes::heat::warmth::Warmth;
 
 fn laws() -> (DensityLaw, ViscosityLaw) {
     let density = DensityLaw::dowson_higginson(870.0).unwrap();
@@ -36,7 +41,7 @@ pub(super) fn problem(motion: &Motion, target: f64) -> Problem<Plan> {
 }
 
 /// The same with bodies of some shape.
-fn problem_of(contact: &Contact, motion: &Motion, target: f64) -> Problem<Plan> {
+pub(super) fn problem_of(contact: &Contact, motion: &Motion, target: f64) -> Problem<Plan> {
     let steel = Material {
         youngs_modulus: 210e9,
         poissons_ratio: 0.3,
@@ -74,8 +79,19 @@ pub(super) fn solved(problem: &Problem<Plan>) -> Volumes {
     FiniteVolumes.solve(problem, &mut NoObserver).unwrap()
 }
 
+/// Mass is kept at each node with pressure of the finest grid.
+fn assert_mass_is_kept(found: &Volumes) {
+    let level = found.levels.last().unwrap();
+    let at = level.system.linearise(&level.state);
+    let h = level.system.grid.spacing[0];
+    for (k, node) in at.nodes.iter().enumerate().filter(|(k, _)| at.wetted[*k]) {
+        let gained = at.outflow[k] * h / node.mass;
+        assert!(gained.abs() < 2e-3, "{gained} of {node:?}");
+    }
+}
+
 /// A system on a small grid at some state that is no solution.
-fn system(half: bool, entrainment: Planar) -> (System, State) {
+pub(super) fn system(half: bool, entrainment: Planar) -> (System, State) {
     let motion = Motion::straight(0.8, 0.0);
     let problem = problem(&motion, 0.01);
     let zone = HertzZone {
@@ -104,7 +120,7 @@ fn system(half: bool, entrainment: Planar) -> (System, State) {
         separation: -0.1,
     };
     let system = System {
-        convolution: Convolution::new(&grid, 0.3).into(),
+        convolution: Deflection::new(&grid, Kernel::HalfSpace { compliance: 0.3 }).into(),
         gap,
         load: 1.0,
         beyond: None,
@@ -244,7 +260,7 @@ fn second_order_for_manufactured_fields() {
         };
         // No compliance: the film is the gap.
         let system = System {
-            convolution: Deflection::new(&grid, 0.0).into(),
+            convolution: Deflection::new(&grid, Kernel::HalfSpace { compliance: 0.0 }).into(),
             gap: values(&film),
             load: 1.0,
             beyond: None,
@@ -291,6 +307,106 @@ fn second_order_for_manufactured_fields() {
     assert!(order > 1.85, "{errors:?}, order {order}");
 }
 
+/// Balances of a half are those of the whole, at its centreline too.
+#[test]
+fn halves_have_the_balances_of_wholes() {
+    let (half, state) = system(true, Planar::along_x(1.0));
+    let [nx, ny] = half.grid.n;
+    let grid = Grid {
+        half: false,
+        n: [nx, 2 * ny - 1],
+        ..half.grid.clone()
+    };
+    let image = |values: &[f64]| -> Vec<f64> {
+        let row = |j: usize| j.min(2 * (ny - 1) - j);
+        let nodes = grid.nodes();
+        nodes
+            .map(|[i, j]| values[half.grid.index(i, row(j))])
+            .collect()
+    };
+    let pressure = image(&state.pressure);
+    let both = State {
+        wetted: pressure.iter().map(|p| *p > 0.0).collect(),
+        pressure,
+        ..state.clone()
+    };
+    let whole = System {
+        convolution: Deflection::new(&grid, Kernel::HalfSpace { compliance: 0.3 }).into(),
+        gap: image(&half.gap),
+        grid: grid.clone(),
+        ..half.clone()
+    };
+    let [of_half, of_whole] = [(&half, &state), (&whole, &both)].map(|(s, at)| s.linearise(at));
+    for (k, [i, j]) in half.grid.nodes().enumerate() {
+        let other = of_whole.outflow[grid.index(i, j)];
+        assert_relative_eq!(
+            of_half.outflow[k],
+            other,
+            max_relative = 1e-8,
+            epsilon = 1e-10
+        );
+    }
+}
+
+/// Values between the nodes of a coarse grid are exact for cubics.
+#[test]
+fn cubics_between_coarse_nodes() {
+    let zone = HertzZone {
+        axis_ratio: 1.0,
+        turn: Turn::NONE,
+        roller: None,
+    };
+    let square = |reach: f64, h: f64| {
+        let bounds = [[-reach, reach]; 2];
+        Grid::covering(bounds, [h; 2], false, &zone)
+    };
+    let (coarse, fine) = (square(2.0, 0.5), square(1.0, 0.25));
+    let cubic = |[x, y]: [f64; 2]| x.powi(3) - 2.0 * x * y * y + 0.5 * y.powi(3) + x;
+    let values: Vec<f64> = (coarse.nodes())
+        .map(|[i, j]| cubic(coarse.on_axes(i, j)))
+        .collect();
+    let sampled = Sampled::new(&coarse, &fine);
+    for [i, j] in fine.nodes() {
+        let exact = cubic(fine.on_axes(i, j));
+        assert_relative_eq!(sampled.cubic(&values, i, j), exact, epsilon = 1e-12);
+    }
+}
+
+/// A film that drifts flows as one between surfaces that are as much faster; one of twice the conductance has twice the flow that pressure drives.
+#[test]
+fn warmth_moves_the_film() {
+    let (cold, state) = system(false, Planar::along_x(1.0));
+    let warm = |system: &System, flow: f64, drift: [f64; 2]| {
+        let warmth = Warmth {
+            temperature: 313.15,
+            density: 1.0,
+            flow: [flow; 2],
+            drift,
+        };
+        let mut system = system.clone();
+        system.warmth = vec![warmth; system.grid.n_nodes()];
+        system.linearise(&state).faces
+    };
+    let drift = [0.3, -0.2];
+    let [u, v] = cold.grid.turn.to_motion(drift);
+    let moving = |centre: [f64; 2]| System {
+        entrainment: Planar { centre, spin: 0.0 },
+        ..cold.clone()
+    };
+    let still = moving([0.0; 2]);
+    let faster = moving([1.0 + u, v]).linearise(&state).faces;
+    let driven = still.linearise(&state).faces;
+    for (found, other, factor) in [
+        (warm(&cold, 1.0, drift), faster, 1.0),
+        (warm(&still, 2.0, [0.0; 2]), driven, 2.0),
+    ] {
+        for (found, other) in found.iter().flatten().zip(other.iter().flatten()) {
+            let flux = factor * other.flux;
+            assert_relative_eq!(found.flux, flux, max_relative = 1e-6, epsilon = 1e-9);
+        }
+    }
+}
+
 /// A whole grid and patches with the same cells have the same films; mass is kept node by node, and all of the load is carried.
 #[test]
 fn patches_are_whole_grids() {
@@ -301,7 +417,7 @@ fn patches_are_whole_grids() {
     let [wide, patched] = [wide, patched].map(|mut problem| {
         // Steps go on until mass is kept by the ridge, too.
         problem.plan.newton.ends = Ends::of(0.0);
-        let found = solved(&problem);
+        let mut found = solved(&problem);
         assert!(found.balance_error.abs() < 1e-2, "{}", found.balance_error);
         let sum: f64 = (PatchedFilm::new(&problem.shape, &found.levels)
             .points()
@@ -309,14 +425,20 @@ fn patches_are_whole_grids() {
         .map(|point| point.area * point.fields.pressure)
         .sum();
         assert_relative_eq!(sum, problem.load, max_relative = 1e-5);
-        let level = found.levels.last().unwrap();
-        let at = level.system.linearise(&level.state);
-        let h = level.system.grid.spacing[0];
-        for (k, node) in at.nodes.iter().enumerate().filter(|(k, _)| at.wetted[*k]) {
-            let gained = at.outflow[k] * h / node.mass;
-            assert!(gained.abs() < 2e-3, "{gained} of {node:?}");
-        }
-        found.measured(&problem)
+        assert_mass_is_kept(&found);
+        // The outlet lies between two nodes.
+        let h = found.levels.last().unwrap().system.grid.spacing[0];
+        let outlet = figures(&problem, &found.levels).get(Figure::OutletPosition);
+        let half_cell = 0.5 * h * problem.scales.length;
+        assert_relative_eq!(outlet.unwrap().misfit, half_cell, max_relative = 1e-9);
+        let measured = found.measured(&problem);
+        // A hundredth more of the pressures of the finest grid, over the whole load.
+        let finest = found.levels.last_mut().unwrap();
+        let more = 0.01 * finest.system.load / problem.load;
+        finest.state.pressure.iter_mut().for_each(|p| *p *= 1.01);
+        let error = summarise(&problem, &found, &measured).load_balance_error;
+        assert_relative_eq!(error, more, max_relative = 1e-3);
+        measured
     });
     for figure in [Figure::FilmCentral, Figure::FilmMinimum] {
         let [a, b] = [&wide, &patched].map(|m| m.figures.value(figure).unwrap());

@@ -9,10 +9,12 @@ use std::ops::Range;
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
+use super::Kernel;
 use super::integrals::{ElementIntegrals, POINTS};
 use super::lanes::{Lanes, logarithms};
+use super::number::Number;
+use super::sources::Sources;
 use super::tree::{Near, Tree};
-use super::{Kernel, Number, Sources};
 
 /// Distance from an element, in its diameters, within which it is integrated in closed form.
 const REACH: f64 = 0.5;
@@ -162,9 +164,7 @@ impl<'a> Builder<'a> {
         points.iter_mut().for_each(Vec::clear);
         for k in 0..n {
             let [x, y] = self.targets[targets[k.min(targets.len() - 1)] as usize];
-            points[0].push(x);
-            points[1].push(y);
-            points[2].push(-y);
+            (points.iter_mut().zip([x, y, -y])).for_each(|(points, v)| points.push(v));
         }
         entries.resize(sources.space.element.n_nodes() * n, 0.0);
         columns.clear();

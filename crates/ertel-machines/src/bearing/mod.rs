@@ -1,7 +1,7 @@
 //! Rolling bearings: geometry, load distribution, speeds, rating lives and friction models, in SI.
 //!
-//! A [`Bearing`] under [`Loads`] at [`Speeds`] is solved for the load of each element on each ring: what comes
-//! out per contact are load, angle, radii, speeds, spin and the Hertz ellipse, from which a lubricated contact can be set up.
+//! A [`Bearing`] under [`Loads`](load::Loads) at [`Speeds`] is solved for the load of each element on each ring. The results
+//! per contact are load, angle, radii, speeds, spin and the Hertz ellipse, from which a lubricated contact can be set up.
 //!
 //! ```
 //! use ertel_machines::bearing::geometry::Ring;
@@ -32,10 +32,11 @@ pub mod geometry;
 pub mod kinematics;
 pub mod life;
 pub mod load;
+#[cfg(test)]
+mod test_data;
 
 use geometry::{BallGeometry, GeometryError, Ring, RollerGeometry, TaperedGeometry};
 use kinematics::Speeds;
-use load::{Distribution, Loads, Params};
 
 /// Material of rings and elements.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -147,18 +148,5 @@ impl Bearing {
             geometry,
             material: Material::STEEL,
         }
-    }
-
-    /// Loads, angles, speeds and dry contacts of all elements.
-    ///
-    /// # Errors
-    /// Geometries and loads that make no sense, no load at all, and no convergence.
-    pub fn solve(
-        &self,
-        loads: &Loads,
-        speeds: Speeds,
-        params: &Params,
-    ) -> Result<Distribution, load::Error> {
-        load::solve(self, loads, speeds, params)
     }
 }

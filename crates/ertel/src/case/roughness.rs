@@ -38,6 +38,7 @@ const FLOW: &str = "flow";
 const ASPERITY_KEYS: [&str; 2] = ["asperity_group", "rms_height_to_asperity_radius"];
 
 /// Contents of `[surface_roughness]`.
+#[derive(Default)]
 pub(super) struct Surfaces {
     /// Composite rms height, m.
     pub roughness: Option<f64>,
@@ -46,8 +47,17 @@ pub(super) struct Surfaces {
     pub asperities: Option<Asperities>,
 }
 
-/// Reads the section; `of_bodies` is the `roughness` of `[bodies]`, m.
-pub(super) fn read(mut table: Table<'_>, of_bodies: Option<f64>) -> Result<Surfaces, InputError> {
+/// Reads the section, if there is one; `of_bodies` is the `roughness` of `[bodies]`, m.
+pub(super) fn read(
+    table: Option<Table<'_>>,
+    of_bodies: Option<f64>,
+) -> Result<Surfaces, InputError> {
+    let Some(mut table) = table else {
+        return Ok(Surfaces {
+            roughness: of_bodies,
+            ..Surfaces::default()
+        });
+    };
     let mut rules = Vec::new();
     let own = composite(&mut table, &mut rules)?;
     if own.is_some() && of_bodies.is_some() {

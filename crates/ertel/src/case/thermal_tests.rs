@@ -3,28 +3,16 @@
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use ertel_input::{Document, InputError};
+use ertel_input::InputError;
+use ertel_rheology::provenance::TemperatureRange;
 
 use super::Case;
 use crate::params::ThermalParams;
 
-const SQUALANE: &str = r#"
-lubricant = "squalane-pip"
-temperature = "313 K"
-[contact]
-kind = "circular"
-radius = "12.7 mm"
-load = "23 N"
-[bodies]
-body_1 = "glass"
-body_2 = "steel"
-[motion]
-entrainment_speed = "1.47 m/s"
-slide_to_roll_ratio = 0.5
-"#;
+const SQUALANE: &str = include_str!("../../tests/common/cases/squalane.toml");
 
 fn read(text: &str) -> Result<Case, InputError> {
-    Case::from_document(&Document::parse("case.toml", text)?, Path::new(""))
+    Case::from_text("case.toml", text, Path::new(""))
 }
 
 fn thermal(lines: &str) -> Result<Case, InputError> {
@@ -226,8 +214,9 @@ fn laws_independent_of_temperature_bring_warnings() {
 fn temperature_outside_a_range_is_reported() {
     let head = SQUALANE.replace("squalane-pip", "r245fa");
     let case = read(&format!("{head}[thermal]")).unwrap();
-    assert_eq!(case.lubricant.range_left(313.0), None);
-    let range = case.lubricant.range_left(330.0).unwrap();
+    let ranges = &case.lubricant.temperature_ranges;
+    assert_eq!(TemperatureRange::left(ranges, 313.0), None);
+    let range = TemperatureRange::left(ranges, 330.0).unwrap();
     assert_relative_eq!(range.highest, 323.15);
 }
 

@@ -1,7 +1,7 @@
 //! Solves a case by finite elements.
 
-use super::Recorder;
 use super::describe::{Found, describe, has_derivatives, note_sensitivities};
+use super::recorder::Recorder;
 use crate::case::Case;
 use crate::contact::Scales;
 use crate::engine::{Observer, SolveError};
@@ -10,7 +10,7 @@ use crate::problem::{nearby_problem, problem, problem_by_slices};
 use crate::sensitivity::{by_adjoint, by_differences};
 use crate::solution::{Sensitivities, Solution, Stats};
 use crate::solve::adjoint::RoughAdjoints;
-use crate::solve::newton::FilmModel;
+use crate::solve::newton_level::FilmModel;
 use crate::solve::sequence::{Problem, Start};
 use crate::solve::{Finished, FiniteElements, results};
 use crate::warning::{Warning, WarningKind};

@@ -4,21 +4,23 @@ mod collect;
 mod error;
 mod folder;
 mod merge;
+mod params;
 mod work;
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
+use std::collections::HashSet;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use crate::case::Study;
-use crate::case::study::MOST_POINTS;
 use crate::study::journal::{PointKey, Record};
 use crate::study::plan::Plan;
 use crate::study::walk::Walk;
-use crate::study::{StudyEcho, UnresolvedFigures, cores};
-use crate::warning::{Merged, by_kind};
+use crate::study::{StudyEcho, cores};
+use crate::warning::by_kind;
+use collect::check_distinct;
 use folder::{has_folder, look, open, write_results};
 use work::Shared;
 
@@ -26,111 +28,7 @@ pub use collect::Collector;
 pub use error::SweepError;
 pub use folder::{FILES, FOLDERS, SHARDS};
 pub use merge::merge;
-
-/// How a study is run.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct SweepParams {
-    /// Points solved at the same time; `None`: as many as cores.
-    pub jobs: Option<usize>,
-    /// Threads of each of them; `None`: one.
-    pub threads: Option<usize>,
-    /// Part of the points to be solved.
-    pub shard: Option<Shard>,
-    /// Whether each point's results are written into a separate folder.
-    pub folders: bool,
-    /// Whether points that failed are solved again.
-    pub retry: bool,
-}
-
-/// Part `index` of `n`, from 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Shard {
-    /// Which, from 1.
-    index: usize,
-    /// Of how many.
-    n: usize,
-}
-
-impl Shard {
-    /// Part `index` of `n`; `None` for more parts than the largest study has points, and for an index outside 1 to `n`.
-    pub fn new(index: usize, n: usize) -> Option<Shard> {
-        (1 <= index && index <= n && n <= MOST_POINTS).then_some(Shard { index, n })
-    }
-
-    /// Name of its folder among those of all parts: `03-of-12`.
-    pub fn name(self) -> String {
-        let Shard { index, n } = self;
-        let width = n.to_string().len();
-        format!("{index:0width$}-of-{n}")
-    }
-
-    /// Its share of the plan's order: neighbours in the tree stay together.
-    fn range(self, n_points: usize) -> std::ops::Range<usize> {
-        (self.index - 1) * n_points / self.n..self.index * n_points / self.n
-    }
-}
-
-/// Follows a study; called from the threads that solve its points.
-pub trait SweepObserver: Sync {
-    /// The solving begins.
-    fn begin(&self, _n_points: usize, _n_kept: usize) {}
-
-    /// A point is finished.
-    fn finished(&self, _progress: &SweepProgress<'_>) {}
-
-    /// Whether the user wants to stop.
-    fn cancelled(&self) -> bool {
-        false
-    }
-}
-
-impl SweepObserver for crate::engine::NoObserver {}
-
-/// How far a study is.
-#[derive(Clone, Debug)]
-pub struct SweepProgress<'a> {
-    /// Points that are finished, in this run or an earlier one.
-    pub n_finished: usize,
-    /// Points of the study, or of the part being run.
-    pub n_points: usize,
-    /// Index of the point just finished, from 0.
-    pub index: usize,
-    /// Its values.
-    pub label: &'a str,
-    /// Its outcome.
-    pub record: &'a Record,
-    /// Estimate of the remaining wall time, s.
-    pub seconds_left: f64,
-}
-
-/// Outcome of a study.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct SweepSummary {
-    /// Points of the study, or of the part that was run.
-    pub n_points: usize,
-    /// Points that the journal had already.
-    pub n_kept: usize,
-    /// Points finished in this run.
-    pub n_new: usize,
-    /// Points of the journal that were solved again because others start from them.
-    pub n_again: usize,
-    /// Lines of the journal that could not be read.
-    pub n_damaged: usize,
-    /// Index, values and reason of the points without solution.
-    pub failures: Vec<(usize, String, String)>,
-    /// Points with figures that the mesh does not resolve.
-    pub n_unresolved: usize,
-    /// Names of these figures, and of the other unresolved ones.
-    pub unresolved: UnresolvedFigures,
-    /// Warnings, those of one kind together.
-    pub warnings: Vec<Merged>,
-    /// Wall time, s.
-    pub wall_seconds: f64,
-    /// Time of the new points, all together, s.
-    pub point_seconds: f64,
-    /// Whether the user stopped it.
-    pub interrupted: bool,
-}
+pub use params::{Shard, SweepObserver, SweepParams, SweepProgress, SweepSummary};
 
 /// Runs a study in a folder, or its remaining points, and writes its table.
 ///
@@ -182,13 +80,10 @@ pub fn sweep_part(
         n_damaged: entries.n_damaged,
         ..SweepSummary::default()
     };
-    let wanted: Vec<bool> = {
-        let mut wanted = vec![false; study.points.len()];
-        for i in &mine {
-            wanted[*i] = !is_kept(*i);
-        }
-        wanted
-    };
+    let mut wanted = vec![false; study.points.len()];
+    for i in &mine {
+        wanted[*i] = !is_kept(*i);
+    }
     let mut records = entries.records;
     observer.begin(mine.len(), n_kept);
     let walk = Walk::new(plan, &wanted);
@@ -207,56 +102,24 @@ pub fn sweep_part(
         n_again: AtomicUsize::new(0),
     };
     let jobs = jobs.clamp(1, walk.n_needed.max(1));
-    let (sender, receiver) = std::sync::mpsc::channel::<(usize, Record)>();
-    let pools: Vec<rayon::ThreadPool> = (0..jobs)
-        .map(|_| {
-            rayon::ThreadPoolBuilder::new()
-                .num_threads(threads)
-                .build()
-                .map_err(|e| SweepError::Threads(e.to_string()))
-        })
-        .collect::<Result<_, _>>()?;
-    let failure = std::thread::scope(|scope| {
-        let work = |pool| {
-            let (shared, sender) = (&shared, sender.clone());
-            scope.spawn(move || rayon::ThreadPool::install(pool, || shared.work(&sender)))
-        };
-        let threads: Vec<_> = pools.iter().map(work).collect();
-        drop(sender);
-        let mut failure = None;
-        // Records are appended one after the other, here.
-        for (index, record) in receiver {
-            if let Err(error) = journal.append(&record) {
-                walk.stop();
-                failure = Some(SweepError::from(error));
-                break;
-            }
-            summary.n_new += 1;
-            summary.point_seconds += record.seconds;
-            let n_finished = n_kept + summary.n_new;
-            let elapsed = clock.elapsed().as_secs_f64();
-            let left = (mine.len() - n_finished) as f64;
-            observer.finished(&SweepProgress {
-                n_finished,
-                n_points: mine.len(),
-                index,
-                label: &study.points[index].label,
-                record: &record,
-                seconds_left: elapsed / summary.n_new as f64 * left,
-            });
-            records.insert(record.key, record);
-        }
-        for thread in threads {
-            match thread.join() {
-                Ok(end) => failure = failure.or(end.err().flatten()),
-                Err(panic) => std::panic::resume_unwind(panic),
-            }
-        }
-        failure
-    });
-    if let Some(error) = failure {
-        return Err(error);
-    }
+    solve_points(&shared, [jobs, threads], |index, record| {
+        journal.append(&record)?;
+        summary.n_new += 1;
+        summary.point_seconds += record.seconds;
+        let n_finished = n_kept + summary.n_new;
+        let elapsed = clock.elapsed().as_secs_f64();
+        let left = (mine.len() - n_finished) as f64;
+        observer.finished(&SweepProgress {
+            n_finished,
+            n_points: mine.len(),
+            index,
+            label: &study.points[index].label,
+            record: &record,
+            seconds_left: elapsed / summary.n_new as f64 * left,
+        });
+        records.insert(record.key, record);
+        Ok(())
+    })?;
     summary.n_again = shared.n_again.load(Ordering::Relaxed);
     summary.interrupted = n_kept + summary.n_new < mine.len();
     if !summary.interrupted {
@@ -265,25 +128,77 @@ pub fn sweep_part(
         records.retain(|key, _| own.contains(key));
         write_results(folder, &echo, &records)?;
     }
-    let mut warnings = Vec::new();
-    let mut sorted = mine;
-    sorted.sort_unstable();
-    for i in sorted {
-        let Some(record) = records.get(&echo.points[i].0) else {
-            continue;
-        };
-        if !record.converged {
-            let label = study.points[i].label.clone();
-            summary.failures.push((i, label, record.reason.clone()));
-        }
-        summary.n_unresolved += usize::from(record.is_unresolved());
-        summary.unresolved.add(|column| record.field(column));
-        let shown = (record.warnings.iter()).filter(|w| w.is_shown_with(&echo.silence));
-        warnings.extend(shown.map(|w| (i, w)));
-    }
-    summary.warnings = by_kind(warnings);
+    summary.add_points(study, &echo, mine, &records);
     summary.wall_seconds = clock.elapsed().as_secs_f64();
     Ok(summary)
+}
+
+/// Solves the points that are needed in several jobs, each with its threads; `finished` has their records one after the other.
+fn solve_points(
+    shared: &Shared<'_>,
+    [jobs, threads]: [usize; 2],
+    mut finished: impl FnMut(usize, Record) -> Result<(), SweepError>,
+) -> Result<(), SweepError> {
+    let pools: Vec<rayon::ThreadPool> = (0..jobs)
+        .map(|_| {
+            rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .map_err(|e| SweepError::Threads(e.to_string()))
+        })
+        .collect::<Result<_, _>>()?;
+    let (sender, receiver) = std::sync::mpsc::channel::<(usize, Record)>();
+    std::thread::scope(|scope| {
+        let work = |pool| {
+            let sender = sender.clone();
+            scope.spawn(move || rayon::ThreadPool::install(pool, || shared.work(&sender)))
+        };
+        let threads: Vec<_> = pools.iter().map(work).collect();
+        drop(sender);
+        let mut failure = None;
+        for (index, record) in receiver {
+            if let Err(error) = finished(index, record) {
+                shared.walk.stop();
+                failure = Some(error);
+                break;
+            }
+        }
+        for thread in threads {
+            match thread.join() {
+                Ok(end) => failure = failure.or(end.err().flatten()),
+                Err(panic) => std::panic::resume_unwind(panic),
+            }
+        }
+        failure.map_or(Ok(()), Err)
+    })
+}
+
+impl SweepSummary {
+    /// Adds failures, unresolved figures and warnings of some points.
+    fn add_points(
+        &mut self,
+        study: &Study,
+        echo: &StudyEcho,
+        mut points: Vec<usize>,
+        records: &HashMap<PointKey, Record>,
+    ) {
+        let mut warnings = Vec::new();
+        points.sort_unstable();
+        for i in points {
+            let Some(record) = records.get(&echo.points[i].0) else {
+                continue;
+            };
+            if !record.converged {
+                let label = study.points[i].label.clone();
+                self.failures.push((i, label, record.reason.clone()));
+            }
+            self.n_unresolved += usize::from(record.is_unresolved());
+            self.unresolved.add(|column| record.field(column));
+            let shown = (record.warnings.iter()).filter(|w| w.is_shown_with(&echo.silence));
+            warnings.extend(shown.map(|w| (i, w)));
+        }
+        self.warnings = by_kind(warnings);
+    }
 }
 
 /// Points of the study that are finished, of those in the folder.
@@ -298,18 +213,4 @@ pub fn finished_points(study: &Study, folder: &Path) -> Result<Vec<Option<Record
         entries.records.get(&key).cloned()
     };
     Ok(study.points.iter().map(record).collect())
-}
-
-fn check_distinct(study: &Study, echo: &StudyEcho) -> Result<(), SweepError> {
-    let mut seen = HashMap::new();
-    for (i, (key, _)) in echo.points.iter().enumerate() {
-        if let Some(first) = seen.insert(*key, i) {
-            return Err(SweepError::Twice {
-                first: first + 1,
-                second: i + 1,
-                label: study.points[i].label.clone(),
-            });
-        }
-    }
-    Ok(())
 }

@@ -11,11 +11,12 @@ use ertel::film::FilmFluid;
 use ertel::forms::energy::{Heat, Source};
 use ertel::params::ThermalParams;
 use ertel::run::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
+use ertel::solve::contact_surface::ContactSurface;
+use ertel::solve::discretisation::{Discretisation, Extents, LevelSizes};
 use ertel::solve::heat::column::Column;
 use ertel::solve::heat::newton::{HeatNewton, HeatParams};
 use ertel::solve::sequence::Problem;
-use ertel::solve::system::State;
+use ertel::solve::state::State;
 use ertel_fem::linear::NEVER;
 
 /// Contact area of most of these contacts.
@@ -83,6 +84,14 @@ pub fn problem_without_expansion(case: &Case) -> Problem {
     let mut case = case.clone();
     case.lubricant.density = ertel_rheology::DensityLaw::constant(870.0).unwrap();
     problem(&case)
+}
+
+/// Temperatures across the film at a place of the centreline.
+pub fn across_film(d: &Discretisation, state: &State, x: f64) -> Vec<f64> {
+    let (surface, locator) = (&d.contact.surface, &d.contact.locator);
+    let (cell, xi) = locator.find(surface, [x, 0.0]).unwrap();
+    let space = d.heat.as_ref().unwrap();
+    space.column_in(state, cell, xi)[space.column.film_range()].to_vec()
 }
 
 /// Newton's method to the end.

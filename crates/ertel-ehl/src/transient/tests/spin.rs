@@ -6,7 +6,8 @@ use ertel_rheology::shear::{ReeEyring, ShearLaw, ShearThinning};
 use super::{Films, Given, Params, ball_on_glass, line, mass_error, run, steady};
 use crate::contact::gap::{Body, Form, GapTerm, Relief};
 use crate::contact::{Contact, Pose, Turn};
-use crate::transient::{Conditions, Course};
+use crate::transient::march::longest_step;
+use crate::transient::{Conditions, Course, Speeds};
 
 /// ω of body 1 and body 2, and S_⊥.
 const SPIN: [f64; 2] = [0.8, -0.2];
@@ -40,6 +41,41 @@ fn params() -> Params {
     }
 }
 
+/// By hand: bodies that move at 0.5 and 1.5, the second one spinning at 2, whose surface moves at 3.5 at the edge of the contact: 20/3.5. Waves of 0.12 on the first body move by a 24th of
+/// that at the speed of this body: 0.005/0.5, then 0.005/1.5.
+#[test]
+fn longest_steps_by_hand() {
+    let mut problem = ball().problem();
+    let mut conditions = Conditions {
+        speeds: Speeds::Each([0.5, 1.5].map(Course::Constant)),
+        spin: [0.0, 2.0].map(Course::Constant),
+        ..steady(1.0)
+    };
+    let form = Form::Waves {
+        wavelength: 0.12,
+        amplitude: 0.01,
+        direction: 0.0,
+    };
+    let relief = Relief {
+        form,
+        body: Body::First,
+        place: [0.0; 2],
+        moved: Pose::START,
+        turn: Turn::NONE,
+    };
+    let step = |problem: &_, conditions: &_| longest_step(problem, conditions, &params(), 0.0);
+    let fastest = params().largest_step / 3.5;
+    assert_relative_eq!(step(&problem, &conditions), fastest, max_relative = 1e-12);
+    problem.shape.gap.terms.push(GapTerm::Relief(relief));
+    assert_relative_eq!(step(&problem, &conditions), 0.01, max_relative = 1e-12);
+    conditions.speeds = Speeds::Each([1.5, 0.5].map(Course::Constant));
+    assert_relative_eq!(
+        step(&problem, &conditions),
+        0.005 / 1.5,
+        max_relative = 1e-12
+    );
+}
+
 /// Films and friction power of a spinning ball stay under constant conditions, and spin and sliding that begin in time lead to them.
 #[test]
 fn spin_that_begins_leads_to_the_steady_film() {
@@ -71,16 +107,14 @@ fn a_dent_moves_on_the_circle_of_its_body() {
     let mut problem = ball_on_glass().problem();
     let radius = 0.25;
     problem.plan.largest_cell = 2.4 * radius / 16.0;
-    problem.shape.gap.terms.push(GapTerm::Relief(Relief {
-        form: Form::Round {
+    problem.shape.gap.add(
+        Form::Round {
             radius,
             height: -100e-9 / problem.scales.film,
         },
-        body: Body::Second,
-        place: [-angle.sin() / omega, (1.0 - angle.cos()) / omega],
-        moved: Pose::START,
-        turn: Turn::NONE,
-    }));
+        Body::Second,
+        [-angle.sin() / omega, (1.0 - angle.cos()) / omega],
+    );
     let conditions = Conditions {
         spin: [omega; 2].map(Course::Constant),
         ..steady(1.8)

@@ -10,29 +10,26 @@
 //! | module | what |
 //! |---|---|
 //! | [`source`] | temperature of a moving body by the heat that flows into cells |
-//! | [`axial`] | shapes along the axis of a roller |
 //! | [`spreading`] | the same on a grid, by fast Fourier transforms |
 //! | [`turning`] | spinning bodies, mapped to a plane |
-//! | [`padded`] | the transforms themselves |
 //! | [`memory`] | stored heat of the bodies in time |
 //! | [`columns`] | the energy equation of the film over each node |
-//! | [`transport`] | heat flow from node to node |
+//! | [`flow`], [`transport`] | heat flow from node to node |
 //! | [`march`] | temperatures of the film by those of the walls, along the flow |
 //! | [`temperatures`] | Newton's method for film and surfaces |
-//! | [`warmth`] | temperature-dependent coefficients of the film equation |
+//! | [`warmth`], [`warm_up`] | temperature-dependent coefficients of the film equation |
 //! | [`rounds`] | film and heat in turn, from grid to grid |
 //! | [`tangents`] | derivatives of both by an input |
 //! | [`figures`], [`output`] | temperatures and heat in numbers; for results |
 //!
 //! Theory: Heat by finite volumes.
 
-pub mod axial;
 pub mod columns;
 pub mod figures;
+pub mod flow;
 pub mod march;
 pub mod memory;
 pub mod output;
-pub mod padded;
 pub mod rounds;
 pub mod source;
 pub mod spreading;
@@ -40,9 +37,12 @@ pub mod tangents;
 pub mod temperatures;
 pub mod transport;
 pub mod turning;
+pub mod warm_up;
 pub mod warmth;
 
-pub use rounds::{Params, Warm};
+pub use rounds::Params;
+
+pub use temperatures::Warm;
 
 #[cfg(test)]
 mod tests;

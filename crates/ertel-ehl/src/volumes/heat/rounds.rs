@@ -6,8 +6,8 @@
 use ertel_fem::platform::Instant;
 
 use super::columns::{Columns, FilmHeat, Films};
-use super::temperatures::{self, Account, Bodies, Temperatures, step, unheated};
-use super::warmth::warmth;
+use super::temperatures::{self, Account, Bodies, Effort, Temperatures, Warm, step, unheated};
+use super::warm_up::warmth;
 use crate::engine::HeatError;
 use crate::engine::coupling::{INNER_SHARE, NEGLIGIBLE_RISE, Relaxation};
 use crate::engine::{Observer, Problem, SolveError};
@@ -15,7 +15,8 @@ use crate::forms::energy::{Heat, Heights};
 use crate::volumes::contents::missing;
 use crate::volumes::level::{Level, Sampled, outside};
 use crate::volumes::newton::NewtonInfo;
-use crate::volumes::system::{Linearised, State, Storage, System};
+use crate::volumes::storage::Storage;
+use crate::volumes::system::{Linearised, State, System};
 
 /// Parameters of the heat solver.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,35 +47,6 @@ impl Params {
     pub fn in_force(&self, target_error: f64) -> f64 {
         self.tolerance.max(self.share_of_target * target_error)
     }
-}
-
-/// Effort on the heat of a grid.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Effort {
-    /// Rounds of film and heat.
-    pub rounds: usize,
-    /// Ratio by which changes shrank from round to round.
-    pub contraction: f64,
-    /// The last change.
-    pub change: f64,
-    /// Steps for the temperatures.
-    pub iterations: usize,
-    /// Krylov iterations for them.
-    pub krylov_iterations: usize,
-    /// Wall seconds for them.
-    pub seconds: f64,
-}
-
-/// Heat of a grid.
-pub struct Warm {
-    /// The bodies below it.
-    pub bodies: Bodies,
-    /// Temperatures.
-    pub temperatures: Temperatures,
-    /// Heat made and carried off at each node.
-    pub account: Account,
-    /// Effort.
-    pub effort: Effort,
 }
 
 /// Ratio of successive changes above which the flow is held fixed from then on.
@@ -439,6 +411,21 @@ pub(super) fn largest_rise(own: &Temperatures, heat: &Heat) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// By hand: a pressure of 0.5 after one of 0.15, two steps to a unit of time: 2 · 0.5 − 0.3.
+    #[test]
+    fn rates_by_hand() {
+        let storage = |past: f64| Storage {
+            rate: 2.0,
+            past: vec![past],
+        };
+        let in_time = InTime {
+            temperature: storage(0.0),
+            pressure: storage(-0.3),
+            contraction: 0.0,
+        };
+        assert!((in_time.pressure_rate(&[0.5])[0] - 0.7).abs() < 1e-12);
+    }
 
     /// By hand: changes of 0.1 that shrink by a tenth leave 0.011; with half steps, 0.0056; slowly shrinking changes leave more than their own size, and ratios of large ones are ignored.
     #[test]

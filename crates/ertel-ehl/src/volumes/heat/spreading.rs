@@ -1,21 +1,21 @@
 //! Temperatures of the surfaces of both bodies on a grid by the heat that flows into them, by fast Fourier transforms.
 //!
 //! ```text
-//!   T_i = Σ_j K_{i−j} q_j         K the response of a moving body to heat in a cell (see [`super::source`]); along a roller, of each shape [`super::axial`]
+//!   T_i = Σ_j K_{i−j} q_j         K the response of a moving body to heat in a cell (see [`super::source`]); along a roller, of each shape [`crate::volumes::axial`]
 //! ```
 
-use rayon::prelude::*;
 use realfft::num_complex::Complex64;
 
-use super::padded::{NO_FADING, Padded};
 use super::source::MovingBody;
 use super::turning::Turning;
+use crate::volumes::convolution::Convolution;
 use crate::volumes::grid::Grid;
+use crate::volumes::padded::Padded;
 
 /// Spreading of heat in one body under a grid.
 pub enum Spreading {
-    /// The same everywhere: by the transform of K, over the gain of the transforms.
-    Even(Padded, Vec<Complex64>),
+    /// The same everywhere.
+    Even(Convolution<Complex64>),
     /// Of a body that spins.
     Turning(Box<Turning>),
 }
@@ -37,7 +37,7 @@ impl Spreading {
             }
         };
         let symbol = transforms.of_response(&response);
-        Spreading::Even(transforms, symbol)
+        Spreading::Even(Convolution::new(transforms, symbol))
     }
 
     /// Whether a place along the axes is outside the map of a spinning surface.
@@ -48,20 +48,11 @@ impl Spreading {
     /// Rises at the nodes, K, by the heat that flows in there, W/m².
     pub fn apply(&self, heat: &[f64]) -> Vec<f64> {
         match self {
-            Spreading::Even(transforms, symbol) => {
-                let mut spectrum = transforms.spectrum(heat, NO_FADING);
-                (spectrum.par_iter_mut().zip(symbol))
-                    .with_min_len(LEAST)
-                    .for_each(|(value, factor)| *value *= *factor);
-                transforms.values(spectrum)
-            }
+            Spreading::Even(convolution) => convolution.apply(heat),
             Spreading::Turning(turning) => turning.apply(heat),
         }
     }
 }
-
-/// Numbers that a thread takes at a time.
-const LEAST: usize = 4096;
 
 #[cfg(test)]
 mod tests {

@@ -13,9 +13,9 @@
 use rayon::prelude::*;
 use realfft::num_complex::Complex64;
 
-use super::padded::{NO_FADING, Padded};
 use super::source::MovingBody;
 use crate::volumes::grid::Grid;
+use crate::volumes::padded::{NO_FADING, Padded};
 
 /// Spreading of heat in a body that spins under a grid.
 pub struct Turning {

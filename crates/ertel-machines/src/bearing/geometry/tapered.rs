@@ -113,20 +113,10 @@ impl TaperedGeometry {
 }
 
 #[cfg(test)]
-pub(crate) mod tests {
+mod tests {
     use super::*;
+    use crate::bearing::test_data::tapered;
     use approx::assert_relative_eq;
-
-    pub(crate) fn tapered() -> TaperedGeometry {
-        TaperedGeometry {
-            roller_diameter: 8e-3,
-            length: 11e-3,
-            pitch_diameter: 46e-3,
-            number: 16,
-            cup_angle: 14_f64.to_radians(),
-            profile: RollerProfile::Logarithmic,
-        }
-    }
 
     /// By hand: tan ν = (8/46) sin(14° − ν) at ν = 2.0579°: 0.035933 and 0.173913 · sin 11.9421° = 0.173913 · 0.206922 = 0.035986; at ν =
     /// 2.0605° 0.0359782 and 0.173913 · 0.2068777 = 0.0359787. The middle of the roller then lies at 23/sin 11.9395° = 111.178 mm from the
@@ -163,6 +153,24 @@ pub(crate) mod tests {
         );
         let outer = cup * roller / (cup - roller);
         assert_relative_eq!(bearing.radius(Ring::Outer), outer, max_relative = 1e-12);
+    }
+
+    /// The volume of a slender cone's frustum in 1000 discs of the radius D/2 + z tan ν; a steep cup, so that the taper counts.
+    #[test]
+    fn mass_by_discs() {
+        let steep = TaperedGeometry {
+            cup_angle: 40_f64.to_radians(),
+            ..tapered()
+        };
+        let taper = steep.half_angle().tan();
+        let step = 11e-3 / 1000.0;
+        let volume: f64 = (0..1000)
+            .map(|k| {
+                let z = (f64::from(k) + 0.5) * step - 5.5e-3;
+                std::f64::consts::PI * (4e-3 + z * taper).powi(2) * step
+            })
+            .sum();
+        assert_relative_eq!(steep.mass(7850.0), 7850.0 * volume, max_relative = 1e-6);
     }
 
     #[test]

@@ -6,28 +6,14 @@
 mod ball;
 mod heathcote;
 mod roller;
+mod speeds;
 
 pub use ball::{BallMotion, RacewayControl};
 pub use heathcote::{deformed_radius, heathcote_number, heathcote_slip};
 pub use roller::RollerMotion;
+pub use speeds::Speeds;
 
 use super::Geometry;
-
-/// Speeds of both rings, rad/s, in the same direction of rotation.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Speeds {
-    /// ω_i.
-    pub inner: f64,
-    /// ω_o.
-    pub outer: f64,
-}
-
-impl Speeds {
-    /// ω_i − ω_o.
-    pub fn relative(&self) -> f64 {
-        self.inner - self.outer
-    }
-}
 
 /// Speed factor n d_m, mm/min: speed of the rings against each other times pitch diameter (m).
 pub fn speed_factor(speeds: Speeds, pitch_diameter: f64) -> f64 {
@@ -43,5 +29,22 @@ pub fn recommended_speed_factor(geometry: &Geometry) -> f64 {
         Geometry::Ball(_) => 5.0e5,
         Geometry::CylindricalRoller(_) => 4.5e5,
         Geometry::TaperedRoller(_) => 3.5e5,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// By hand: 3000/min = 100π rad/s inside and 1000/min the other way outside at d_m = 50 mm: 4000 · 50 mm/min.
+    #[test]
+    fn speed_factor_by_hand() {
+        let turn = std::f64::consts::PI / 30.0;
+        let speeds = Speeds {
+            inner: 3000.0 * turn,
+            outer: -1000.0 * turn,
+        };
+        assert_relative_eq!(speed_factor(speeds, 50e-3), 2e5, max_relative = 1e-12);
     }
 }

@@ -118,6 +118,12 @@ pub fn deep_groove_static_rating(
     Ok(reduction * f_0 * geometry.number as f64 * diameter * diameter * nominal_angle.cos())
 }
 
+/// Exponent of the life of ball bearings, L10 = (C/P)³.
+pub const BALL_EXPONENT: f64 = 3.0;
+
+/// Exponent of the life of roller bearings, L10 = (C/P)^(10/3).
+pub const ROLLER_EXPONENT: f64 = 10.0 / 3.0;
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -171,6 +177,9 @@ mod tests {
         let ratio = fixed([0.56, 0.56]) / fixed([0.52, 0.53]);
         assert!((0.3..0.7).contains(&ratio), "{ratio}");
         assert!(dynamic([0.525, 0.53]) < dynamic([0.52, 0.53]));
+        // Inside, ball and raceway are less conformal: Σρ = (2.522 + 0.077)/D against (1.657 + 0.148)/D outside. A wider groove outside changes nothing.
+        assert_eq!(fixed([0.52, 0.54]), fixed([0.52, 0.53]));
+        assert!(fixed([0.53, 0.53]) < fixed([0.52, 0.53]));
     }
 
     /// Both formulas meet at 25.4 mm: 25.4^0.4 = 3.647.

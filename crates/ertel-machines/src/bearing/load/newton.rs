@@ -1,5 +1,7 @@
 //! Newton's method for the five degrees of freedom of a ring.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Matrix2, SMatrix, SVector, Vector2};
 
 use super::{Distribution, Element, Error, Given, Info, Params};
@@ -188,12 +190,7 @@ pub(crate) fn balance(
             return Ok((shift, reaction, info));
         }
         let soft = SOFT * info.residual.min(1.0) * row.typical_stiffness();
-        let matrix = Matrix::from_fn(|i, j| match (free[i] && free[j], i == j) {
-            (true, true) => reaction.stiffness[(i, i)] + soft * scale[i] * scale[i],
-            (true, false) => reaction.stiffness[(i, j)],
-            (false, true) => 1.0,
-            (false, false) => 0.0,
-        });
+        let matrix = reaction.stiffness_of(free, soft, &scale);
         let Some(mut step) = matrix.lu().solve(&-residual) else {
             break;
         };
@@ -220,6 +217,16 @@ pub(crate) fn balance(
 }
 
 impl Reaction {
+    /// Stiffness of the free directions, with `soft` times the square of their scale; one of the others.
+    fn stiffness_of(&self, free: [bool; 5], soft: f64, scale: &Vector) -> Matrix {
+        Matrix::from_fn(|i, j| match (free[i] && free[j], i == j) {
+            (true, true) => self.stiffness[(i, i)] + soft * scale[i] * scale[i],
+            (true, false) => self.stiffness[(i, j)],
+            (false, true) => 1.0,
+            (false, false) => 0.0,
+        })
+    }
+
     fn none() -> Reaction {
         Reaction {
             force: Vector::zeros(),
@@ -248,4 +255,18 @@ fn finish(
         stiffness: std::array::from_fn(|i| std::array::from_fn(|j| reaction.stiffness[(i, j)])),
         info,
     })
+}
+
+pub(super) fn angles(number: usize, params: &Params) -> Vec<f64> {
+    (0..number)
+        .map(|j| params.first_element + TAU * j as f64 / number as f64)
+        .collect()
+}
+
+/// Direction of the radial load; x where there is none.
+pub(super) fn direction(load: &Vector) -> [f64; 2] {
+    match load[0].hypot(load[1]) {
+        0.0 => [1.0, 0.0],
+        size => [load[0] / size, load[1] / size],
+    }
 }

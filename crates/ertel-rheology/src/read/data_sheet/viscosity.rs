@@ -1,7 +1,6 @@
 //! Viscosities of a data sheet: two of them, one with the viscosity index, or a grade.
 
-use super::data::{computed, estimated, figures, given};
-use super::{CELSIUS_40, CELSIUS_100, ZERO_CELSIUS};
+use super::data::{CELSIUS_40, CELSIUS_100, ZERO_CELSIUS, computed, estimated, figures, given};
 use crate::DensityLaw;
 use crate::data_sheet::{
     BaseOil, Estimate, ISO_VG, ISO_VG_NAMES, ISO_VG_TOLERANCE, Spread, viscosity_at_40,
@@ -261,13 +260,7 @@ fn by_viscosity_100(
             ),
         ));
     };
-    let shown = figures(1e6 * nu_40);
-    data.push(computed(
-        "kinematic_viscosity_40",
-        shown,
-        "mm^2/s",
-        "astm_d2270",
-    ));
+    data.push(computed_viscosity("kinematic_viscosity_40", nu_40));
     Ok([(CELSIUS_40, nu_40), (CELSIUS_100, nu_100)])
 }
 
@@ -328,7 +321,7 @@ fn by_one(
         ("kinematic_viscosity_40", at_40),
         ("kinematic_viscosity_100", at_100),
     ] {
-        data.push(computed(key, figures(1e6 * nu), "mm^2/s", "astm_d2270"));
+        data.push(computed_viscosity(key, nu));
     }
     Ok([at_40, at_100])
 }
@@ -379,15 +372,17 @@ fn check_index(
             format!("the two viscosities give an index of {found:.0}, not {index}"),
         ));
     }
-    if let Some(found) = found {
-        data.push(computed(
-            "viscosity_index",
-            format!("{found:.0}"),
-            "1",
-            "astm_d2270",
-        ));
-    }
+    data.extend(found.map(computed_index));
     Ok(())
+}
+
+/// Of a kinematic viscosity, m²/s.
+fn computed_viscosity(key: &str, nu: f64) -> Datum {
+    computed(key, figures(1e6 * nu), "mm^2/s", "astm_d2270")
+}
+
+fn computed_index(index: f64) -> Datum {
+    computed("viscosity_index", format!("{index:.0}"), "1", "astm_d2270")
 }
 
 /// The grade and its middle at 40 degC (m²/s): a number or a text such as `VG 46`.
@@ -521,17 +516,10 @@ fn viscosity_100(
                 .with_help("give two of `kinematic_viscosity_40`, `kinematic_viscosity_100` and `viscosity_index`"));
         }
         data.push(given(table, key, figures(1e6 * nu), "mm^2/s"));
-        if let Some(found) = found {
-            data.push(computed(
-                "viscosity_index",
-                format!("{found:.0}"),
-                "1",
-                "astm_d2270",
-            ));
-        }
+        data.extend(found.map(computed_index));
         return Ok(nu);
     }
-    let Some((index, key)) = index_of(table, base_oil, data)? else {
+    let Some((index, source)) = index_of(table, base_oil, data)? else {
         return Err(table.missing(key).with_help(
             "give it, or `viscosity_index`; a typical index is known for base_oil = \"mineral\" or \"PAO\"",
         ));
@@ -539,7 +527,7 @@ fn viscosity_100(
     let Some(nu) = viscosity_at_100(nu_40, index) else {
         return Err(table
             .error(
-                key,
+                source,
                 format!(
                     "no oil of {} mm^2/s at 40 degC and more than 2 mm^2/s at 100 degC has a viscosity index of {index}",
                     figures(1e6 * nu_40)
@@ -547,11 +535,6 @@ fn viscosity_100(
             )
             .with_help("give `kinematic_viscosity_100`"));
     };
-    data.push(computed(
-        "kinematic_viscosity_100",
-        figures(1e6 * nu),
-        "mm^2/s",
-        "astm_d2270",
-    ));
+    data.push(computed_viscosity(key, nu));
     Ok(nu)
 }

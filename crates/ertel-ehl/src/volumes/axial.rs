@@ -12,8 +12,7 @@
 use nalgebra::{DMatrix, SymmetricEigen};
 use realfft::num_complex::Complex64;
 
-use crate::volumes::grid::RING;
-use crate::volumes::rows::Rows;
+use super::rows::{RING, Rows};
 
 /// Shapes along the axis.
 #[derive(Debug)]
