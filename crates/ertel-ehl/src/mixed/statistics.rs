@@ -50,8 +50,13 @@ pub fn share_apart(u: f64) -> f64 {
     0.5 * libm::erfc(-u / std::f64::consts::SQRT_2)
 }
 
+/// Q(u), the share of the area of one surface above the mean plane of the other: of a smooth and a rough one, what touches where asperities flow.
+pub fn area_above(u: f64) -> f64 {
+    share_apart(-u)
+}
+
 /// F_{n − 1/2}: 1/√(2π) ∫ x^{2n} exp(−(x² + u)²/2) dx.
-fn integral(u: f64, n: i32) -> f64 {
+pub fn integral(u: f64, n: i32) -> f64 {
     if u >= NOTHING_FROM {
         return 0.0;
     }

@@ -8,7 +8,7 @@ use crate::solution::{
 use crate::warning::Warning;
 
 /// Two rough surfaces.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RoughSurfaces {
     /// Composite rms height σ, m.
     pub rms_height: f64,
@@ -33,13 +33,18 @@ pub fn mixed_lubrication(surfaces: &RoughSurfaces, measured: &Measured) -> Mixed
     let over_sigma = |film| times(measured.estimate(film), 1.0 / sigma);
     let lambda_minimum = over_sigma(Figure::FilmMinimum);
     let share = measured.find(Figure::AsperityLoadShare);
-    let asperities = (surfaces.asperities.zip(share)).map(|(asperities, share)| AsperityFigures {
-        asperity_load: times(share, surfaces.load),
-        asperity_load_share: share,
-        asperity_pressure_maximum: asperities
-            .pressure(lambda_minimum.value, surfaces.reduced_modulus),
-        friction: friction(measured),
-    });
+    let asperities =
+        (surfaces.asperities.as_ref().zip(share)).map(|(asperities, share)| AsperityFigures {
+            asperity_load: times(share, surfaces.load),
+            asperity_load_share: share,
+            asperity_pressure_maximum: asperities.pressure(
+                lambda_minimum.value,
+                sigma,
+                surfaces.reduced_modulus,
+            ),
+            friction: friction(measured),
+            other_gap: None,
+        });
     MixedLubrication {
         lambda_minimum,
         lambda_central: over_sigma(Figure::FilmCentral),
@@ -77,7 +82,7 @@ pub fn warning(mixed: &MixedLubrication, film_minimum: f64, rms_height: f64) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mixed::Flow;
+    use crate::mixed::{AsperityLaw, Flow, Summits};
     use crate::solution::{Bar, Reading};
     use approx::assert_relative_eq;
 
@@ -105,10 +110,15 @@ mod tests {
         };
         let rough = RoughSurfaces {
             asperities: Some(Asperities {
-                asperity_group: 0.05,
-                rms_height_to_asperity_radius: 1e-3,
+                law: AsperityLaw::GreenwoodTripp(Summits {
+                    asperity_group: 0.05,
+                    rms_height_to_asperity_radius: 1e-3,
+                }),
+                hardness: None,
                 boundary_friction_coefficient: Some(0.12),
                 flow: Flow::AverageGap,
+                flow_is_chosen: false,
+                orientation: None,
             }),
             ..smooth
         };

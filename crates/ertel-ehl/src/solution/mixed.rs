@@ -18,7 +18,7 @@ pub struct MixedLubrication {
     pub asperities: Option<AsperityFigures>,
 }
 
-/// Load of the asperities after Greenwood and Tripp (1970), solved together with the film. Error bars are those of the grids alone.
+/// Load of the asperities, solved together with the film. Error bars are those of the grids alone.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AsperityFigures {
     /// W_a: N, in line contacts N/m.
@@ -30,6 +30,23 @@ pub struct AsperityFigures {
     /// Friction of film and asperities, with a boundary friction coefficient and sliding surfaces.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub friction: Option<MixedFriction>,
+    /// The same contact where the oil flows through the distance of the mean planes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub other_gap: Option<OtherGap>,
+}
+
+/// Figures where the oil flows through the distance of the mean planes, not the mean gap: with those of the mean gap a range of the model, which no error bar contains.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct OtherGap {
+    /// Load of the asperities over the whole load.
+    pub asperity_load_share: f64,
+    /// Central distance of the mean planes, m.
+    pub film_central: f64,
+    /// Smallest distance of the mean planes, m.
+    pub film_minimum: f64,
+    /// Friction of film and asperities, along the entrainment.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction_total: Option<f64>,
 }
 
 /// Friction coefficients along the entrainment, with the sign of the traction coefficient, over the whole load.

@@ -142,7 +142,7 @@ pub fn first_system<Plan>(
         warmth: Vec::new(),
         storage: None,
         balance: Balance::LOAD,
-        rough: problem.rough,
+        rough: (problem.rough.as_ref()).map(|rough| rough.on_cells(grid.spacing[0])),
         grid,
     }
 }

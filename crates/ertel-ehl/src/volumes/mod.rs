@@ -19,7 +19,7 @@
 //! | [`deflection`], [`inverse`] | deflection under the pressures of a grid; stencils near to the inverse |
 //! | [`node`] | quantities of the film equation at a node |
 //! | [`faces`] | flux through a face and its derivatives |
-//! | [`touching`] | oil and asperities at a node |
+//! | [`touching`], [`sharing`] | oil and asperities at a node, and how they share its pressure |
 //! | [`thinning`] | shear thinning of the film at a node |
 //! | [`storage`] | change in time at the nodes |
 //! | [`contents`] | oil in partly filled gaps |
@@ -37,6 +37,7 @@
 //! | [`asperities`] | load and friction of asperities |
 //! | [`extremes`], [`figures`], [`summary`] | figures, error bars, warnings |
 //! | [`heat`] | temperatures of film and surfaces |
+//! | [`other_gap`] | rough surfaces with the other choice of the gap that flows |
 //! | [`reduction`] | the film compared with that of the Newtonian fluid |
 //! | [`tangents`] | derivatives of the figures by inputs |
 //! | [`scope`] | which contacts it solves |
@@ -73,6 +74,7 @@ pub mod line_factors;
 pub mod multigrid;
 pub mod newton;
 pub mod node;
+pub mod other_gap;
 pub mod padded;
 pub mod passing;
 pub mod patches;
@@ -85,6 +87,7 @@ pub mod roller_zone;
 pub mod rows;
 pub mod rows_convolution;
 pub mod scope;
+pub mod sharing;
 pub mod stencil;
 pub mod step;
 pub mod storage;

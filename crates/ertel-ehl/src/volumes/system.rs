@@ -22,7 +22,7 @@ use super::passing::Passing;
 use super::rows::RING;
 use super::storage::Storage;
 use super::thinning::Thinned;
-use super::touching::Touch;
+use super::touching::{Touch, parts, touching};
 use crate::contact::Planar;
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
@@ -157,6 +157,16 @@ pub struct Linearised {
 }
 
 impl Linearised {
+    /// r at a node.
+    pub(super) fn slack_at(&self, k: usize) -> f64 {
+        self.touching.get(k).map_or(0.0, |of| of.slack)
+    }
+
+    /// r at all nodes with pressure unknown; `None` between smooth surfaces.
+    pub(super) fn slack(&self) -> Option<Vec<f64>> {
+        (!self.touching.is_empty()).then(|| self.touching.iter().map(|of| of.slack).collect())
+    }
+
     /// Whether a node holds as much as its gap.
     fn is_full(&self, k: usize) -> bool {
         (self.contents.get(k)).is_none_or(|content| *content >= self.nodes[k].mass)
@@ -210,10 +220,18 @@ impl System {
 
     fn linearise_by(&self, state: &State, thinned: impl Fn(&[Node]) -> Vec<Thinned>) -> Linearised {
         let films = self.films(state);
-        let touching = self.touching(state, &films);
+        let rough = self.rough.as_ref();
+        let pressures = [&state.pressure[..], state.oil()];
+        let touching = touching(rough, &self.grid, pressures, &films);
         let nodes: Vec<Node> = (state.oil().par_iter().zip(&films).enumerate())
             .with_min_len(BATCH)
-            .map(|(k, (p, film))| self.node(k, *p, touching.get(k).map_or(*film, |of| of.gap[0])))
+            .map(|(k, (p, film))| match touching.get(k) {
+                None => self.node(k, *p, *film),
+                Some(of) => Node {
+                    ln_passage: of.ln_passage,
+                    ..self.node(k, *p, of.gap[0])
+                },
+            })
             .collect();
         let thinned = thinned(&nodes);
         let mut faces = [0, 1].map(|direction| self.faces(&nodes, &thinned, direction));
@@ -301,6 +319,12 @@ impl System {
             && (self.arrival).may_press(grid.place(i, j)[0], grid.spacing[0])
     }
 
+    /// The gap that flows at a distance H.
+    #[inline]
+    pub fn gap_at(&self, film: f64) -> f64 {
+        self.rough.as_ref().map_or(film, |rough| rough.gap(film)[0])
+    }
+
     /// ρ̄H at the nodes, of the gap that flows.
     pub fn masses(&self, state: &State, films: &[f64]) -> Vec<f64> {
         (state.oil().par_iter().zip(films).enumerate())
@@ -330,6 +354,7 @@ impl System {
             ln_viscosity: [mu.ln(), mu_p / mu],
             mass: rho * film,
             mass_by: [rho_p * film, rho],
+            ln_passage: [[0.0; 2]; 2],
         }
     }
 
@@ -438,7 +463,7 @@ impl System {
         let n = self.grid.n_nodes();
         let (pressure, separation) = (&changes[..n], changes[n]);
         let film = self.change_of_film(pressure, separation);
-        let parts = own.parts(pressure, &film);
+        let parts = parts(&own.touching, pressure, &film);
         let (pressure, film) = match &parts {
             None => (pressure, &film[..]),
             Some([oil, gap]) => (&oil[..], &gap[..]),
@@ -464,7 +489,7 @@ impl System {
 
     /// The same by changes of pressures and films.
     pub(super) fn change_by(&self, at: &Linearised, pressure: &[f64], film: &[f64]) -> Vec<f64> {
-        match at.parts(pressure, film) {
+        match parts(&at.touching, pressure, film) {
             None => self.change_of_oil(at, pressure, film),
             Some([oil, gap]) => self.change_of_oil(at, &oil, &gap),
         }

@@ -409,7 +409,7 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
                 let derivative = |figure: &Figure| {
                     let of = |figures: &Figures| figures.value(*figure).unwrap_or(f64::NAN);
                     // Relative to the value on the same grids.
-                    let ratio = match (self.problem.rough, figure) {
+                    let ratio = match (&self.problem.rough, figure) {
                         // Distances of the mean planes of rough surfaces may vanish.
                         (Some(_), Figure::FilmCentral | Figure::FilmMinimum) => 1.0,
                         _ => self.value(*figure) / of(&self.coarser),

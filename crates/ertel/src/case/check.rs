@@ -326,9 +326,10 @@ const THERMAL_KEYS_OF_ELEMENTS: [&str; 2] = ["solid_elements", "surface_order"];
 
 /// Refuses asperities where no method shares the load between them and the oil.
 pub(super) fn asperities(case: &Case, roughness: Option<&Table<'_>>) -> Result<(), InputError> {
-    let (Some(_), Some(roughness)) = (case.asperities, roughness) else {
+    let (Some(asperities), Some(roughness)) = (&case.asperities, roughness) else {
         return Ok(());
     };
+    super::roughness::check_range(asperities, roughness, case.hertz().pressure)?;
     let by_elements = "`method` is \"finite-elements\", which knows no asperities";
     let reason = match case.solver.method {
         Some(Method::FiniteElements) => by_elements.to_owned(),

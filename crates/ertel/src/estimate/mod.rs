@@ -142,7 +142,7 @@ pub struct LambdaRatio {
     pub of_minimum: Option<f64>,
     /// By the minimum film, or the central one where there is no other.
     pub separation: Separation,
-    /// Share of the load on asperities (Greenwood and Tripp 1970) if the film had its central thickness all over the dry contact;
+    /// Share of the load on asperities if the film had its central thickness all over the dry contact;
     /// `None` where the case does not describe them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub asperity_load_share: Option<f64>,
@@ -192,8 +192,8 @@ pub fn estimate(case: &Case) -> CaseEstimate {
             of_central: film.central / sigma,
             of_minimum: film.minimum.map(|h| h / sigma),
             separation: Separation::of(film.minimum.unwrap_or(film.central) / sigma),
-            asperity_load_share: case.asperities.map(|asperities| {
-                let pressure = asperities.pressure(film.central / sigma, modulus);
+            asperity_load_share: case.asperities.as_ref().map(|asperities| {
+                let pressure = asperities.pressure(film.central / sigma, sigma, modulus);
                 pressure * hertz.area(contact) / contact.load
             }),
         }),

@@ -152,7 +152,7 @@ pub fn words(neglected: &Neglected) -> String {
     ));
     parts.push(match neglected.lambda {
         Some(_) if neglected.has_asperities => {
-            "flow factors of rough surfaces, hardness and wear of asperities".to_owned()
+            "wear of asperities, flow factors but those of `flow`".to_owned()
         }
         Some(lambda) => format!(
             "roughness in the film (h_min is {} times the rms height)",

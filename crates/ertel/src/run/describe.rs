@@ -9,7 +9,7 @@ use crate::post;
 use crate::problem::groups as groups_of;
 use crate::solution::{
     Asked, BodyField, Centreline, ElementFields, Figure, FilmReduction, IterationRecord, Measured,
-    Section, Sensitivities, Solution, Starvation, Stats, Summary, SurfaceField, Thermal,
+    OtherGap, Section, Sensitivities, Solution, Starvation, Stats, Summary, SurfaceField, Thermal,
     Uncertainties, Unresolved,
 };
 use crate::warning::{Warning, WarningKind};
@@ -21,6 +21,7 @@ pub(super) struct Found {
     pub extents: Extents,
     pub summary: Summary,
     pub film_reduction: Option<FilmReduction>,
+    pub other_gap: Option<OtherGap>,
     pub thermal: Option<Thermal>,
     pub centreline: Centreline,
     pub surface: SurfaceField,
@@ -95,11 +96,14 @@ pub(super) fn describe<Plan>(
     let mixed = case.roughness.map(|rms_height| {
         let surfaces = post::mixed::RoughSurfaces {
             rms_height,
-            asperities: case.asperities,
+            asperities: case.asperities.clone(),
             reduced_modulus: case.reduced_modulus(),
             load: case.contact.load,
         };
-        let mixed = post::mixed::mixed_lubrication(&surfaces, &measured);
+        let mut mixed = post::mixed::mixed_lubrication(&surfaces, &measured);
+        if let Some(asperities) = &mut mixed.asperities {
+            asperities.other_gap = found.other_gap;
+        }
         let film_minimum = summary.film_minimum.value;
         warnings.extend(post::mixed::warning(&mixed, film_minimum, rms_height));
         mixed

@@ -138,6 +138,7 @@ fn found(case: &Case, problem: &Problem, solved: &Finished) -> Result<Found, Sol
     ));
     Ok(Found {
         film_reduction: results::summary::film_reduction(levels, &measured),
+        other_gap: None,
         centreline: results::fields::centreline(finest, problem.friction_fluid(), scales),
         surface: results::fields::surface(finest, problem.friction_fluid(), scales),
         elements: results::elements::elements(finest, scales),
