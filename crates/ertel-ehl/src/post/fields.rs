@@ -5,6 +5,15 @@ use crate::engine::{PointFields, Profile};
 use crate::film::FilmFluid;
 use crate::solution::{Centreline, SurfaceField};
 
+/// Pressures of asperities, Pa; none where there are none.
+fn of_asperities(points: &[PointFields], scales: &Scales) -> Vec<f64> {
+    let pressures = points.iter().map(|f| f.asperity_pressure);
+    match pressures.clone().all(|p| p == 0.0) {
+        true => Vec::new(),
+        false => pressures.map(|p| p * scales.pressure).collect(),
+    }
+}
+
 /// A profile in SI, with derived fields.
 pub fn centreline_of(
     profile: &Profile,
@@ -26,6 +35,7 @@ pub fn centreline_of(
         line.hertz_pressure
             .push(shape.zone.pressure([*x, 0.0]) * scales.pressure);
     }
+    line.asperity_pressure = of_asperities(&profile.fields, scales);
     line.shear = super::shear::fields(fluid, scales, shape, &profile.fields);
     line
 }
@@ -50,6 +60,7 @@ pub fn surface_of(
             .push(properties.viscosity[0] * scales.viscosity);
         field.density.push(properties.density[0] * scales.density);
     }
+    field.asperity_pressure = of_asperities(points, scales);
     field.shear = super::shear::fields(fluid, scales, shape, points);
     field
 }
