@@ -7,6 +7,8 @@
 //! ```
 //! γ: correlation length of the heights along the motion over that across it. Across the motion φ is that of 1/γ. Patir and Cheng (1978, J. Lubr. Technol. 100,
 //! 12-17) averaged the flow through small numerical surfaces for seven γ. Below the smallest u of a fit φ h³/h_T³ keeps its value there.
+//!
+//! Theory: The gap that flows.
 
 use serde::{Serialize, Serializer};
 

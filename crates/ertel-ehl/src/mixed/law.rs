@@ -9,6 +9,8 @@
 //! Greenwood and Tripp 1970, Proc. IMechE 185, 625-633. Greenwood and Williamson 1966, Proc. R. Soc. A 295, 300-319: summits are taken as Gaussian with the
 //! rms height σ of the surface about its mean plane. The limit is that of Abbott and Firestone (1933, Mechanical Engineering 55, 569): where all asperities
 //! flow, the area in touch is the share Q of the area above the other mean plane, and each of its points bears the hardness H.
+//!
+//! Theory: Oil and asperities in one system.
 
 use std::f64::consts::PI;
 
