@@ -156,7 +156,7 @@ fn move_pressures(
     largest
 }
 
-/// Moves the pressures of oil and asperities between rough surfaces on by a step, that of the oil by at most `most` and not below zero; returns the largest change.
+/// Moves the pressures of oil and asperities between rough surfaces on by a step, each of them by at most `most` and not below zero; returns the largest change.
 fn move_parts(
     (system, at): (&System, &Linearised),
     (state, step): (&mut State, &Step),
@@ -173,15 +173,17 @@ fn move_parts(
             continue;
         }
         let change = of.change_of_oil(change, films[k]) + of.slack;
-        let next = match change.abs() > most {
-            true => state.oil[k] + most.copysign(change),
-            false => state.oil[k] + change,
+        // Not `clamp`: it would turn NaN into a bound.
+        let limited = |change: f64| match change.abs() > most {
+            true => most.copysign(change),
+            false => change,
         };
+        let next = state.oil[k] + limited(change);
         state.wetted[k] = at.wetted[k] && next > 0.0;
         let next = if at.wetted[k] { next.max(0.0) } else { 0.0 };
         // The asperities bear the rest, no less than nothing.
         let [touch, slope] = of.pressure;
-        let pressure = next + (touch + slope * films[k]).max(0.0);
+        let pressure = next + (touch + limited(slope * films[k])).max(0.0);
         let size = (pressure - state.pressure[k]).abs();
         moved[k] = size;
         let size = size.max((next - state.oil[k]).abs());
