@@ -81,10 +81,10 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
         "lambda ratio",
         "load on asperities",
         "total friction coefficient",
-        "at the film of smooth surfaces the asperities would carry",
     ] {
         assert!(solved.contains(words), "{words} in {solved}");
     }
+    assert!(!solved.contains("smooth surfaces"), "{solved}");
     let rows = rows_of(&folder.path().join("results/stribeck/curve.csv"));
     assert_eq!(rows.len(), 15);
     let sigma = 0.25e-6;
@@ -100,12 +100,8 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
             number(row, "friction_fluid"),
             number(row, "friction_asperities"),
         );
-        close(
-            fluid,
-            (1.0 - share.min(1.0)) * number(row, "traction_coefficient"),
-            1e-12,
-        );
-        close(asperities, 0.12 * share.min(1.0), 1e-9);
+        close(fluid, number(row, "traction_coefficient"), 1e-12);
+        close(asperities, 0.12 * share, 1e-9);
         close(number(row, "friction_total"), fluid + asperities, 1e-12);
     }
     // From the film to the asperities as the speed falls: share and friction of asperities rise, the total has its minimum in between.
@@ -115,7 +111,7 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
         .map(|r| number(r, "asperity_load_share"))
         .collect();
     assert!(share.windows(2).all(|w| w[1] > w[0]), "{share:?}");
-    assert!(share[0] < 1e-3 && share[14] > 0.2, "{share:?}");
+    assert!(share[0] < 1e-3 && share[14] > 0.9, "{share:?}");
     let least = (0..15)
         .min_by(|a, b| total[*a].total_cmp(&total[*b]))
         .unwrap();
@@ -125,7 +121,7 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
     let picture = std::fs::read_to_string(picture).unwrap();
     for words in [
         "film and asperities",
-        "asperities over the film of smooth surfaces",
+        "Oil and asperities share the load",
         "Friction coefficient",
     ] {
         assert!(picture.contains(words), "{words}");
@@ -135,7 +131,7 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
     assert_eq!(again.status.code(), Some(0), "{}", text(&again.stderr));
 }
 
-/// A point contact: `mixed` of result.json and the report; against the closed form with its film where that is almost flat.
+/// A point contact: `mixed` of result.json and the report; far smoother surfaces carry nothing on asperities.
 #[test]
 fn result_of_a_rough_ball() {
     let (folder, given) = rough_ball();
@@ -154,11 +150,7 @@ fn result_of_a_rough_ball() {
     assert_eq!(mixed["separation"], "mixed");
     let asperities = &mixed["asperities"];
     let share = value(&asperities["asperity_load_share"]);
-    let limit = asperities["asperity_load_share_limit"].as_f64().unwrap();
-    assert!(
-        0.0 < share && share < limit && limit < 1.0,
-        "{share} {limit}"
-    );
+    assert!(0.0 < share && share < 1.0, "{share}");
     assert!(asperities["asperity_load_share"]["error"].as_f64().unwrap() > 0.0);
     // The plane is the faster surface: friction has the sign of the traction.
     let friction = &asperities["friction"];
@@ -169,17 +161,15 @@ fn result_of_a_rough_ball() {
         "asperity load",
         "total friction coefficient",
         "mixed lubrication",
-        "these asperities carry at most",
     ] {
         assert!(report.contains(words), "{words}: {report}");
     }
-    // The same film under a smoother surface carries nothing, and the film is the same to the bit.
+    // The film of far smoother surfaces bears all.
     let smooth = given.replace("120 nm", "2 nm").replace("160 nm", "1 nm");
     std::fs::write(folder.path().join("smooth.toml"), smooth).unwrap();
     let output = ertel(folder.path(), &["solve", "smooth.toml"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let smooth = json("smooth");
-    assert_eq!(smooth["summary"], result["summary"]);
     let share = value(&smooth["mixed"]["asperities"]["asperity_load_share"]);
     assert!(share < 1e-12, "{share}");
     let total = value(&smooth["mixed"]["asperities"]["friction"]["friction_total"]);
@@ -189,6 +179,135 @@ fn result_of_a_rough_ball() {
         1e-9,
     );
     assert_eq!(smooth["mixed"]["separation"], "full");
+}
+
+/// Where no method shares the load between oil and asperities they are refused, with their line and the choice.
+#[test]
+fn asperities_are_not_left_out_silently() {
+    let (folder, given) = rough_ball();
+    for (keys, words) in [
+        (
+            "[solver]\nmethod = \"finite-elements\"\n",
+            "finite-elements\", which knows no asperities",
+        ),
+        (
+            "[solver]\nelasticity = \"equivalent\"\n",
+            "finite-element bodies",
+        ),
+    ] {
+        std::fs::write(folder.path().join("ball.toml"), given.clone() + keys).unwrap();
+        let output = ertel(folder.path(), &["solve", "ball.toml", "--check"]);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        for words in ["asperity_group", "cannot share the load", words] {
+            assert!(message.contains(words), "{words}: {message}");
+        }
+    }
+}
+
+/// The shipped cylinder at one speed, with other keys of the asperities.
+fn cylinder(folder: &TempDir, name: &str, keys: &str) -> Value {
+    let text = std::fs::read_to_string(root().join("cases/stribeck.toml")).unwrap();
+    let (text, _) = text.split_once("[curve]").unwrap();
+    let (before, rest) = text.split_once("asperity_group").unwrap();
+    let (_, after) = rest.split_once("\n\n").unwrap();
+    let text = format!("{before}{keys}\nboundary_friction_coefficient = 0.12\n\n{after}");
+    let text = text.replace(
+        "entrainment_speed = \"0.5 m/s\"",
+        "entrainment_speed = \"0.25 m/s\"",
+    );
+    solved_as(folder, name, &text)
+}
+
+/// result.json of a case.
+fn solved_as(folder: &TempDir, name: &str, case: &str) -> Value {
+    std::fs::write(folder.path().join(format!("{name}.toml")), case).unwrap();
+    let output = ertel(folder.path(), &["solve", &format!("{name}.toml")]);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{message}");
+    let path = folder.path().join("results").join(name).join("result.json");
+    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+/// Without the key `flow` results contain those of the other gap: what a solve with it finds.
+#[test]
+fn range_of_both_gaps() {
+    let folder = tempfile::tempdir().unwrap();
+    let law = "asperity_group = 0.06\nrms_height_to_asperity_radius = 1e-2\n";
+    let both = cylinder(&folder, "both", law);
+    let other = &both["mixed"]["asperities"]["other_gap"];
+    let alone = cylinder(&folder, "alone", &format!("{law}flow = \"distance\"\n"));
+    let asperities = &alone["mixed"]["asperities"];
+    assert!(asperities["other_gap"].is_null());
+    let value = |v: &Value| v["value"].as_f64().unwrap();
+    let share = value(&asperities["asperity_load_share"]);
+    close(other["asperity_load_share"].as_f64().unwrap(), share, 1e-3);
+    let own = value(&both["mixed"]["asperities"]["asperity_load_share"]);
+    assert!(own > share + 0.05, "{own} {share}");
+    for film in ["film_central", "film_minimum"] {
+        let alone = value(&alone["summary"][film]);
+        close(other[film].as_f64().unwrap(), alone, 1e-3);
+    }
+    let report = std::fs::read_to_string(folder.path().join("results/both/report.txt")).unwrap();
+    assert!(report.contains("with the other gap"), "{report}");
+}
+
+/// A table of the pressures of Greenwood and Tripp gives what the law does; summits on one surface alone, a hardness and flow factors give something else.
+#[test]
+fn laws_of_asperities() {
+    let folder = tempfile::tempdir().unwrap();
+    let summits = "asperity_group = 0.06\nrms_height_to_asperity_radius = 1e-2\n";
+    // 16√2π/15 · 0.06² · 0.1 · 115.385 GPa · F_{5/2}(h/0.25 µm) by a sum.
+    let table = "asperity_law = \"table\"\nasperity_distances = [\"-375.0 nm\", \"-250.0 nm\", \"-125.0 nm\", \"0.0 nm\", \"125.0 nm\", \"250.0 nm\", \"375.0 nm\", \"500.0 nm\", \"625.0 nm\", \"750.0 nm\", \"875.0 nm\", \"1000.0 nm\", \"1125.0 nm\", \"1250.0 nm\"]\nasperity_pressures = [\"9.78775e+08 Pa\", \"5.42431e+08 Pa\", \"2.72097e+08 Pa\", \"1.21387e+08 Pa\", \"4.7324e+07 Pa\", \"1.5859e+07 Pa\", \"4.50068e+06 Pa\", \"1.06768e+06 Pa\", \"209391 Pa\", \"33637 Pa\", \"4392.28 Pa\", \"463.272 Pa\", \"39.2642 Pa\", \"2.66263 Pa\"]\n";
+    let share = |name: &str, keys: &str| {
+        let result = cylinder(&folder, name, &format!("{keys}flow = \"average-gap\"\n"));
+        let share = &result["mixed"]["asperities"]["asperity_load_share"]["value"];
+        share.as_f64().unwrap()
+    };
+    let own = share("tripp", summits);
+    close(share("table", table), own, 0.01);
+    let one = format!("asperity_law = \"greenwood-williamson\"\n{summits}");
+    let one = share("williamson", &one);
+    assert!((one / own - 1.0).abs() > 0.02, "{one} {own}");
+    let soft = share("soft", &format!("{summits}hardness = \"200 MPa\"\n"));
+    assert!(soft < 0.999 * own, "{soft} {own}");
+    let factors = format!("{summits}flow = \"patir-cheng\"\norientation = \"1/9\"\n");
+    let factors = cylinder(&folder, "factors", &factors);
+    let factors = &factors["mixed"]["asperities"]["asperity_load_share"]["value"];
+    assert!(factors.as_f64().unwrap() < 0.95 * own, "{factors} {own}");
+}
+
+/// Flanks that asperities touch lose more than smooth ones, and every contact has the load of its asperities.
+#[test]
+fn gears_with_rough_flanks() {
+    let folder = tempfile::tempdir().unwrap();
+    let given = std::fs::read_to_string(root().join("cases/machine/fzg-c.toml")).unwrap();
+    let given = given.replace("points = 30", "points = 4");
+    let rough = "\n[surface_roughness]\nbody_1_rms_height = \"0.5 um\"\nbody_2_rms_height = \"0.5 um\"\nasperity_group = 0.05\n\
+                 rms_height_to_asperity_radius = 5e-3\nboundary_friction_coefficient = 0.12\nflow = \"average-gap\"\n";
+    let solved = |name: &str, case: String| -> Value {
+        std::fs::write(folder.path().join(format!("{name}.toml")), case).unwrap();
+        let output = ertel(folder.path(), &["solve", &format!("{name}.toml")]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let path = folder
+            .path()
+            .join("results")
+            .join(name)
+            .join("machine.json");
+        serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+    };
+    let smooth = solved("smooth", given.clone());
+    let rough = solved("rough", given + rough);
+    let loss = |of: &Value| of["figures"]["friction_power"]["value"].as_f64().unwrap();
+    assert!(loss(&rough) > 1.1 * loss(&smooth));
+    let contacts = rough["contacts"].as_array().unwrap();
+    for contact in contacts {
+        let share = &contact["solution"]["figures"]["asperity_load_share"]["value"];
+        let share = share.as_f64().unwrap();
+        assert!(0.05 < share && share < 0.5, "{share}");
+    }
+    let largest = &rough["figures"]["asperity_load_share_maximum"]["value"];
+    assert!(largest.as_f64().unwrap() < 0.5);
 }
 
 /// A study has the columns, too, and any key of the section may vary.
@@ -201,8 +320,9 @@ fn study_of_roughness() {
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let rows = rows_of(&folder.path().join("results/study/results.csv"));
     let share = |i: usize| number(&rows[i], "asperity_load_share");
-    // p_a is as the square of σβη over one and the same film; the second point starts from the first.
-    close(share(1), 4.0 * share(0), 1e-2);
+    // p_a is as the square of σβη at one and the same film, but stiffer asperities lift the surfaces.
+    let ratio = share(1) / share(0);
+    assert!((1.5..4.0).contains(&ratio), "{ratio}");
     for column in ["lambda_minimum", "lambda_central", "friction_total"] {
         number(&rows[0], column);
     }

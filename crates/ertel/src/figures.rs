@@ -146,6 +146,7 @@ definitions! {
         FILM_CENTRAL, "film_central", "smallest central film", Length, Films;
         FILM_MINIMUM, "film_minimum", "smallest film", Length, Films;
         LAMBDA_MINIMUM, "lambda_minimum", "λ (minimum film / σ)", Coefficient, Films;
+        ASPERITY_LOAD_SHARE_MAXIMUM, "asperity_load_share_maximum", "largest load share of asperities", Share, Films;
         HERTZ_PRESSURE_MAXIMUM, "hertz_pressure_maximum", "largest Hertz pressure", Stress, Mechanics;
         FRICTION_POWER_ROLLING, "friction_power_rolling", "power lost by rolling", Power, Friction;
     }
@@ -223,10 +224,14 @@ definitions! {
         FILM_CENTRAL_HIGHEST, "film_central_highest", "highest central film thickness", Length, Instants;
         FILM_CENTRAL_LAST, "film_central_last", "central film thickness at the end", Length, Instants;
         FILM_MINIMUM_LOWEST, "film_minimum_lowest", "lowest minimum film thickness", Length, Instants;
+        MEAN_GAP_MINIMUM_LOWEST, "mean_gap_minimum_lowest", "lowest mean gap", Length, Instants;
         FILM_MINIMUM_LAST, "film_minimum_last", "minimum film thickness at the end", Length, Instants;
         PRESSURE_MAXIMUM_HIGHEST, "pressure_maximum_highest", "highest pressure maximum", PeakPressure, Instants;
         TRACTION_COEFFICIENT_HIGHEST, "traction_coefficient_highest", "highest traction coefficient", Coefficient, Instants;
         TRACTION_COEFFICIENT_MEAN, "traction_coefficient_mean", "mean traction coefficient", Coefficient, Instants;
+        ASPERITY_LOAD_SHARE_HIGHEST, "asperity_load_share_highest", "highest load share of asperities", Share, Instants;
+        FRICTION_TOTAL_HIGHEST, "friction_total_highest", "highest friction of film and asperities", Coefficient, Instants;
+        FRICTION_TOTAL_MEAN, "friction_total_mean", "mean friction of film and asperities", Coefficient, Instants;
         FRICTION_POWER_MEAN, "friction_power_mean", "mean friction power", Power, Instants;
         FILM_TEMPERATURE_MAXIMUM_HIGHEST, "film_temperature_maximum_highest", "highest film temperature", Temperature, Instants;
         AMPLITUDE_RATIO_LOWEST, "amplitude_ratio_lowest", "lowest amplitude ratio of the waves", Coefficient, Run;

@@ -117,7 +117,11 @@ impl Sum for Marks {
 pub fn of_figure(solution: &Solution, figure: Figure) -> Marks {
     let is_of_friction = match figure.section() {
         Section::Traction | Section::Shear | Section::Temperature | Section::Heat => true,
-        Section::Film | Section::Pressure | Section::Supply | Section::Roller => false,
+        Section::Film
+        | Section::Pressure
+        | Section::Supply
+        | Section::Roller
+        | Section::Asperities => false,
     };
     let warned = |kind| is_of_friction && solution.warnings.iter().any(|w| w.kind == kind);
     Marks::when(warned(WarningKind::Friction), Mark::Friction)

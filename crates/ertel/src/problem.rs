@@ -14,6 +14,7 @@ use crate::contact::{
 use crate::elastic::Elasticity;
 use crate::film::FilmFluid;
 use crate::forms::energy::{BodyHeat, Heat};
+use crate::mixed::Rough;
 use crate::params::{
     DEFAULT_MAX_UNKNOWNS, DEFAULT_MAX_UNKNOWNS_OF_BODIES, ElasticModel, Formulation, MeshParams,
 };
@@ -61,7 +62,10 @@ fn make(case: &Case, own: Option<&FilmFluid>) -> Problem {
         heat.is_some(),
         flooded_film,
     );
-    let mut extents = area::extents(reach, &case.mesh, flooded_film, &shape);
+    let rough = rough(case, &scales);
+    let extents = area::extents(reach, &case.mesh, flooded_film, &shape);
+    let family = contact.kind.family();
+    let mut extents = area::of_rough(extents, &case.mesh, family, rough.as_ref());
     if let Supply::Meniscus { distance } = case.supply {
         extents.inlet = -distance / scales.length;
     }
@@ -99,10 +103,22 @@ fn make(case: &Case, own: Option<&FilmFluid>) -> Problem {
         load: scales.load,
         start_film: START_FILM * start_film,
         heat,
+        rough,
         scales,
         plan,
         shape,
     }
+}
+
+/// Rough surfaces of a case that describes their asperities.
+fn rough(case: &Case, scales: &Scales) -> Option<Rough> {
+    let (asperities, rms_height) = (case.asperities.as_ref()?, case.roughness?);
+    Some(Rough::new(
+        asperities,
+        rms_height,
+        case.reduced_modulus(),
+        scales,
+    ))
 }
 
 fn inlet(case: &Case, scales: &Scales) -> Inlet {

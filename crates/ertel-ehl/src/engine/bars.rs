@@ -35,7 +35,10 @@ impl Slowest {
     /// Of a figure.
     pub fn of(figure: Figure) -> Slowest {
         match figure {
-            Figure::FilmCentral | Figure::FilmMinimum => Slowest::OF_FILMS,
+            Figure::FilmCentral
+            | Figure::FilmMinimum
+            | Figure::MeanGapCentral
+            | Figure::MeanGapMinimum => Slowest::OF_FILMS,
             _ => Slowest::OF_OTHERS,
         }
     }
@@ -100,6 +103,18 @@ pub fn is_settled(minimum: [Option<f64>; 3]) -> bool {
     (here - before).abs() < THINNEST_RESOLVED * here
 }
 
+/// Readings of the figure by which a film is refined, from up to three grids: the mean gap of rough surfaces, whose distance may vanish.
+pub fn gap_of<'a>(of_grids: [Option<&'a Figures>; 3], film: Figure) -> [Option<f64>; 3] {
+    let gap = match film {
+        Figure::FilmCentral => Figure::MeanGapCentral,
+        _ => Figure::MeanGapMinimum,
+    };
+    of_grids.map(|figures| {
+        let figures = figures?;
+        figures.value(gap).or_else(|| figures.value(film))
+    })
+}
+
 /// Error bars from the figures of up to three grids, the newest first; `least`: relative errors of the central film and of all else at least.
 pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64, least: [f64; 2]) -> Bars {
     let mut bars = Bars::default();
@@ -107,11 +122,13 @@ pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64, least: [f64; 2]) -> Bars
         return bars;
     };
     let values = |figure| of_grids.map(|figures| Some(figures?.get(figure)?.value));
-    let settled = is_settled(values(Figure::FilmMinimum));
+    let settled = is_settled(gap_of(of_grids, Figure::FilmMinimum));
+    let is_rough = newest.get(Figure::MeanGapCentral).is_some();
     let error = |figure| bar(values(figure), settled, Slowest::of(figure));
     // Of what a film is likely to err by, without the factor.
     let of_film = |figure| {
-        let relative = error(figure).zip(newest.value(figure));
+        let gaps = gap_of(of_grids, figure);
+        let relative = bar(gaps, settled, Slowest::OF_FILMS).zip(gaps[0]);
         relative.map_or(0.0, |(error, film)| (error / film).abs() / SAFETY)
     };
     let [central, minimum] = [Figure::FilmCentral, Figure::FilmMinimum].map(of_film);
@@ -129,12 +146,12 @@ pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64, least: [f64; 2]) -> Bars
         let value = if value < least { least } else { value };
         // A film below zero is not resolved.
         let value = match figure {
-            Figure::FilmMinimum | Figure::FilmCentral if reading.value <= 0.0 => {
+            Figure::FilmMinimum | Figure::FilmCentral if reading.value <= 0.0 && !is_rough => {
                 value.max(2.0 * reading.value.abs())
             }
-            Figure::FilmCentral => value,
+            Figure::FilmCentral | Figure::MeanGapCentral => value,
             // Differences of both may change sign by chance, but rarely at the same time.
-            Figure::FilmMinimum => value
+            Figure::FilmMinimum | Figure::MeanGapMinimum => value
                 .max(reading.misfit)
                 .max(SAFETY * central * reading.size),
             // No figure is more accurate than the film that it depends on.

@@ -22,16 +22,20 @@ pub trait Film: Sync {
 pub struct PointFields {
     /// (X, Y).
     pub place: [f64; 2],
-    /// P.
+    /// P of the oil.
     pub pressure: f64,
-    /// ∇P.
+    /// ∇P of the oil.
     pub pressure_gradient: [f64; 2],
+    /// P of the asperities, which bear the rest of the load.
+    pub asperity_pressure: f64,
     /// G, the undeformed gap.
     pub gap: f64,
     /// δ, the deflection.
     pub deflection: f64,
-    /// H.
+    /// H; of rough surfaces the distance of the mean planes.
     pub film: f64,
+    /// What the gap that flows exceeds H by; zero between smooth surfaces.
+    pub excess: f64,
     /// F, the missing oil of a partly filled gap: before a starved contact and behind the film (see [`crate::forms::oil_layer`]).
     pub missing: f64,
     /// Temperature across the film, where it varies.
@@ -39,9 +43,19 @@ pub struct PointFields {
 }
 
 impl PointFields {
+    /// The gap that flows.
+    pub fn flowing(&self) -> f64 {
+        self.film + self.excess
+    }
+
+    /// P of oil and asperities together.
+    pub fn total_pressure(&self) -> f64 {
+        self.pressure + self.asperity_pressure
+    }
+
     /// θ, the share of the gap that is filled with oil.
     pub fn filling(&self) -> f64 {
-        1.0 - self.missing / self.film
+        1.0 - self.missing / self.flowing()
     }
 
     /// Quantities of the film for the energy equation, its flow not held fixed.
@@ -52,7 +66,7 @@ impl PointFields {
             pressure: self.pressure,
             pressure_rate: 0.0,
             pressure_gradient: self.pressure_gradient,
-            film: self.film,
+            film: self.flowing(),
             filling: self.filling(),
             temperature: profile.temperature,
             held_conductance: None,

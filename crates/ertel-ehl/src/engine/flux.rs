@@ -18,9 +18,9 @@ pub fn mass_flux(
 ) -> [f64; 2] {
     let local = fluid.local(f.pressure, f.temperature.as_deref());
     let (rho, mu) = (local.point().density[0], local.point().viscosity[0]);
-    let (g, omega) = local.demands(f.place, f.pressure_gradient, f.film);
+    let (g, omega) = local.demands(f.place, f.pressure_gradient, f.flowing());
     let flow = local.flow(g, omega, &mut CrossFilm::default()).flow;
-    let factor = 12.0 * rho * f.film.powi(2) / (mu * lambda);
+    let factor = 12.0 * rho * f.flowing().powi(2) / (mu * lambda);
     let mean = entrainment.at(f.place);
-    [0, 1].map(|i: usize| rho * (f.film - f.missing) * mean[i] - factor * flow[i])
+    [0, 1].map(|i: usize| rho * (f.flowing() - f.missing) * mean[i] - factor * flow[i])
 }

@@ -68,7 +68,7 @@ pub struct Frictions {
     pub work_around: f64,
     /// Work that flows out with the pressure where the bodies end, W or W/m; of isothermal films.
     pub through_end: f64,
-    /// −∫p ∂h_0/∂x dA over the load, which `whole.rolling` should be.
+    /// −∫p ∂h_0/∂x dA over the load, which `whole.rolling` should be; between rough surfaces of the pressure of oil and asperities, plus ∫(g − h) ∂p/∂x dA of the oil.
     pub offset: f64,
 }
 
@@ -128,7 +128,7 @@ struct Part<'a> {
     shear: &'a PointShear,
     /// Work of the surfaces there, W/m².
     work: f64,
-    /// P ∂G/∂X.
+    /// P ∂G/∂X − (g − H) ∂p/∂X, g: the gap that flows between rough surfaces.
     offset: f64,
     /// Stresses that its largest one is compared with, where it lies in the Hertz zone.
     limits: Option<[Option<f64>; 2]>,
@@ -188,7 +188,8 @@ pub fn friction<Plan>(problem: &Problem<Plan>, fluid: &FilmFluid, film: &impl Fi
             let work = |i: usize| slide[i] * s.stress[0][i] + mean[i] * s.difference[i];
             let part = Part {
                 work: work(0) + work(1),
-                offset: fields.pressure * shape.gap.at([x, y]).gradient[0],
+                offset: fields.total_pressure() * shape.gap.at([x, y]).gradient[0]
+                    - fields.excess * fields.pressure_gradient[0],
                 limits: (point.in_zone).then(|| match fluid.limits_depend_on_pressure() {
                     true => fluid.newtonian_limits(fields.pressure),
                     false => constant,

@@ -59,6 +59,8 @@ impl Extremes {
 pub struct HeatSums {
     /// Made by shear.
     pub shear: f64,
+    /// Made by the friction of asperities.
+    pub rubbing: f64,
     /// Made by compression, minus the heat that expansion absorbs.
     pub compression: f64,
     /// The sum of its sizes.
@@ -72,9 +74,9 @@ pub struct HeatSums {
 impl HeatSums {
     /// (made − carried off)/(heat of shear + size of the heat of compression); zero without heat.
     pub fn error(&self) -> f64 {
-        let size = self.shear + self.compression_size;
-        let lost =
-            self.shear + self.compression - self.to_bodies[0] - self.to_bodies[1] - self.by_film;
+        let made = self.shear + self.rubbing;
+        let size = made + self.compression_size;
+        let lost = made + self.compression - self.to_bodies[0] - self.to_bodies[1] - self.by_film;
         if size > 0.0 { lost / size } else { 0.0 }
     }
 }
@@ -122,7 +124,7 @@ pub fn note_heat<Plan>(
     // The work of the surfaces becomes heat by shear or by compression of the lubricant.
     if let Some(power) = figures.get(Figure::FrictionPower) {
         let heats = power.value - power.misfit;
-        let misfit = (heats - sums.shear - sums.compression).abs();
+        let misfit = (heats - sums.shear - sums.rubbing - sums.compression).abs();
         figures.note(Figure::FrictionPower, Reading { misfit, ..power });
     }
     for (figure, value) in [
@@ -133,6 +135,9 @@ pub fn note_heat<Plan>(
         (Figure::HeatByFilm, sums.by_film),
     ] {
         figures.note(figure, Reading::new(value));
+    }
+    if problem.rough.is_some() {
+        figures.note(Figure::HeatAsperities, Reading::new(sums.rubbing));
     }
 }
 

@@ -4,6 +4,7 @@ use crate::contact::{Planar, Scales, Shape};
 use crate::elastic::Elasticity;
 use crate::film::FilmFluid;
 use crate::forms::energy::Heat;
+use crate::mixed::Rough;
 
 /// Contact area, and the body below it, in Hertz half-widths.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,6 +68,8 @@ pub struct Problem<Plan> {
     pub start_film: f64,
     /// Heat of film and bodies, in thermal contacts.
     pub heat: Option<Heat>,
+    /// Rough surfaces whose asperities bear a part of the load, if described.
+    pub rough: Option<Rough>,
     /// Scales of its variables.
     pub scales: Scales,
     /// Settings of the engine.
@@ -92,6 +95,7 @@ impl<Plan> Problem<Plan> {
             load: self.load,
             start_film: self.start_film,
             heat: self.heat,
+            rough: self.rough,
             scales: self.scales,
             plan,
         }

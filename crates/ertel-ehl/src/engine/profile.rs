@@ -80,8 +80,8 @@ impl Profile {
     /// Missing oil of a sample, over that under the layer alone.
     fn lacking(&self, layer: f64, i: usize) -> f64 {
         let f = &self.fields[i];
-        match f.film > layer {
-            true => f.missing / (f.film - layer),
+        match f.flowing() > layer {
+            true => f.missing / (f.flowing() - layer),
             false => 0.0,
         }
     }
@@ -89,7 +89,7 @@ impl Profile {
     /// Pressure spike: between the centre and the outlet, the highest pressure behind a dip that
     /// lies at least 0.2 % of p_h below it and below the pressures before it.
     pub fn spike(&self) -> Option<(f64, f64)> {
-        let p = |i: usize| self.fields[i].pressure;
+        let p = |i: usize| self.fields[i].total_pressure();
         let outlet = self.outlet();
         let end = self.x.iter().position(|x| *x >= outlet)?;
         let start = self.x.iter().position(|x| *x >= 0.0)?;
@@ -124,13 +124,9 @@ mod tests {
             .iter()
             .map(|x| PointFields {
                 place: [*x, 0.0],
-                temperature: None,
                 pressure: 0.7 - x * x + bump * (-((x - 0.8) / 0.03).powi(2)).exp(),
-                pressure_gradient: [0.0; 2],
-                gap: 0.0,
                 film: 0.1 + 0.02 * (x - 0.5_f64).powi(2),
-                deflection: 0.0,
-                missing: 0.0,
+                ..PointFields::default()
             })
             .collect();
         Profile { x, fields }

@@ -45,7 +45,7 @@ impl<'a> Shear<'a> {
     pub fn at(&mut self, f: &PointFields) -> PointShear {
         let fluid = self.fluid.local(f.pressure, f.temperature.as_deref());
         let mu = fluid.point().viscosity[0];
-        let (g, omega) = fluid.demands(f.place, f.pressure_gradient, f.film);
+        let (g, omega) = fluid.demands(f.place, f.pressure_gradient, f.flowing());
         let film = fluid.flow(g, omega, &mut self.rule);
         let mid = film.mid_stress;
         let scale = self.fluid.stress_scale();
@@ -58,7 +58,7 @@ impl<'a> Shear<'a> {
             equivalent: stresses.map(|t| t[0].hypot(t[1])),
             viscosity: viscosity / fluid.relative_fluidity(0.0, squared),
             difference: g.map(|g| scale * g),
-            power: f.film * self.scales.film * scale * scale / viscosity * film.work,
+            power: f.flowing() * self.scales.film * scale * scale / viscosity * film.work,
         }
     }
 }

@@ -5,6 +5,15 @@ use crate::engine::{PointFields, Profile};
 use crate::film::FilmFluid;
 use crate::solution::{Centreline, SurfaceField};
 
+/// Pressures of asperities, Pa; none where there are none.
+fn of_asperities(points: &[PointFields], scales: &Scales) -> Vec<f64> {
+    let pressures = points.iter().map(|f| f.asperity_pressure);
+    match pressures.clone().all(|p| p == 0.0) {
+        true => Vec::new(),
+        false => pressures.map(|p| p * scales.pressure).collect(),
+    }
+}
+
 /// A profile in SI, with derived fields.
 pub fn centreline_of(
     profile: &Profile,
@@ -17,7 +26,7 @@ pub fn centreline_of(
         let local = fluid.local(f.pressure, f.temperature.as_deref());
         let properties = local.point();
         line.x.push(x * scales.length);
-        line.pressure.push(f.pressure * scales.pressure);
+        line.pressure.push(f.total_pressure() * scales.pressure);
         line.film_thickness.push(f.film * scales.film);
         line.deflection.push(f.deflection * scales.film);
         line.viscosity
@@ -26,6 +35,7 @@ pub fn centreline_of(
         line.hertz_pressure
             .push(shape.zone.pressure([*x, 0.0]) * scales.pressure);
     }
+    line.asperity_pressure = of_asperities(&profile.fields, scales);
     line.shear = super::shear::fields(fluid, scales, shape, &profile.fields);
     line
 }
@@ -44,12 +54,13 @@ pub fn surface_of(
         field.points.push(f.place.map(|x| x * scales.length));
         field.film_thickness.push(f.film * scales.film);
         field.deflection.push(f.deflection * scales.film);
-        field.pressure.push(f.pressure * scales.pressure);
+        field.pressure.push(f.total_pressure() * scales.pressure);
         field
             .viscosity
             .push(properties.viscosity[0] * scales.viscosity);
         field.density.push(properties.density[0] * scales.density);
     }
+    field.asperity_pressure = of_asperities(points, scales);
     field.shear = super::shear::fields(fluid, scales, shape, points);
     field
 }

@@ -1,5 +1,6 @@
 //! Fields over the whole contact area, with their mirror image where half of it is solved.
 
+use super::point_fields::asperity_column;
 use super::{Field, FilmTemperatures, Solution, SurfaceField};
 use crate::contact::{Shape, Symmetry};
 
@@ -75,6 +76,7 @@ impl ContactFields {
             (Field::Viscosity, &part.viscosity),
             (Field::Density, &part.density),
         ];
+        columns.extend(asperity_column(&part.asperity_pressure));
         columns.extend(part.shear.columns());
         columns.extend(temperatures.into_iter().flat_map(FilmTemperatures::columns));
         columns
@@ -207,6 +209,7 @@ mod tests {
             order: 1,
             elements: vec![0, 1, 2, 1, 3, 2],
             pressure: values.clone(),
+            asperity_pressure: Vec::new(),
             film_thickness: values.clone(),
             deflection: values.clone(),
             viscosity: values.clone(),

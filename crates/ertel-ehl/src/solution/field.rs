@@ -3,8 +3,10 @@
 /// A field on the contact area or along its centreline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Field {
-    /// Pressure.
+    /// Pressure; between rough surfaces that of oil and asperities together.
     Pressure,
+    /// Pressure of asperities.
+    AsperityPressure,
     /// Pressure of the dry contact.
     HertzPressure,
     /// Film thickness.
@@ -43,8 +45,9 @@ pub enum Field {
 
 impl Field {
     /// All of them.
-    pub const ALL: [Field; 18] = [
+    pub const ALL: [Field; 19] = [
         Field::Pressure,
+        Field::AsperityPressure,
         Field::HertzPressure,
         Field::FilmThickness,
         Field::Deflection,
@@ -68,6 +71,7 @@ impl Field {
     pub fn column(self) -> &'static str {
         match self {
             Field::Pressure => "pressure_Pa",
+            Field::AsperityPressure => "asperity_pressure_Pa",
             Field::HertzPressure => "hertz_pressure_Pa",
             Field::FilmThickness => "film_thickness_m",
             Field::Deflection => "deflection_m",
@@ -92,6 +96,7 @@ impl Field {
     pub fn unit(self) -> &'static str {
         match self {
             Field::Pressure
+            | Field::AsperityPressure
             | Field::HertzPressure
             | Field::ShearStressMid
             | Field::ShearStressBody1
@@ -128,6 +133,7 @@ impl Field {
     pub fn words(self) -> &'static str {
         match self {
             Field::Pressure => "pressure",
+            Field::AsperityPressure => "pressure of asperities",
             Field::HertzPressure => "pressure of the dry contact",
             Field::FilmThickness => "film thickness",
             Field::Deflection => "elastic deflection of both bodies",

@@ -68,6 +68,8 @@ pub enum Section {
     Roller,
     /// Traction and friction.
     Traction,
+    /// Load and friction of asperities.
+    Asperities,
     /// Shear of the film.
     Shear,
     /// Temperatures.

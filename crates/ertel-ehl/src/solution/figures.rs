@@ -81,6 +81,10 @@ figures! {
     FilmMinimum, "film_minimum", "h_min", "minimum film thickness", Length, Film, Film, Place;
     /// Smallest film thickness on the centreline.
     FilmCentrelineMinimum, "film_centreline_minimum", "", "minimum film on the centreline", Length, Film, FilmOnCentreline, Place;
+    /// Mean gap of rough surfaces at the centre of the contact.
+    MeanGapCentral, "mean_gap_central", "", "central mean gap", Length, Film, Integral, Whole;
+    /// Smallest mean gap of rough surfaces.
+    MeanGapMinimum, "mean_gap_minimum", "", "smallest mean gap", Length, Film, Integral, Place;
     /// Mean film thickness over the Hertz zone.
     FilmZoneMean, "film_zone_mean", "", "mean film in the Hertz zone", Length, Film, Integral, Whole;
     /// Largest pressure.
@@ -123,6 +127,14 @@ figures! {
     TractionMoment, "traction_moment", "", "moment about the contact normal", Moment, Traction, Integral, Whole;
     /// Work of the surfaces on the film: W, or W/m.
     FrictionPower, "friction_power", "", "friction power", Power, Traction, FrictionPower, Whole;
+    /// Load of the asperities over the whole load.
+    AsperityLoadShare, "asperity_load_share", "L", "load on asperities", Share, Asperities, Integral, Whole;
+    /// Friction of the asperities over the load, along the motion.
+    FrictionAsperities, "friction_asperities", "", "friction of asperities", Coefficient, Asperities, Integral, Whole;
+    /// The same across the motion.
+    FrictionAsperitiesAcross, "friction_asperities_across", "", "friction of asperities, across", Coefficient, Asperities, Integral, Whole;
+    /// Friction of film and asperities over the load, along the motion.
+    FrictionTotal, "friction_total", "", "friction of film and asperities", Coefficient, Asperities, Integral, Whole;
     /// Largest shear stress anywhere in the film.
     ShearStressMaximum, "shear_stress_maximum", "", "largest shear stress", Stress, Shear, ShearStress, Whole;
     /// Share of the Hertz zone where stress thins the fluid.
@@ -145,6 +157,8 @@ figures! {
     TemperatureBody2Mean, "temperature_body_2_mean", "", "mean temperature of body 2", Temperature, Temperature, MeanTemperature, Whole;
     /// Heat made by shear: W, or W/m.
     HeatShear, "heat_shear", "", "heat made by shear", Power, Heat, HeatShear, Whole;
+    /// Heat made by the friction of asperities: W, or W/m.
+    HeatAsperities, "heat_asperities", "", "heat made by asperities", Power, Heat, Integral, Whole;
     /// Heat made by compression, less what expansion takes: W, or W/m.
     HeatCompression, "heat_compression", "", "heat made by compression", Power, Heat, HeatCompression, Whole;
     /// Heat carried off by body 1: W, or W/m.
@@ -433,6 +447,8 @@ impl Measured {
             // Temperatures: the rise, at least one kelvin. All others: the value, also that of a component much smaller than the other.
             let size = match figure.kind() {
                 Kind::Temperature => reading.size.max(LEAST_RISE),
+                // The distance of the mean planes of rough surfaces may vanish.
+                Kind::Length => reading.size.max(reading.value.abs()),
                 _ => reading.value.abs(),
             };
             bar.value <= figure.widest_bar() * size

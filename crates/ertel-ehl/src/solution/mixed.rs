@@ -4,42 +4,55 @@ use serde::Serialize;
 
 use super::{Estimate, Separation};
 
-/// Film over roughness, and load and friction of the asperities: a model on the film of smooth surfaces ([`crate::mixed`]).
+/// Film over roughness, and load and friction of the asperities ([`crate::mixed`]).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MixedLubrication {
-    /// λ = h_min/σ, minimum film over composite rms height.
+    /// λ = h_min/σ, minimum film over composite rms height: of smooth surfaces, or with asperities the distance of the mean planes.
     pub lambda_minimum: Estimate,
     /// h_c/σ.
     pub lambda_central: Estimate,
     /// Lubrication regime by the lambda ratio of the minimum film.
     pub separation: Separation,
-    /// Load of the asperities, where the case describes them.
+    /// Load of the asperities, where they share it with the film.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub asperities: Option<AsperityFigures>,
 }
 
-/// Load of the asperities after Greenwood and Tripp (1970). Error bars are of the film alone.
+/// Load of the asperities, solved together with the film. Error bars are those of the grids alone.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AsperityFigures {
-    /// W_a: N, in line contacts N/m. It may exceed the load where the film of smooth surfaces is far too thin.
+    /// W_a: N, in line contacts N/m.
     pub asperity_load: Estimate,
-    /// L = W_a/W, likewise.
+    /// L = W_a/W.
     pub asperity_load_share: Estimate,
-    /// L if the film were thinner by its central thickness everywhere, but not below nothing: about the gap of the dry contact, and more than L
-    /// can become. Where it is below one, the model has no boundary lubrication.
-    pub asperity_load_share_limit: f64,
     /// Asperity pressure where the film is thinnest, Pa.
     pub asperity_pressure_maximum: f64,
     /// Friction of film and asperities, with a boundary friction coefficient and sliding surfaces.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub friction: Option<MixedFriction>,
+    /// The same contact where the oil flows through the distance of the mean planes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub other_gap: Option<OtherGap>,
 }
 
-/// Friction coefficients along the entrainment, with the sign of the traction coefficient. Asperities have the share L of the load, at the
-/// most all of it, the film has the rest.
+/// Figures where the oil flows through the distance of the mean planes, not the mean gap: with those of the mean gap a range of the model, which no error bar contains.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct OtherGap {
+    /// Load of the asperities over the whole load.
+    pub asperity_load_share: f64,
+    /// Central distance of the mean planes, m.
+    pub film_central: f64,
+    /// Smallest distance of the mean planes, m.
+    pub film_minimum: f64,
+    /// Friction of film and asperities, along the entrainment.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction_total: Option<f64>,
+}
+
+/// Friction coefficients along the entrainment, with the sign of the traction coefficient, over the whole load.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct MixedFriction {
-    /// Of the film: (1 − L) times the traction coefficient at mid-film.
+    /// Of the film: the traction coefficient at mid-film.
     pub friction_fluid: Estimate,
     /// Of the asperities: boundary friction coefficient times their load in the direction of sliding, over the load.
     pub friction_asperities: Estimate,

@@ -39,7 +39,7 @@ pub use figures::{
     Reading, Section, Sizes, WIDEST_OF_PLACE,
 };
 pub use history::{HeatRound, IterationRecord};
-pub use mixed::{AsperityFigures, MixedFriction, MixedLubrication};
+pub use mixed::{AsperityFigures, MixedFriction, MixedLubrication, OtherGap};
 pub use neglected::{Neglected, NeglectedHeat};
 pub use other_films::{FilmReduction, FormulaFilm};
 pub use point_fields::{BodyField, Centreline, ShearFields, SurfaceField};

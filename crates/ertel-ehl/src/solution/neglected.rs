@@ -15,6 +15,9 @@ pub struct Neglected {
     /// Minimum film over the rms roughness; `None` where no roughness is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lambda: Option<f64>,
+    /// Whether asperities share the load, so that roughness itself is not neglected.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub has_asperities: bool,
 }
 
 /// Heat that an isothermal contact neglects.

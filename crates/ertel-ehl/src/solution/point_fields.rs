@@ -8,6 +8,11 @@ fn are_empty(fields: &[Vec<f64>; 3]) -> bool {
     fields.iter().all(Vec::is_empty)
 }
 
+/// The pressure of asperities as a column, where there are some.
+pub(super) fn asperity_column(pressure: &[f64]) -> Option<(Field, &[f64])> {
+    (!pressure.is_empty()).then_some((Field::AsperityPressure, pressure))
+}
+
 /// Shear of the film at the points of a profile or a surface, SI. Stresses are those along the motion,
 /// positive where body 2 drags the film.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -53,8 +58,11 @@ impl ShearFields {
 pub struct Centreline {
     /// Position, m.
     pub x: Vec<f64>,
-    /// Pressure, Pa.
+    /// Pressure, Pa; between rough surfaces that of oil and asperities together.
     pub pressure: Vec<f64>,
+    /// Pressure of asperities, Pa; empty where there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub asperity_pressure: Vec<f64>,
     /// Film thickness, m.
     pub film_thickness: Vec<f64>,
     /// Elastic deflection of both bodies together, m.
@@ -80,8 +88,11 @@ pub struct SurfaceField {
     pub order: usize,
     /// Points of each element, in the order of [`ertel_fem::element::Lagrange`].
     pub elements: Vec<u32>,
-    /// Pressure, Pa.
+    /// Pressure, Pa; between rough surfaces that of oil and asperities together.
     pub pressure: Vec<f64>,
+    /// Pressure of asperities, Pa; empty where there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub asperity_pressure: Vec<f64>,
     /// Film thickness, m.
     pub film_thickness: Vec<f64>,
     /// Elastic deflection, m.
@@ -108,6 +119,7 @@ impl Centreline {
             (Field::Viscosity, &self.viscosity),
             (Field::Density, &self.density),
         ];
+        columns.extend(asperity_column(&self.asperity_pressure));
         columns.extend(self.shear.columns());
         columns.extend(temperatures.into_iter().flat_map(FilmTemperatures::columns));
         columns

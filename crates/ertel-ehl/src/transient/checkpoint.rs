@@ -50,6 +50,7 @@ pub(super) struct Memory {
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub(super) struct GridMemory {
     pub pressure: Vec<f64>,
+    pub oil: Vec<f64>,
     pub wetted: Vec<bool>,
     pub contents: Vec<f64>,
     /// Mass at the nodes at the instants, the newest first.

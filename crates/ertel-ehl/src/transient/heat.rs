@@ -126,7 +126,7 @@ impl GridHeat {
         GridHeat {
             films: VecDeque::from([temperatures.film]),
             flux: temperatures.flux,
-            pressures: VecDeque::from([level.state.pressure.clone()]),
+            pressures: VecDeque::from([level.state.oil().to_vec()]),
             below,
             own,
             outside,
@@ -250,7 +250,7 @@ impl GridHeat {
             })
         });
         HeatTrial {
-            pressure: level.state.pressure.clone(),
+            pressure: level.state.oil().to_vec(),
             own,
             outside,
             given,

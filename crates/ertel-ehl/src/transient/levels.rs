@@ -106,7 +106,7 @@ pub(super) fn held(system: &System, state: &State, films: &[f64]) -> Vec<f64> {
         Some(content) => content.min(full),
         None => full,
     };
-    let full = system.masses(&state.pressure, films);
+    let full = system.masses(state, films);
     full.into_iter().enumerate().map(of_node).collect()
 }
 
@@ -193,6 +193,7 @@ impl Levels {
                     let (origin, [places, velocities]) = separations.memory();
                     GridMemory {
                         pressure: level.state.pressure.clone(),
+                        oil: level.state.oil.clone(),
                         wetted: level.state.wetted.clone(),
                         contents: level.state.contents.clone(),
                         stored: stored.iter().cloned().collect(),
@@ -216,6 +217,7 @@ impl Levels {
             let is_whole = |values: &Vec<f64>| values.len() == n;
             let sizes = [grid.places.len(), grid.velocities.len(), grid.stored.len()];
             is_whole(&grid.pressure)
+                && grid.oil.len() == level.state.oil.len()
                 && grid.wetted.len() == n
                 && (grid.contents.len() == level.state.contents.len())
                 && grid.stored.iter().all(is_whole)
@@ -235,6 +237,7 @@ impl Levels {
         for (l, grid) in memory.grids.iter().enumerate() {
             self.levels[l].state = State {
                 pressure: grid.pressure.clone(),
+                oil: grid.oil.clone(),
                 separation: grid.places[0],
                 wetted: grid.wetted.clone(),
                 contents: grid.contents.clone(),
@@ -438,12 +441,14 @@ pub fn apart(problem: &Problem<Plan>, gap: f64) -> Vec<Level> {
             None => {
                 let system = first_system(problem, grid, deflection);
                 let n = system.grid.n_nodes();
-                let state = State {
+                let mut state = State {
                     pressure: vec![0.0; n],
+                    oil: Vec::new(),
                     separation: gap,
                     wetted: vec![true; n],
                     contents: Vec::new(),
                 };
+                system.settle(&mut state);
                 (system, state)
             }
             Some(before) => refined(problem, before, grid, deflection),
@@ -483,6 +488,7 @@ fn carried_on(system: &System, own: &State, coarse: State) -> State {
     };
     State {
         pressure: carried(&own.pressure, &coarse.pressure),
+        oil: carried(&own.oil, &coarse.oil),
         separation: own.separation,
         wetted: own.wetted.clone(),
         contents: carried(&own.contents, &coarse.contents),

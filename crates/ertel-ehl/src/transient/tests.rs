@@ -96,6 +96,7 @@ impl Given {
             load: scales.load,
             start_film: self.start_film,
             heat: None,
+            rough: None,
             scales,
             plan: Plan {
                 least_grids: [4, 5],

@@ -27,7 +27,7 @@ impl System {
         let mut contents = match known.is_empty() {
             false => known.to_vec(),
             true => {
-                let full: Vec<bool> = state.pressure.iter().map(|p| *p > 0.0).collect();
+                let full: Vec<bool> = state.oil().iter().map(|p| *p > 0.0).collect();
                 let before: Vec<f64> = (grid.nodes().enumerate())
                     .map(|(k, [i, j])| match full[k] || grid.is_unknown(i, j) {
                         true => f64::INFINITY,
@@ -38,7 +38,7 @@ impl System {
             }
         };
         for (k, [i, j]) in grid.nodes().enumerate() {
-            if grid.is_unknown(i, j) || state.pressure[k] > 0.0 {
+            if grid.is_unknown(i, j) || state.oil()[k] > 0.0 {
                 continue;
             }
             let inner = nearest(grid, i, j);
@@ -64,7 +64,7 @@ impl System {
                     return f64::INFINITY;
                 }
                 let closest = [place[0] - since * u, place[1] - since * v];
-                let film = separation + gap.value(closest);
+                let film = self.gap_at(separation + gap.value(closest));
                 self.fluid.at(0.0).density[0] * film.max(0.0)
             }
         }

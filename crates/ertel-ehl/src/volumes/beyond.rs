@@ -79,7 +79,7 @@ impl Beyond {
         for (k, [i, j]) in system.grid.nodes().enumerate() {
             if !system.grid.is_unknown(i, j) {
                 let place = system.grid.place(i, j);
-                state.pressure[k] = self.pressure(shape, place, films[k]).value;
+                state.give(k, self.pressure(shape, place, films[k]).value);
             }
         }
         let points = self.points(shape, state.separation);
@@ -98,7 +98,11 @@ impl Beyond {
             let place = system.grid.place(i, j);
             if system.grid.is_unknown(i, j) && place != [0.0; 2] {
                 let pressure = beyond.pressure(&problem.shape, place, films[k]).value;
-                state.pressure[k] = state.pressure[k].max(pressure);
+                let raised = state.pressure[k].max(pressure);
+                if let Some(oil) = state.oil.get_mut(k) {
+                    *oil += raised - state.pressure[k];
+                }
+                state.pressure[k] = raised;
                 state.wetted[k] = state.pressure[k] > 0.0;
             }
         }
@@ -108,6 +112,9 @@ impl Beyond {
             for (k, [i, j]) in system.grid.nodes().enumerate() {
                 if system.grid.is_unknown(i, j) {
                     state.pressure[k] *= share;
+                    if let Some(oil) = state.oil.get_mut(k) {
+                        *oil *= share;
+                    }
                 }
             }
         }

@@ -12,7 +12,7 @@ use ertel_fem::linear::gmres::GmresParams;
 use super::ending::LEAST_FILM;
 use super::extremes::lowest;
 use super::far_pressure::Beyond;
-use super::figures::central;
+use super::figures::{central, mean_gap};
 use super::level::Level;
 use super::plan::{Plan, newton_params};
 use super::preconditioner::Preconditioner;
@@ -77,7 +77,8 @@ fn stepped(
     }
     state.separation += step.separation;
     let levels = [Level::new(system.clone(), state)];
-    Ok(lowest(&levels).map(|lowest| [central(&levels), lowest.film]))
+    let films = lowest(&levels).map(|lowest| [central(&levels), lowest.film]);
+    Ok(films.map(|films| films.map(|film| mean_gap(problem, film))))
 }
 
 /// Gives the edges the pressures of a film that continues, and takes the load outside off that of the grid.
@@ -96,7 +97,7 @@ fn continue_outside(problem: &Problem<Plan>, system: &mut System, state: &mut St
         let x = grid.place(i, j)[0];
         if x < 0.0 && !grid.is_unknown(i, j) && !grid.is_end(j) {
             let k = grid.index(i, j);
-            state.pressure[k] = -c * x / films[k].powi(2);
+            state.give(k, -c * x / films[k].powi(2));
         }
     }
     // ∫P dX = 2c/X² from the edge on, H = X²/2.

@@ -74,7 +74,8 @@ impl Progress {
     /// Notes the films after a step.
     pub fn note_films(&mut self, system: &System, at: &Linearised) {
         let [i, j] = system.grid.centre();
-        let least = LEAST_FILM * at.nodes[system.grid.index(i, j)].film.abs();
+        let least_gap = (system.rough.as_ref()).map_or(0.0, |rough| rough.least_gap());
+        let least = (LEAST_FILM * at.nodes[system.grid.index(i, j)].film.abs()).max(least_gap);
         let changes = at.nodes.iter().zip(&self.films).zip(&at.wetted);
         let largest = changes
             .filter(|(_, wetted)| **wetted)

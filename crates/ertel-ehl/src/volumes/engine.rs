@@ -19,7 +19,7 @@ use super::pseudo_time::{MOST_NODES, march};
 use super::rows::RING;
 use super::system::{State, System};
 use crate::contact::Symmetry;
-use crate::engine::bars::{Slowest, bar, bars, is_settled};
+use crate::engine::bars::{Slowest, bar, bars, gap_of, is_settled};
 use crate::engine::figures::sizes;
 use crate::engine::{Observer, Problem, SolveError};
 use crate::solution::{Figure, Figures, LevelStats, Measured, Role, Timings};
@@ -133,10 +133,9 @@ fn ended(info: NewtonInfo) -> Result<NewtonInfo, SolveError> {
 
 /// Relative errors of the films of a level, from those before.
 fn film_errors(stats: &[LevelStats]) -> [f64; 2] {
-    let values = |figure| {
-        let mut values = stats.iter().rev().map(|level| level.figures.value(figure));
-        [(); 3].map(|()| values.next().flatten())
-    };
+    let mut newest = stats.iter().rev().map(|level| &level.figures);
+    let of_grids = [(); 3].map(|()| newest.next());
+    let values = |figure| gap_of(of_grids, figure);
     let settled = is_settled(values(Figure::FilmMinimum));
     [Figure::FilmCentral, Figure::FilmMinimum].map(|figure| {
         let values = values(figure);
@@ -328,7 +327,9 @@ const GRIDS_OF_ENDS: usize = 6;
 /// # Errors
 /// If it does: the pressure is zero there, and the surfaces touch.
 fn check_ends(problem: &Problem<Plan>, levels: &[Level]) -> Result<(), SolveError> {
-    if problem.shape.zone.roller.is_none() || levels.len() < GRIDS_OF_ENDS {
+    // Between rough surfaces asperities bear the pressure there.
+    let is_smooth_roller = problem.shape.zone.roller.is_some() && problem.rough.is_none();
+    if !is_smooth_roller || levels.len() < GRIDS_OF_ENDS {
         return Ok(());
     }
     let at_end = |n: usize| {
@@ -357,7 +358,7 @@ fn stats(
     [cells, unknowns]: [usize; 2],
 ) -> LevelStats {
     let mut figures = Figures::default();
-    note_films(&mut figures, &problem.scales, levels);
+    note_films(&mut figures, problem, levels);
     LevelStats {
         converged: info.converged,
         n_body_cells: 0,

@@ -88,7 +88,7 @@ pub fn upwind([uu, u, d]: [f64; 3]) -> (f64, [f64; 3]) {
     (value, slopes)
 }
 
-/// Resistance to pressure-driven flow at a node along the direction of a face: l and c with their derivatives by P and by H.
+/// Resistance to pressure-driven flow at a node along the direction of a face, also that of rough surfaces: l and c with their derivatives by P and by H.
 #[derive(Clone, Copy, Debug)]
 pub struct Resistance {
     /// l.
@@ -101,17 +101,21 @@ impl Resistance {
     /// Of a node, thinned or not, along a direction of the grid.
     #[inline(always)]
     pub fn new(node: &Node, thinned: Option<&Thinned>, direction: usize) -> Resistance {
-        let [ln, by_p] = node.ln_viscosity;
+        let ([ln, by_p], [passage, by_film]) = (node.ln_viscosity, node.ln_passage[direction]);
         let Some(thinned) = thinned else {
             return Resistance {
-                ln: [ln, by_p, 0.0],
+                ln: [ln - passage, by_p, -by_film],
                 oblique: [0.0; 3],
             };
         };
         let [flow, flow_by_p, flow_by_film, ..] = thinned.ln_flow[direction];
         let [c, c_by_p, c_by_film, ..] = thinned.oblique[direction];
         Resistance {
-            ln: [ln - flow, by_p - flow_by_p, -flow_by_film],
+            ln: [
+                ln - flow - passage,
+                by_p - flow_by_p,
+                -flow_by_film - by_film,
+            ],
             oblique: [c, c_by_p, c_by_film],
         }
     }
@@ -188,6 +192,7 @@ mod tests {
             ln_viscosity: [15.0 * pressure.powf(0.8), 12.0 * pressure.powf(-0.2)],
             mass: density[0] * film,
             mass_by: [density[1] * film, density[0]],
+            ..Node::default()
         }
     }
 

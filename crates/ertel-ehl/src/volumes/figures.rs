@@ -1,15 +1,15 @@
 //! Figures of a film on patches.
 
+use super::asperities::note_asperities;
 use super::extremes::{extreme, lowest, sharpness};
 use super::fields::profile;
 use super::film::PatchedFilm;
 use super::heat::figures::{extremes, sums};
 use super::level::Level;
-use crate::contact::Scales;
 use crate::engine::figures::{note_film, note_friction, note_roller, share_of_film};
 use crate::engine::heat::note_heat;
 use crate::engine::hills::hills;
-use crate::engine::{Film, PointTable, Problem, Profile};
+use crate::engine::{Film, PointFields, PointTable, Problem, Profile};
 use crate::solution::{Figure, Figures, Reading};
 
 /// H at the centre.
@@ -29,7 +29,7 @@ pub fn figures<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
         return figures;
     };
     let h_c = central(levels);
-    note_films(&mut figures, scales, levels);
+    note_films(&mut figures, problem, levels);
     note_pressures(&mut figures, problem, finest, h_c);
     let film = PatchedFilm::new(&problem.shape, levels);
     let profile = profile(&film);
@@ -50,6 +50,9 @@ pub fn figures<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
     note_roller(&mut figures, problem, largest, || moments(film.points()));
     let heats = finest.warm.is_some();
     note_friction(&mut figures, problem, &problem.fluid, &film, heats);
+    if let Some(rough) = &problem.rough {
+        note_asperities(&mut figures, problem, rough, &film);
+    }
     let cell = finest.system.grid.spacing[0];
     for figure in [Figure::BeyondFirstLimit, Figure::BeyondSecondLimit] {
         if let Some(share) = figures.value(figure) {
@@ -70,17 +73,33 @@ pub fn figures<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
     figures
 }
 
-/// Central and minimum film.
-pub fn note_films(figures: &mut Figures, scales: &Scales, levels: &[Level]) {
-    let h_c = scales.film * central(levels);
-    figures.note(Figure::FilmCentral, Reading::new(h_c));
-    if let Some(lowest) = lowest(levels) {
-        let reading = Reading {
-            misfit: scales.film * lowest.misfit,
-            ..Reading::new(scales.film * lowest.film)
+/// Mean gap of rough surfaces at a distance H of their mean planes; H of smooth ones.
+pub fn mean_gap<Plan>(problem: &Problem<Plan>, film: f64) -> f64 {
+    (problem.rough.as_ref()).map_or(film, |rough| rough.mean_gap(film)[0])
+}
+
+/// Central and minimum film; between rough surfaces as the distance of the mean planes, whose errors are relative to the mean gap, and as that.
+pub fn note_films<Plan>(figures: &mut Figures, problem: &Problem<Plan>, levels: &[Level]) {
+    let scales = &problem.scales;
+    let mut note = |[film, gap]: [Figure; 2], h: f64, misfit: f64, place: Option<[f64; 2]>| {
+        let mean = mean_gap(problem, h);
+        let reading = |value: f64| Reading {
+            misfit: scales.film * misfit,
+            size: scales.film * mean.abs(),
+            place,
+            ..Reading::new(scales.film * value)
         };
+        figures.note(film, reading(h));
+        if problem.rough.is_some() {
+            figures.note(gap, reading(mean));
+        }
+    };
+    let centre = [Figure::FilmCentral, Figure::MeanGapCentral];
+    note(centre, central(levels), 0.0, None);
+    if let Some(lowest) = lowest(levels) {
         let place = lowest.place.map(|x| x * scales.length);
-        figures.note(Figure::FilmMinimum, reading.at(place));
+        let minimum = [Figure::FilmMinimum, Figure::MeanGapMinimum];
+        note(minimum, lowest.film, lowest.misfit, Some(place));
     }
 }
 
@@ -100,7 +119,7 @@ fn largest_where(level: &Level, accepts: &dyn Fn(f64) -> bool) -> Option<(f64, [
 fn moments(points: &PointTable) -> [f64; 3] {
     points.iter().fold([0.0; 3], |sums, point| {
         let y = point.fields.place[1];
-        let share = point.area * point.fields.pressure;
+        let share = point.area * point.fields.total_pressure();
         [
             sums[0] + share,
             sums[1] + share * y,
@@ -126,7 +145,7 @@ fn note_misfit(figures: &mut Figures, figure: Figure, misfit: f64) {
 fn rise_of_spike(profile: &Profile) -> Option<f64> {
     let (top, x) = profile.spike()?;
     let i = profile.x.iter().position(|other| *other == x)?;
-    let neighbour = |i: usize| profile.fields.get(i).map(|fields| fields.pressure);
+    let neighbour = |i: usize| profile.fields.get(i).map(PointFields::total_pressure);
     Some(top - 0.5 * (neighbour(i.checked_sub(1)?)? + neighbour(i + 1)?))
 }
 

@@ -120,16 +120,15 @@ fn inside(region: &Region, grid: &Grid, i: usize, j: usize) -> f64 {
 /// Fields at a node.
 pub fn node_fields(shape: &Shape, level: &Level, i: usize, j: usize) -> PointFields {
     let grid = &level.system.grid;
-    let k = grid.index(i, j);
+    let (k, oil) = (grid.index(i, j), level.state.oil());
     with_film(
         shape,
         level,
         PointFields {
             place: grid.place(i, j),
-            pressure: level.state.pressure[k],
-            pressure_gradient: grid
-                .turn
-                .to_motion(slopes(grid, &level.state.pressure, i, j)),
+            pressure: oil[k],
+            pressure_gradient: grid.turn.to_motion(slopes(grid, oil, i, j)),
+            asperity_pressure: level.state.pressure[k] - oil[k],
             film: level.films[k],
             missing: level.missing(k),
             temperature: (level.warm.as_ref()).map(|warm| Box::new(warm.temperatures.profile(k))),
@@ -141,6 +140,9 @@ pub fn node_fields(shape: &Shape, level: &Level, i: usize, j: usize) -> PointFie
 /// Gap and deflection of a place whose film is known.
 fn with_film(shape: &Shape, level: &Level, mut fields: PointFields) -> PointFields {
     fields.gap = shape.gap.value(fields.place);
+    if let Some(rough) = &level.system.rough {
+        fields.excess = rough.gap(fields.film)[0] - fields.film;
+    }
     fields.deflection = fields.film - level.state.separation - fields.gap;
     fields
 }
@@ -211,6 +213,7 @@ fn at(shape: &Shape, level: &Level, place: [f64; 2]) -> Option<PointFields> {
             }
             let node = node_fields(shape, level, cell[0] + di, cell[1] + dj);
             fields.pressure += w * node.pressure;
+            fields.asperity_pressure += w * node.asperity_pressure;
             deflection += w * node.deflection;
             fields.missing += w * node.missing;
             if let Some(profile) = node.temperature {

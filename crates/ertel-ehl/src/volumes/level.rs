@@ -41,9 +41,20 @@ impl Level {
         }
     }
 
+    /// The state with the pressures of the oil that asperities leave: a common start of differences.
+    pub fn settled(&self) -> State {
+        let mut state = self.state.clone();
+        self.system.settle(&mut state);
+        state
+    }
+
     /// Missing oil at each node compared with a full gap, F.
     pub fn missing(&self, k: usize) -> f64 {
-        missing(self.films[k], self.held()[k], self.ambient_density())
+        missing(
+            self.system.gap_at(self.films[k]),
+            self.held()[k],
+            self.ambient_density(),
+        )
     }
 
     /// Contents of the nodes, infinite where gaps are full.
@@ -131,6 +142,7 @@ pub fn first_system<Plan>(
         warmth: Vec::new(),
         storage: None,
         balance: Balance::LOAD,
+        rough: (problem.rough.as_ref()).map(|rough| rough.on_cells(grid.spacing[0])),
         grid,
     }
 }
@@ -152,11 +164,14 @@ pub fn first_state<Plan>(problem: &Problem<Plan>, system: &System) -> State {
         contents: system.arrival.contents(&wetted),
         wetted,
         pressure,
+        oil: Vec::new(),
         separation: 0.0,
     };
     let [i, j] = grid.centre();
     let films = system.films(&state);
-    state.separation = problem.start_film - films[grid.index(i, j)];
+    let least = (system.rough.as_ref()).map_or(0.0, |rough| rough.least_start());
+    state.separation = problem.start_film.max(least) - films[grid.index(i, j)];
+    system.settle(&mut state);
     state
 }
 
@@ -193,22 +208,31 @@ pub fn refined<Plan>(
     }
     system.load = before.system.load - before.system.integral(&own.pressure) + load_inside;
     let mut pressure = vec![0.0; system.grid.n_nodes()];
+    let mut oil = match own.oil.is_empty() {
+        true => Vec::new(),
+        false => pressure.clone(),
+    };
     for [i, j] in system.grid.nodes() {
         let k = system.grid.index(i, j);
         pressure[k] = sampled.linear(&own.pressure, i, j);
+        if let Some(oil) = oil.get_mut(k) {
+            *oil = sampled.linear(&own.oil, i, j);
+        }
         system.gap[k] += sampled.cubic(&outer, i, j);
     }
+    let wet = if oil.is_empty() { &pressure } else { &oil };
     let state = State {
         contents: match own.contents.is_empty() {
             true => Vec::new(),
-            false => (system.grid.nodes().zip(&pressure))
+            false => (system.grid.nodes().zip(wet))
                 .map(|([i, j], p)| match *p > 0.0 {
                     true => f64::INFINITY,
                     false => sampled.content(&own.contents, i, j),
                 })
                 .collect(),
         },
-        wetted: pressure.iter().map(|p| *p > 0.0).collect(),
+        wetted: wet.iter().map(|p| *p > 0.0).collect(),
+        oil,
         pressure,
         separation: own.separation,
     };

@@ -19,6 +19,7 @@
 //! | [`deflection`], [`inverse`] | deflection under the pressures of a grid; stencils near to the inverse |
 //! | [`node`] | quantities of the film equation at a node |
 //! | [`faces`] | flux through a face and its derivatives |
+//! | [`touching`], [`sharing`] | oil and asperities at a node, and how they share its pressure |
 //! | [`thinning`] | shear thinning of the film at a node |
 //! | [`storage`] | change in time at the nodes |
 //! | [`contents`] | oil in partly filled gaps |
@@ -33,8 +34,10 @@
 //! | [`beyond`], [`far_pressure`] | the region beyond the first grid |
 //! | [`level`] | from a grid to one with cells of half the size on a smaller patch |
 //! | [`film`], [`composite`], [`fields`] | the film on all patches together; its mesh and fields |
+//! | [`asperities`] | load and friction of asperities |
 //! | [`extremes`], [`figures`], [`summary`] | figures, error bars, warnings |
 //! | [`heat`] | temperatures of film and surfaces |
+//! | [`other_gap`] | rough surfaces with the other choice of the gap that flows |
 //! | [`reduction`] | the film compared with that of the Newtonian fluid |
 //! | [`tangents`] | derivatives of the figures by inputs |
 //! | [`scope`] | which contacts it solves |
@@ -45,6 +48,7 @@
 //! Theory: Finite volumes.
 
 pub mod along;
+pub mod asperities;
 pub mod axial;
 pub mod behind;
 pub mod beyond;
@@ -70,6 +74,7 @@ pub mod line_factors;
 pub mod multigrid;
 pub mod newton;
 pub mod node;
+pub mod other_gap;
 pub mod padded;
 pub mod passing;
 pub mod patches;
@@ -82,6 +87,7 @@ pub mod roller_zone;
 pub mod rows;
 pub mod rows_convolution;
 pub mod scope;
+pub mod sharing;
 pub mod stencil;
 pub mod step;
 pub mod storage;
@@ -89,6 +95,7 @@ pub mod summary;
 pub mod system;
 pub mod tangents;
 pub mod thinning;
+pub mod touching;
 pub mod transfer;
 
 pub use engine::{FiniteVolumes, Volumes};

@@ -5,6 +5,7 @@ use ertel_fem::platform::Instant;
 
 use super::ending::{Ends, Progress, balance_error, entered};
 use super::preconditioner::{Pattern, Preconditioner};
+use super::step::Step;
 use super::system::{Linearised, State, System};
 use crate::engine::Observer;
 use crate::solution::IterationRecord;
@@ -118,6 +119,83 @@ fn has_ended(
         || (film < NEGLIGIBLE_UPDATE * ends.film && pressure < NEGLIGIBLE_UPDATE * ends.pressure)
 }
 
+/// Moves the pressures between smooth surfaces on by a step, each by at most `most` and not below zero; returns the largest change.
+fn move_pressures(
+    (system, at): (&System, &Linearised),
+    (state, step): (&mut State, &Step),
+    most: f64,
+    moved: &mut [f64],
+) -> f64 {
+    let [nx, _] = system.grid.n;
+    let is_given = |k: usize| !system.grid.is_unknown(k % nx, k / nx);
+    let mut largest = 0.0;
+    for (k, (p, change)) in state.pressure.iter_mut().zip(&step.pressure).enumerate() {
+        // Not `clamp`: it would turn NaN into a bound.
+        let next = *p
+            + if change.abs() > most {
+                most.copysign(*change)
+            } else {
+                *change
+            };
+        // The active set uses the full Newton step, not the limited one: otherwise nodes at the edge of the film oscillate.
+        state.wetted[k] = at.wetted[k] && next > 0.0;
+        // Zero pressure where the film has cavitated, without the residual of the linear solver.
+        let next = match at.wetted[k] {
+            true => next.max(0.0),
+            false if is_given(k) => *p,
+            false => 0.0,
+        };
+        // Not `max`: it would lose NaN.
+        let size = (next - *p).abs();
+        if size > largest || !change.is_finite() {
+            largest = if change.is_finite() { size } else { f64::NAN };
+        }
+        *p = next;
+        moved[k] = size;
+    }
+    largest
+}
+
+/// Moves the pressures of oil and asperities between rough surfaces on by a step, each of them by at most `most` and not below zero; returns the largest change.
+fn move_parts(
+    (system, at): (&System, &Linearised),
+    (state, step): (&mut State, &Step),
+    most: f64,
+    moved: &mut [f64],
+) -> f64 {
+    let grid = &system.grid;
+    let films = system.change_of_film(&step.pressure, step.separation);
+    let mut largest = 0.0;
+    for (k, [i, j]) in grid.nodes().enumerate() {
+        let (of, change) = (&at.touching[k], step.pressure[k]);
+        if !grid.is_unknown(i, j) {
+            state.wetted[k] = false;
+            continue;
+        }
+        let change = of.change_of_oil(change, films[k]) + of.slack;
+        // Not `clamp`: it would turn NaN into a bound.
+        let limited = |change: f64| match change.abs() > most {
+            true => most.copysign(change),
+            false => change,
+        };
+        let next = state.oil[k] + limited(change);
+        state.wetted[k] = at.wetted[k] && next > 0.0;
+        let next = if at.wetted[k] { next.max(0.0) } else { 0.0 };
+        // The asperities bear the rest, no less than nothing.
+        let [touch, slope] = of.pressure;
+        let pressure = next + (touch + limited(slope * films[k])).max(0.0);
+        let size = (pressure - state.pressure[k]).abs();
+        moved[k] = size;
+        let size = size.max((next - state.oil[k]).abs());
+        if size > largest || !change.is_finite() {
+            largest = if change.is_finite() { size } else { f64::NAN };
+        }
+        state.oil[k] = next;
+        state.pressure[k] = pressure;
+    }
+    largest
+}
+
 /// Solves on a grid, starting from `state` and ending with the solution in it. `film_scale` is a²/R in m.
 pub fn newton(
     system: &System,
@@ -136,8 +214,6 @@ pub fn newton(
         // A loose tolerance.
         twice: false,
     };
-    let [nx, _] = system.grid.n;
-    let is_given = |k: usize| !system.grid.is_unknown(k % nx, k / nx);
     let mut direct = false;
     let mut progress = Progress::default();
     // A step from an unfinished linear solve is no evidence of convergence.
@@ -186,33 +262,13 @@ pub fn newton(
         info.seconds[2] += clock.elapsed().as_secs_f64();
         info.iterations += 1;
         info.krylov_iterations += step.krylov_iterations;
-        info.change = 0.0;
         let mut moved = vec![0.0; step.pressure.len()];
-        for (k, (p, change)) in state.pressure.iter_mut().zip(&step.pressure).enumerate() {
-            let most = params.largest_change;
-            // Not `clamp`: it would turn NaN into a bound.
-            let next = *p
-                + if change.abs() > most {
-                    most.copysign(*change)
-                } else {
-                    *change
-                };
-            // The active set uses the full Newton step, not the limited one: otherwise nodes at the edge of the film oscillate.
-            state.wetted[k] = at.wetted[k] && next > 0.0;
-            // Zero pressure where the film has cavitated, without the residual of the linear solver.
-            let next = match at.wetted[k] {
-                true => next.max(0.0),
-                false if is_given(k) => *p,
-                false => 0.0,
-            };
-            // Not `max`: it would lose NaN.
-            let size = (next - *p).abs();
-            if size > info.change || !change.is_finite() {
-                info.change = if change.is_finite() { size } else { f64::NAN };
-            }
-            *p = next;
-            moved[k] = size;
-        }
+        let move_on = match at.touching.is_empty() {
+            true => move_pressures,
+            false => move_parts,
+        };
+        let most = params.largest_change;
+        info.change = move_on((system, &at), (state, &step), most, &mut moved);
         state.separation += step.separation;
         // Around thick films all pressures are far below that of the dry contact.
         let largest = state.pressure.iter().fold(0.0_f64, |m, p| m.max(*p));

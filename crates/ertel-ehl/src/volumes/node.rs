@@ -15,4 +15,6 @@ pub struct Node {
     pub mass: f64,
     /// Its derivatives by P and by H.
     pub mass_by: [f64; 2],
+    /// ln of the flow that pressure drives between rough surfaces over that through H, along the motion and across it, each with its derivative by H.
+    pub ln_passage: [[f64; 2]; 2],
 }

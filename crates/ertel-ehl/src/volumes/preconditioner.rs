@@ -95,10 +95,14 @@ impl Pattern {
 
     /// The row of a node.
     fn cross(&self, at: &Linearised, k: usize) -> Cross {
-        match at.wetted[k] {
+        let mut cross = match at.wetted[k] {
             true => Cross::wetted(&self.grid, at, k),
             false => Cross::broken(),
+        };
+        if !at.touching.is_empty() {
+            cross.touch(&self.grid, at, k);
         }
+        cross
     }
 
     /// The rows of a line, each over its size, and the sizes.
@@ -216,6 +220,20 @@ impl Cross {
             }
         }
         cross
+    }
+
+    /// From entries by the pressures of the oil and the gaps that flow to those by P and H.
+    fn touch(&mut self, grid: &Grid, at: &Linearised, k: usize) {
+        let [nx, ny] = grid.n;
+        for (slot, [i, j]) in CROSS.into_iter().enumerate() {
+            let (x, y) = ((k % nx) as i64 + i, (k / nx) as i64 + j);
+            if !(0..nx as i64).contains(&x) || !(0..ny as i64).contains(&y) {
+                continue;
+            }
+            let of = &at.touching[grid.index(x as usize, y as usize)];
+            self.by_film[slot] =
+                of.gap[1] * self.by_film[slot] - of.pressure[1] * self.by_pressure[slot];
+        }
     }
 
     /// Adds a face of a direction, whose flux has a weight in the balance, and at whose first or second end the node lies.

@@ -8,7 +8,7 @@
 use super::engine::{FiniteVolumes, Volumes};
 
 use super::plan::Plan;
-use crate::engine::bars::{Slowest, bar};
+use crate::engine::bars::{Slowest, bar, gap_of};
 use crate::engine::{Observer, Problem, SolveError};
 use crate::solution::{Estimate, Figure, FilmReduction};
 
@@ -45,10 +45,18 @@ pub fn film_reduction(
         .map(|(central, minimum)| FilmReduction { central, minimum }))
 }
 
-/// 1 − a figure over that of a simpler contact on the same grids, with its bar from the last three.
+/// 1 − a figure over that of a simpler contact on the same grids, with its bar from the last three; of films between rough surfaces by the mean gap.
 pub(super) fn on_grids(figure: Figure, full: &Volumes, simpler: &Volumes) -> Option<Estimate> {
     let on_grid = |l: usize| {
-        let [full, simpler] = [full, simpler].map(|of| of.stats.get(l)?.figures.value(figure));
+        let [full, simpler] = [full, simpler].map(|of| {
+            let figures = &of.stats.get(l)?.figures;
+            match figure {
+                Figure::FilmCentral | Figure::FilmMinimum => {
+                    gap_of([Some(figures), None, None], figure)[0]
+                }
+                _ => figures.value(figure),
+            }
+        });
         Some(1.0 - full? / simpler?)
     };
     let last = (full.stats.len().min(simpler.stats.len())).checked_sub(1)?;

@@ -19,7 +19,8 @@ pub struct Step {
 /// Nodes that a thread takes at a time.
 const BATCH: usize = 8192;
 
-/// The linearised equation in pressures and separation: rows in heights of the film, P itself where it is not solved for, the load at the end.
+/// The linearised equation in pressures and separation: rows in heights of the film, P itself where it is not solved for, that of the oil between rough surfaces,
+/// the load at the end.
 pub struct Equation<'a> {
     system: &'a System,
     at: &'a Linearised,
@@ -65,10 +66,16 @@ impl<'a> Equation<'a> {
     /// The product with changes of pressures and separation.
     pub fn apply(&self, x: &[f64], y: &mut [f64]) {
         let n = self.areas.len();
-        let change = self.system.change(self.at, &x[..n], x[n]);
+        let film = self.system.change_of_film(&x[..n], x[n]);
+        let change = self.system.change_by(self.at, &x[..n], &film);
+        let touching = &self.at.touching;
         let rows = y[..n].par_iter_mut().zip(&change).enumerate();
         rows.with_min_len(BATCH).for_each(|(k, (y, change))| {
-            let row = if self.at.wetted[k] { *change } else { x[k] };
+            let row = match (self.at.wetted[k], touching.get(k)) {
+                (true, _) => *change,
+                (false, None) => x[k],
+                (false, Some(of)) => of.change_of_oil(x[k], film[k]),
+            };
             *y = row / self.scale[k];
         });
         y[n] = self.load(&x[..n], x[n]);
@@ -100,9 +107,10 @@ impl<'a, 'p> Inverse<'a, 'p> {
         let (at, n) = (equation.at, equation.areas.len());
         let mut rows = (equation.system).change_by(at, &vec![0.0; n], &vec![1.0; n]);
         for (k, value) in rows.iter_mut().enumerate() {
-            *value = match at.wetted[k] {
-                true => *value / equation.scale[k],
-                false => 0.0,
+            *value = match (at.wetted[k], at.touching.get(k)) {
+                (true, _) => *value / equation.scale[k],
+                (false, None) => 0.0,
+                (false, Some(of)) => of.change_of_oil(0.0, 1.0) / equation.scale[k],
             };
         }
         let by_separation = preconditioner.solve(&rows);
@@ -137,12 +145,23 @@ impl System {
         params: GmresParams,
     ) -> Step {
         let n = self.grid.n_nodes();
-        let rows: Vec<f64> = (0..n)
-            .map(|k| match at.wetted[k] {
-                true => -at.outflow[k],
-                false => -state.pressure[k],
-            })
-            .collect();
+        let rows: Vec<f64> = match at.slack() {
+            None => (0..n)
+                .map(|k| match at.wetted[k] {
+                    true => -at.outflow[k],
+                    false => -state.pressure[k],
+                })
+                .collect(),
+            Some(slack) => {
+                let by_slack = self.change_of_oil(at, &slack, &vec![0.0; n]);
+                (0..n)
+                    .map(|k| match at.wetted[k] {
+                        true => -at.outflow[k] - by_slack[k],
+                        false => -state.oil[k] - slack[k],
+                    })
+                    .collect()
+            }
+        };
         let equation = Equation::new(self, at, &preconditioner.scale);
         let mut inverse = Inverse::new(&equation, preconditioner);
         let right = equation.right(&rows, at.missing_load);

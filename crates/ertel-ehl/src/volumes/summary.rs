@@ -36,23 +36,23 @@ pub fn warnings(
     measured: &Measured,
 ) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    let minimum = measured.estimate(Figure::FilmMinimum);
-    warnings.extend(thin_film_warning(
-        "the minimum film thickness",
-        minimum.value,
-    ));
+    // Distances of the mean planes of rough surfaces may vanish.
+    let (films, words) = match problem.rough {
+        None => (
+            [Figure::FilmCentral, Figure::FilmMinimum],
+            "the minimum film thickness",
+        ),
+        Some(_) => (
+            [Figure::MeanGapCentral, Figure::MeanGapMinimum],
+            "the smallest mean gap",
+        ),
+    };
+    let minimum = measured.estimate(films[1]);
+    warnings.extend(thin_film_warning(words, minimum.value));
     let (target, most) = (problem.plan.target_error, problem.plan.max_unknowns);
     for (kind, name, figure) in [
-        (
-            WarningKind::CentralFilmError,
-            "central",
-            Figure::FilmCentral,
-        ),
-        (
-            WarningKind::MinimumFilmError,
-            "minimum",
-            Figure::FilmMinimum,
-        ),
+        (WarningKind::CentralFilmError, "central", films[0]),
+        (WarningKind::MinimumFilmError, "minimum", films[1]),
     ] {
         let film = measured.estimate(figure);
         let relative = film.error.map_or(f64::INFINITY, |error| error / film.value);

@@ -4,7 +4,8 @@
 //!   G_i = Σ F through the faces of node i / its area + ∂m_i/∂T,    P_i ≥ 0,  G_i ≥ 0,  P_i G_i = 0
 //!   H = H_0 + G + δ_outer + K P,    ΣP dA = load of the grid
 //! ```
-//! Where the film has cavitated, P = 0 and the outflow exceeds the inflow; elsewhere they are equal.
+//! Where the film has cavitated, P = 0 and the outflow exceeds the inflow; elsewhere they are equal. Between rough surfaces P is that of oil and
+//! asperities, and the oil bears the rest p = P − p_a(H) ≥ 0, to which all of that applies ([`super::touching`]).
 
 use std::sync::Arc;
 
@@ -21,9 +22,11 @@ use super::passing::Passing;
 use super::rows::RING;
 use super::storage::Storage;
 use super::thinning::Thinned;
+use super::touching::{Touch, parts, touching};
 use crate::contact::Planar;
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
+use crate::mixed::Rough;
 
 /// A film on a grid: data that do not change during a solve.
 #[derive(Clone)]
@@ -54,6 +57,8 @@ pub struct System {
     pub storage: Option<Storage>,
     /// The force balance of the pressures.
     pub balance: Balance,
+    /// Rough surfaces, whose asperities bear a part of the pressures.
+    pub rough: Option<Rough>,
 }
 
 /// The force balance: s_p (load − ∫P) + s_h H_0 + g = 0. A steady contact bears its load; in time a body may move by its inertia, or as it is given.
@@ -86,6 +91,8 @@ impl Balance {
 pub struct State {
     /// P at all nodes.
     pub pressure: Vec<f64>,
+    /// P of the oil at all nodes; none between smooth surfaces, where it is all of P.
+    pub oil: Vec<f64>,
     /// H_0.
     pub separation: f64,
     /// Where the film had not broken after the last step.
@@ -95,11 +102,29 @@ pub struct State {
 }
 
 impl State {
+    /// P of the oil.
+    pub fn oil(&self) -> &[f64] {
+        match self.oil.is_empty() {
+            true => &self.pressure,
+            false => &self.oil,
+        }
+    }
+
+    /// Sets the pressure of a node to that of oil alone.
+    pub fn give(&mut self, k: usize, pressure: f64) {
+        self.pressure[k] = pressure;
+        if let Some(oil) = self.oil.get_mut(k) {
+            *oil = pressure;
+        }
+    }
+
     /// Moves on by some of the changes of pressures, where the film is wetted, and of the separation. Where the film has cavitated the pressure is exactly zero, without the
-    /// residual of the linear solver: the next grid would take that for a filled gap.
+    /// residual of the linear solver: the next grid would take that for a filled gap. Between rough surfaces asperities press there; [`System::settle`] then
+    /// gives the oil its part.
     pub fn moved(&mut self, changes: &[f64], share: f64, wetted: &[bool]) {
+        let is_rough = !self.oil.is_empty();
         for (p, (change, wetted)) in self.pressure.iter_mut().zip(changes.iter().zip(wetted)) {
-            if *wetted {
+            if *wetted || is_rough {
                 *p += share * change;
             }
         }
@@ -111,6 +136,8 @@ impl State {
 pub struct Linearised {
     /// Fields at the nodes.
     pub nodes: Vec<Node>,
+    /// What asperities bear there, none between smooth surfaces.
+    pub touching: Vec<Touch>,
     /// Shear thinning there, none for Newtonian films.
     pub thinned: Vec<Thinned>,
     /// Faces towards the next node along the first direction, and along the second.
@@ -130,6 +157,16 @@ pub struct Linearised {
 }
 
 impl Linearised {
+    /// r at a node.
+    pub(super) fn slack_at(&self, k: usize) -> f64 {
+        self.touching.get(k).map_or(0.0, |of| of.slack)
+    }
+
+    /// r at all nodes with pressure unknown; `None` between smooth surfaces.
+    pub(super) fn slack(&self) -> Option<Vec<f64>> {
+        (!self.touching.is_empty()).then(|| self.touching.iter().map(|of| of.slack).collect())
+    }
+
     /// Whether a node holds as much as its gap.
     fn is_full(&self, k: usize) -> bool {
         (self.contents.get(k)).is_none_or(|content| *content >= self.nodes[k].mass)
@@ -165,15 +202,13 @@ impl System {
 
     /// The equation and its derivatives at a state.
     pub fn linearise(&self, state: &State) -> Linearised {
-        self.linearise_by(state, |nodes| {
-            self.thinned(nodes, &state.pressure, |_| true)
-        })
+        self.linearise_by(state, |nodes| self.thinned(nodes, state.oil(), |_| true))
     }
 
     /// The same where it differs little from another state and system: shear thinning is evaluated again only at the nodes that are `near`.
     pub fn linearise_nearby(&self, state: &State, other: &Linearised, near: &[bool]) -> Linearised {
         self.linearise_by(state, |nodes| {
-            let mut thinned = self.thinned(nodes, &state.pressure, |k| near[k]);
+            let mut thinned = self.thinned(nodes, state.oil(), |k| near[k]);
             for (k, (own, other)) in thinned.iter_mut().zip(&other.thinned).enumerate() {
                 if !near[k] {
                     *own = *other;
@@ -185,9 +220,18 @@ impl System {
 
     fn linearise_by(&self, state: &State, thinned: impl Fn(&[Node]) -> Vec<Thinned>) -> Linearised {
         let films = self.films(state);
-        let nodes: Vec<Node> = (state.pressure.par_iter().zip(&films).enumerate())
+        let rough = self.rough.as_ref();
+        let pressures = [&state.pressure[..], state.oil()];
+        let touching = touching(rough, &self.grid, pressures, &films);
+        let nodes: Vec<Node> = (state.oil().par_iter().zip(&films).enumerate())
             .with_min_len(BATCH)
-            .map(|(k, (p, film))| self.node(k, *p, *film))
+            .map(|(k, (p, film))| match touching.get(k) {
+                None => self.node(k, *p, *film),
+                Some(of) => Node {
+                    ln_passage: of.ln_passage,
+                    ..self.node(k, *p, of.gap[0])
+                },
+            })
             .collect();
         let thinned = thinned(&nodes);
         let mut faces = [0, 1].map(|direction| self.faces(&nodes, &thinned, direction));
@@ -228,6 +272,7 @@ impl System {
             },
             storage_rate: self.storage.as_ref().map_or(0.0, |storage| storage.rate),
             nodes,
+            touching,
             thinned,
             faces,
             outflow,
@@ -274,11 +319,17 @@ impl System {
             && (self.arrival).may_press(grid.place(i, j)[0], grid.spacing[0])
     }
 
-    /// ρ̄H at the nodes.
-    pub fn masses(&self, pressure: &[f64], films: &[f64]) -> Vec<f64> {
-        (pressure.par_iter().zip(films).enumerate())
+    /// The gap that flows at a distance H.
+    #[inline]
+    pub fn gap_at(&self, film: f64) -> f64 {
+        self.rough.as_ref().map_or(film, |rough| rough.gap(film)[0])
+    }
+
+    /// ρ̄H at the nodes, of the gap that flows.
+    pub fn masses(&self, state: &State, films: &[f64]) -> Vec<f64> {
+        (state.oil().par_iter().zip(films).enumerate())
             .with_min_len(BATCH)
-            .map(|(k, (p, h))| self.node(k, *p, *h).mass)
+            .map(|(k, (p, h))| self.node(k, *p, self.gap_at(*h)).mass)
             .collect()
     }
 
@@ -303,6 +354,7 @@ impl System {
             ln_viscosity: [mu.ln(), mu_p / mu],
             mass: rho * film,
             mass_by: [rho_p * film, rho],
+            ln_passage: [[0.0; 2]; 2],
         }
     }
 
@@ -400,7 +452,7 @@ impl System {
         self.change_by(at, pressure, &self.change_of_film(pressure, separation))
     }
 
-    fn change_of_film(&self, pressure: &[f64], separation: f64) -> Vec<f64> {
+    pub(super) fn change_of_film(&self, pressure: &[f64], separation: f64) -> Vec<f64> {
         let mut film = self.deflection(pressure);
         film.iter_mut().for_each(|h| *h += separation);
         film
@@ -411,10 +463,15 @@ impl System {
         let n = self.grid.n_nodes();
         let (pressure, separation) = (&changes[..n], changes[n]);
         let film = self.change_of_film(pressure, separation);
-        for (node, change) in at.nodes.iter_mut().zip(&film) {
+        let parts = parts(&own.touching, pressure, &film);
+        let (pressure, film) = match &parts {
+            None => (pressure, &film[..]),
+            Some([oil, gap]) => (&oil[..], &gap[..]),
+        };
+        for (node, change) in at.nodes.iter_mut().zip(film) {
             node.film += share * change;
         }
-        let through = self.change_through(own, pressure, &film);
+        let through = self.change_through(own, pressure, film);
         for (direction, faces) in at.faces.iter_mut().enumerate() {
             // Those of unknown nodes.
             let of_own = own.faces[direction].iter().map(|face| face.by_pressure);
@@ -432,6 +489,19 @@ impl System {
 
     /// The same by changes of pressures and films.
     pub(super) fn change_by(&self, at: &Linearised, pressure: &[f64], film: &[f64]) -> Vec<f64> {
+        match parts(&at.touching, pressure, film) {
+            None => self.change_of_oil(at, pressure, film),
+            Some([oil, gap]) => self.change_of_oil(at, &oil, &gap),
+        }
+    }
+
+    /// The same by changes of the pressures of the oil and of the gaps that flow.
+    pub(super) fn change_of_oil(
+        &self,
+        at: &Linearised,
+        pressure: &[f64],
+        film: &[f64],
+    ) -> Vec<f64> {
         let mut change = self.balance(self.change_through(at, pressure, film));
         self.store(&mut change, |k, storage| {
             if !at.is_full(k) {

@@ -33,10 +33,14 @@ use crate::solution::{Figure, Figures};
 
 /// Figures that have derivatives; of the pressure its smooth maximum: at a ridge, derivatives are those of the cells. That of the minimum on the
 /// centreline, which moves from node to node on the grids that are taken, is half of what solves of a ball in its groove have.
-const FIGURES: [Figure; 13] = [
+const FIGURES: [Figure; 17] = [
     Figure::FilmCentral,
     Figure::FilmMinimum,
+    Figure::MeanGapCentral,
     Figure::PressureCentral,
+    Figure::AsperityLoadShare,
+    Figure::FrictionAsperities,
+    Figure::FrictionTotal,
     Figure::TractionCoefficient,
     Figure::TractionCoefficientBody1,
     Figure::TractionCoefficientBody2,
@@ -218,6 +222,9 @@ impl<Plan> Side<'_, Plan> {
                 for (k, [i, j]) in system.grid.nodes().enumerate() {
                     if !system.grid.is_unknown(i, j) {
                         state.pressure[k] = start.pressure[k];
+                        if let Some(oil) = state.oil.get_mut(k) {
+                            *oil = start.oil[k];
+                        }
                         if let Some(content) = state.contents.get_mut(k) {
                             *content = start.contents[k];
                         }
@@ -250,7 +257,9 @@ impl<'a, Plan> Side<'a, Plan> {
         params: Params,
     ) -> Option<WarmSide<'a>> {
         let rounds = Rounds::new(self.problem, params)?;
-        let film = self.next(own.0);
+        let (system, mut state) = self.next(own.0);
+        system.settle(&mut state);
+        let film = (system, state);
         Some(WarmSide::new(rounds, film, self.levels.last(), own, heat))
     }
 }
@@ -266,6 +275,7 @@ impl<Plan: Sync> Side<'_, Plan> {
     /// On the next grid.
     fn moved(&mut self, own: &Level) -> Moved {
         let (system, mut state) = self.next(own);
+        system.settle(&mut state);
         let mut equation = system.linearise(&state);
         state.contents = std::mem::take(&mut equation.contents);
         Moved {
@@ -282,6 +292,7 @@ impl<Plan: Sync> Side<'_, Plan> {
         } = moved;
         if let Some(by) = by {
             state.moved(by, 1.0, &at.wetted);
+            system.settle(&mut state);
         }
         self.levels.push(Level::new(system, state));
     }
@@ -292,9 +303,10 @@ impl Moved {
     fn right(&self, own: &Moved, at: &Linearised, equation: &Equation) -> Vec<f64> {
         let (side, own) = (&self.equation, &own.equation);
         let rows: Vec<f64> = (at.wetted.iter().zip(side.outflow.iter().zip(&own.outflow)))
-            .map(|(wetted, (side, own))| match wetted {
-                true => own - side,
-                false => 0.0,
+            .enumerate()
+            .map(|(k, (wetted, (flow, before)))| match wetted {
+                true => before - flow,
+                false => own.slack_at(k) - side.slack_at(k),
             })
             .collect();
         equation.right(&rows, side.missing_load - own.missing_load)
@@ -324,7 +336,7 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
         let mut own = Side::new(self.problem);
         let mut moving = vec![true; sides.len()];
         for level in self.levels {
-            let at = level.system.linearise(&level.state);
+            let at = level.system.linearise(&level.settled());
             let pattern = Pattern::new(&level.system.grid, &level.system.convolution).ok();
             let preconditioner = (pattern.as_ref()).and_then(|p| Preconditioner::new(p, &at));
             let Some(mut preconditioner) = preconditioner else {
@@ -397,7 +409,11 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
                 let derivative = |figure: &Figure| {
                     let of = |figures: &Figures| figures.value(*figure).unwrap_or(f64::NAN);
                     // Relative to the value on the same grids.
-                    let ratio = self.value(*figure) / of(&self.coarser);
+                    let ratio = match (&self.problem.rough, figure) {
+                        // Distances of the mean planes of rough surfaces may vanish.
+                        (Some(_), Figure::FilmCentral | Figure::FilmMinimum) => 1.0,
+                        _ => self.value(*figure) / of(&self.coarser),
+                    };
                     ratio * (of(&there) - of(&here)) / input.above
                 };
                 Ok(self.figures.iter().map(derivative).collect())

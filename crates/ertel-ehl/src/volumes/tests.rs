@@ -69,6 +69,7 @@ pub(super) fn problem_of(contact: &Contact, motion: &Motion, target: f64) -> Pro
         load: scales.load,
         start_film: 0.12,
         heat: None,
+        rough: None,
         scales,
         plan: Plan::new(target, 200_000),
     }
@@ -115,6 +116,7 @@ pub(super) fn system(half: bool, entrainment: Planar) -> (System, State) {
         wetted: pressure.iter().map(|p| *p > 0.0).collect(),
         contents: Vec::new(),
         pressure,
+        oil: Vec::new(),
         separation: -0.1,
     };
     let system = System {
@@ -130,6 +132,7 @@ pub(super) fn system(half: bool, entrainment: Planar) -> (System, State) {
         warmth: Vec::new(),
         storage: None,
         balance: Balance::LOAD,
+        rough: None,
         grid,
     };
     (system, state)
@@ -272,10 +275,12 @@ fn second_order_for_manufactured_fields() {
             warmth: Vec::new(),
             storage: None,
             balance: Balance::LOAD,
+            rough: None,
             grid: grid.clone(),
         };
         let state = State {
             pressure: values(&pressure),
+            oil: Vec::new(),
             separation: 0.0,
             wetted: vec![true; grid.n_nodes()],
             contents: Vec::new(),
@@ -528,4 +533,5 @@ fn tangents_against_differences_of_solves() {
 mod edges;
 mod lines;
 mod rollers;
+mod rough;
 mod starved;

@@ -183,16 +183,11 @@ kinds! {
         "The film does not separate the rough surfaces; the film is that of smooth ones.",
         "Minimum film below 3 times the composite rms roughness (mixed), 0.05 (boundary; Zhu and Wang 2012).",
         "Give `asperity_group` and `rms_height_to_asperity_radius` for the load and friction of asperities.";
-    /// Asperities that carry so much that the film of smooth surfaces is not theirs.
+    /// Asperities that lift the surfaces off the film of a formula.
     AsperityLoad "asperity-load" Caution,
-        "The asperities carry so much of the load that they change the film, which is computed for smooth surfaces.",
-        "Load share of the asperities beyond 10 %.",
-        "Take load share and friction as indications.";
-    /// Asperities that cannot carry the load however thin the film.
-    AsperityLimit "asperity-limit" Caution,
-        "These asperities cannot carry the load even without a film: friction of thin films comes out below that of boundary lubrication.",
-        "Largest load share below 1 at a lambda ratio below 1.",
-        "Check the asperity data; typical values are too soft to carry the load at low lambda.";
+        "The asperities would carry so much of the load that the film of the formulas, that of smooth surfaces, is not theirs.",
+        "Estimated load share of the asperities beyond 10 %.",
+        "Solve the case: oil and asperities then share the load.";
     /// A contact area that reaches beyond the bodies.
     // Journals of earlier versions.
     #[serde(alias = "wide-area-unfelt")]

@@ -24,7 +24,7 @@ rows! {
         motion: Table(MOTION) => "speeds of both surfaces";
         machine: Machine(MACHINES) => "dimensions, loads and speeds of a machine element, instead of `[contact]` and `[motion]`";
         bodies: Table(BODIES) => "both bodies: elastic constants, thermal properties, radii of ellipses, composite roughness";
-        surface_roughness: Table(ROUGHNESS) => "optional: rough surfaces and their asperities, for the model of mixed lubrication";
+        surface_roughness: Table(ROUGHNESS) => "optional: rough surfaces and their asperities, which share the load with the oil";
         inlet: Table(INLET) => "optional: how much oil reaches the contact; without this section the inlet is fully flooded";
         lubricant: FluidOrTable(LUBRICANT) => "the lubricant by its name, its laws or its data sheet, and the temperature of the film";
         temperature: TEMPERATURE => "temperature of the film, where `lubricant` is a name";
@@ -95,12 +95,24 @@ rows! {
         body_1_ra, body_2_ra, body_1_rq, body_2_rq, body_1_rz, body_2_rz: LENGTH, usual [HEIGHTS] => r"instead of an rms height, for each body
             one of them: Rq is the rms height; Ra is taken as σ/1.25, as of normally distributed heights; Rz is taken as 6 Ra (DIN 3991),
             between 4 and 8 Ra by other quotations, so σ is uncertain by −25 to +50 %. The report shows the rule";
+        asperity_law: Choice(&["greenwood-tripp", "greenwood-williamson", "table"]), default "greenwood-tripp" => r#"pressure of the asperities over the distance of the
+            mean planes: `"greenwood-tripp"` (default), elastic summits on both surfaces; `"greenwood-williamson"`, on one of them; `"table"`, from
+            `asperity_distances` and `asperity_pressures`"#;
         asperity_group: Number => r"σβη, composite rms height times tip radius times density of asperities; above 0, below 1; usually 0.03 to
             0.07, else a warning";
         rms_height_to_asperity_radius: Number => r"σ/β, composite rms height over tip radius; above 0, below 1; usually 1e-4 to 1e-2, else a
             warning";
+        asperity_distances: Quantities(&[D::LENGTH]) => "distances of the mean planes of a table, increasing; negative where the planes overlap";
+        asperity_pressures: Quantities(&[D::PRESSURE]) => r"asperity pressures at these distances, falling, from at least the Hertz pressure to less than 0.1 % of it";
+        hardness: PRESSURE => r"optional: hardness of the softer surface, as a pressure; asperities bear no more than it on the area that touches";
         boundary_friction_coefficient: Number, bounds [0.0, 2.0] => "friction of the asperities over their load{}; optional, for the friction of
             film and asperities";
+        flow: Choice(&["average-gap", "distance", "patir-cheng"]), default "average-gap" => r#"the gap through which the oil flows between asperities: `"average-gap"` (default),
+            the mean gap, which valleys keep open however close the surfaces are, so that oil is conserved; `"distance"`, that of the mean planes, none where they
+            overlap; `"patir-cheng"`, the mean gap with flow factors. The choice changes the load of the asperities by up to a quarter of the whole load; without the
+            key the report adds the results of `"distance"`"#;
+        orientation: Choice(&["1/9", "1/6", "1/3", "1", "3", "6", "9"]), default "1" => r#"correlation length of the heights along the motion over that across it, with
+            `flow = "patir-cheng"`: `"1"` (default) isotropic, above 1 grooves along the motion"#;
     }
     /// `[inlet]`.
     pub INLET {

@@ -31,7 +31,6 @@ pub const CODES: &[&str] = &[
     "thin-film",
     "roughness",
     "asperity-load",
-    "asperity-limit",
     "wide-area",
     "heat-left-out",
     "inertia",

@@ -322,6 +322,30 @@ const MESH_KEYS_OF_ELEMENTS: [&str; 10] = [
 /// Those of [thermal], likewise.
 const THERMAL_KEYS_OF_ELEMENTS: [&str; 2] = ["solid_elements", "surface_order"];
 
+/// Refuses asperities where no method shares the load between them and the oil.
+pub(super) fn asperities(case: &Case, roughness: Option<&Table<'_>>) -> Result<(), InputError> {
+    let (Some(asperities), Some(roughness)) = (&case.asperities, roughness) else {
+        return Ok(());
+    };
+    super::roughness::check_range(asperities, roughness, case.hertz().pressure)?;
+    let by_elements = "`method` is \"finite-elements\", which knows no asperities";
+    let reason = match case.solver.method {
+        Some(Method::FiniteElements) => by_elements.to_owned(),
+        _ => match finite_volumes_refuse(case) {
+            None => return Ok(()),
+            Some(reason) => format!("only finite volumes share it, but these {reason}"),
+        },
+    };
+    Err(roughness
+        .error(
+            "asperity_group",
+            format!("oil and asperities cannot share the load here: {reason}"),
+        )
+        .with_help(
+            "without asperity_group, rms_height_to_asperity_radius and boundary_friction_coefficient the surfaces are computed as smooth, with the lambda ratio",
+        ))
+}
+
 /// Refuses finite volumes for contacts that they do not solve, and keys that have no effect on them.
 pub(super) fn finite_volumes(
     case: &Case,
@@ -329,10 +353,11 @@ pub(super) fn finite_volumes(
     mesh: Option<&Table<'_>>,
     thermal: Option<&Table<'_>>,
 ) -> Result<(), InputError> {
-    let Some(solver) = solver.filter(|_| case.solver.method == Some(Method::FiniteVolumes)) else {
+    let is_chosen = case.solver.method == Some(Method::FiniteVolumes);
+    if !is_chosen && case.asperities.is_none() {
         return Ok(());
-    };
-    if let Some(reason) = finite_volumes_refuse(case) {
+    }
+    if let (Some(reason), Some(solver), true) = (finite_volumes_refuse(case), solver, is_chosen) {
         return Err(solver
             .error(
                 "method",
@@ -341,7 +366,7 @@ pub(super) fn finite_volumes(
             .with_help("write `method = \"finite-elements\"`, or remove the key"));
     }
     let keys = [
-        (Some(solver), &SOLVER_KEYS_OF_ELEMENTS[..]),
+        (solver, &SOLVER_KEYS_OF_ELEMENTS[..]),
         (mesh, &MESH_KEYS_OF_ELEMENTS[..]),
         (thermal, &THERMAL_KEYS_OF_ELEMENTS[..]),
     ];

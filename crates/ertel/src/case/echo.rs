@@ -26,7 +26,7 @@ impl Case {
             body_2: body(&self.body_2),
             roughness: self.roughness,
             roughness_rules: self.roughness_rules.clone(),
-            asperities: self.asperities,
+            asperities: self.asperities.clone(),
             fluid: FluidEcho {
                 name: lubricant.name.clone().unwrap_or_else(|| {
                     let by = if lubricant.is_of_data_sheet() {

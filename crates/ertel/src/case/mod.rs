@@ -337,6 +337,7 @@ impl Case {
         let solver = root.optional_table("solver")?;
         let mesh = root.optional_table("mesh")?;
         let thermal = root.optional_table("thermal")?;
+        check::asperities(self, root.optional_table("surface_roughness")?.as_ref())?;
         check::finite_volumes(self, solver.as_ref(), mesh.as_ref(), thermal.as_ref())?;
         let of_sections = std::mem::take(&mut self.warnings);
         let mut warnings = check::warnings(self, hertz);

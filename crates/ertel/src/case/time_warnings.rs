@@ -20,7 +20,7 @@ pub(super) fn warnings(case: &Case) -> Vec<Warning> {
     let Some(transient) = &case.transient else {
         return ignored.into_iter().collect();
     };
-    let rough = case.roughness.map(|_| {
+    let rough = case.roughness.filter(|_| case.asperities.is_none()).map(|_| {
         Warning::new(
             WarningKind::NoEffect,
             "the roughness has no effect in time: films over it give the lambda ratio at each instant",

@@ -4,7 +4,7 @@ use ertel_quantity::Dimension;
 
 use super::{Compared, Measurand, Measured, Measurement, N_MEASURANDS, Statistics};
 use crate::case::study::AxisValue;
-use crate::solution::Estimate;
+use crate::solution::{Estimate, Figure};
 use crate::study::journal::Record;
 use crate::study::titled;
 
@@ -143,9 +143,15 @@ fn estimate(record: &Record, figure: Measurand) -> Option<Estimate> {
         let field = record.field(&titled(name, figure.unit()))?;
         field.parse::<f64>().ok()
     };
+    // Rigs measure the friction of oil and asperities together.
+    let both = Figure::FrictionTotal.name();
+    let name = match figure {
+        Measurand::Traction if number(both).is_some() => both,
+        _ => figure.name(),
+    };
     Some(Estimate {
-        value: number(figure.name())?,
-        error: number(&format!("{}_error", figure.name())),
+        value: number(name)?,
+        error: number(&format!("{name}_error")),
     })
 }
 

@@ -15,7 +15,6 @@ use crate::plausible::heat::inlet_heat;
 use crate::plausible::neglected::{self, Known};
 use crate::plausible::{smallest_radius, thick_film};
 use crate::post::limits::thin_film_warning;
-use crate::post::mixed::{limit_warning, share_warning};
 use crate::reference::biboulet_houpert::rolling_resistance;
 use crate::reference::thermal::ThermalReduction;
 use crate::reference::{FilmFormula, film_formulas};
@@ -143,13 +142,10 @@ pub struct LambdaRatio {
     pub of_minimum: Option<f64>,
     /// By the minimum film, or the central one where there is no other.
     pub separation: Separation,
-    /// Share of the load on asperities (Greenwood and Tripp 1970) if the film had its central thickness all over the dry contact;
+    /// Share of the load on asperities if the film had its central thickness all over the dry contact;
     /// `None` where the case does not describe them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub asperity_load_share: Option<f64>,
-    /// The same if the mean planes of both surfaces met there.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub asperity_load_share_at_contact: Option<f64>,
 }
 
 /// Estimates from formulas; calls no solver.
@@ -196,12 +192,9 @@ pub fn estimate(case: &Case) -> CaseEstimate {
             of_central: film.central / sigma,
             of_minimum: film.minimum.map(|h| h / sigma),
             separation: Separation::of(film.minimum.unwrap_or(film.central) / sigma),
-            asperity_load_share: case.asperities.map(|asperities| {
-                let pressure = asperities.pressure(film.central / sigma, modulus);
+            asperity_load_share: case.asperities.as_ref().map(|asperities| {
+                let pressure = asperities.pressure(film.central / sigma, sigma, modulus);
                 pressure * hertz.area(contact) / contact.load
-            }),
-            asperity_load_share_at_contact: case.asperities.map(|asperities| {
-                asperities.share_at_contact(modulus, hertz.area(contact), contact.load)
             }),
         }),
         warnings: case.warnings.clone(),
@@ -326,11 +319,21 @@ fn warnings(case: &Case, estimate: &CaseEstimate) -> Vec<Warning> {
     warnings.extend((case.roughness).and_then(|sigma| roughness_warning(name, thickness, sigma)));
     if let Some(lambda) = &estimate.lambda {
         warnings.extend(lambda.asperity_load_share.and_then(share_warning));
-        let smallest = lambda.of_minimum.unwrap_or(lambda.of_central);
-        let limit = lambda.asperity_load_share_at_contact;
-        warnings.extend(limit.and_then(|limit| limit_warning(smallest, limit)));
     }
     warnings
+}
+
+/// Share of the load on asperities above which they lift the surfaces off the film of smooth ones.
+const SMALL_SHARE: f64 = 0.1;
+
+/// Warns if the asperities change the estimated film.
+fn share_warning(share: f64) -> Option<Warning> {
+    let text = format!(
+        "at the estimated film, that of smooth surfaces, the asperities would carry {:.0} % of the load: the surfaces stay further apart (a solve shares the \
+         load between oil and asperities)",
+        100.0 * share
+    );
+    (share > SMALL_SHARE).then(|| Warning::beyond(WarningKind::AsperityLoad, share, text))
 }
 
 #[cfg(test)]

@@ -313,10 +313,7 @@ fn asperities_over_the_dry_contact() {
         0.000364562,
         max_relative = 2e-3
     );
-    assert!(!warns(&e, "the asperities carry"));
-    // 26.66 MPa (mixed/mod.rs) over the Hertz circle of 1 GPa.
-    let limit = lambda.asperity_load_share_at_contact.unwrap();
-    assert_relative_eq!(limit, 0.0399, max_relative = 2e-3);
+    assert!(!warns(&e, "the asperities would carry"));
 }
 
 /// Glycerol at 313 K: β = 7468.75 K/T² of Cheng's law, k = 0.29 W/(m·K), μ = 0.2803 Pa·s, so

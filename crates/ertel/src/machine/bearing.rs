@@ -185,10 +185,21 @@ fn differential_slip(
 ) -> Option<f64> {
     let slip = sum(solved, |i, point| {
         let slip = slip_of(mechanics, solved.machine.contacts[i].side, point)?;
-        let found = slip.friction(stress_of(case));
+        let boundary = boundary_of(case, point);
+        let film = stress_of(case);
+        let found = slip
+            .friction(|pressure, rate| film(pressure, rate) + boundary * pressure * rate.signum());
         (found.mean_traction < LARGEST_TRACTION).then_some(Marked::exact(found.power))
     });
     slip.map(|slip| slip.value)
+}
+
+/// Friction of the asperities of a contact over its pressure: that of boundary lubrication times their share of the load.
+fn boundary_of(case: &Case, point: &PointSolution) -> f64 {
+    let asperities = case.asperities.as_ref();
+    let boundary = asperities.and_then(|asperities| asperities.boundary_friction_coefficient);
+    let share = figure_of(point, Figure::AsperityLoadShare).map_or(0.0, |share| share.value);
+    boundary.unwrap_or(0.0) * share
 }
 
 /// Power lost by rolling: (µ_2 − µ_1) Q u.
@@ -222,7 +233,8 @@ fn slip_of(mechanics: &BearingMechanics, side: usize, point: &PointSolution) -> 
     Some(Slip {
         half_widths: [solution.hertz.half_width, solution.hertz.half_width_y?],
         hertz_pressure: solution.hertz.pressure,
-        film: solution.summary.film_central.value,
+        film: (figure_of(point, Figure::MeanGapCentral))
+            .map_or(solution.summary.film_central.value, |gap| gap.value),
         speed: point.case.motion.entrainment_speed,
         curvature: 0.5 / (deformed * point.case.contact.radius),
     })

@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 
 use ertel_machines::cam::CamPoint;
 
-use super::contacts::{self, figure_of};
+use super::contacts::{self, figure_of, friction_of};
 use super::curve::Curve;
 use crate::case::CamMechanics;
 use crate::figures::Row;
@@ -126,7 +126,7 @@ impl Rubbing {
                 continue;
             }
             let point = solved.of(i)?;
-            let mu = figure_of(point, Figure::TractionCoefficient)?.abs();
+            let mu = friction_of(point)?.abs();
             let power = figure_of(point, Figure::FrictionPower)?;
             coefficient.push((at.angle, mu));
             let rest = power.value - mu.value * slide(at);

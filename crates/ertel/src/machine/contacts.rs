@@ -18,6 +18,12 @@ pub(super) fn figure_of(point: &PointSolution, figure: Figure) -> Option<Marked>
     Marked::of(point.outcome.solution()?, figure)
 }
 
+/// The friction coefficient of a contact: of oil and asperities where they share the load.
+pub(super) fn friction_of(point: &PointSolution) -> Option<Marked> {
+    let both = figure_of(point, Figure::FrictionTotal);
+    both.or_else(|| figure_of(point, Figure::TractionCoefficient))
+}
+
 /// Sum over all loaded contacts, identical ones counted as often as they occur. `None` where one of them has no value.
 pub(super) fn sum(
     solved: &MachineSolution,

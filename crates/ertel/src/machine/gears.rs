@@ -14,7 +14,7 @@ use ertel_machines::gear::friction::schlenk;
 use ertel_machines::gear::safety::{micropitting, scuffing};
 use ertel_machines::gear::{FlashMethod, PathPoint, ThermalBody};
 
-use super::contacts::{self, figure_of};
+use super::contacts::{self, figure_of, friction_of};
 use super::curve::Curve;
 use super::rolling::rolling_coefficient;
 use crate::case::{Body, Case, GearMechanics};
@@ -95,6 +95,11 @@ fn thinnest_film(gears: &GearMechanics, solved: &MachineSolution) -> Option<Mark
 fn rough(gears: &GearMechanics, solved: &MachineSolution) -> Option<Warning> {
     let film = thinnest_film(gears, solved)?;
     let words = format!("the smallest film of the path, {},", length(film.value));
+    // Asperities that share the load are in all of these.
+    let mut points = solved.contacts.iter().flatten();
+    if points.any(|point| point.case.asperities.is_some()) {
+        return None;
+    }
     let warning = roughness_warning(&words, film.value, composite(gears)?)?;
     let text = format!(
         "{warning}: friction, losses, flash temperature and safety against scuffing are those of the film alone, and asperities add to them (compare the \
@@ -106,8 +111,9 @@ fn rough(gears: &GearMechanics, solved: &MachineSolution) -> Option<Warning> {
 /// The coefficient of traction of a contact, and whether it is that of a film that does not separate the flanks.
 fn traction(gears: &GearMechanics, point: &PointSolution) -> Option<Marked> {
     let film = figure_of(point, Figure::FilmMinimum)?.value;
-    let is_alone = composite(gears).is_some_and(|rough| film < FULL_FROM * rough);
-    let found = figure_of(point, Figure::TractionCoefficient)?;
+    let is_alone = point.case.asperities.is_none()
+        && composite(gears).is_some_and(|rough| film < FULL_FROM * rough);
+    let found = friction_of(point)?;
     Some(found.with(Marks::when(is_alone, Mark::FilmAlone)))
 }
 

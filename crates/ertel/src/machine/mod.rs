@@ -19,7 +19,9 @@ use self::contacts::figure_of;
 use self::curve::Curve;
 use crate::case::{Case, Mechanics};
 use crate::figures::Row;
-use crate::figures::machine::{FILM_CENTRAL, FILM_MINIMUM, LAMBDA_MINIMUM};
+use crate::figures::machine::{
+    ASPERITY_LOAD_SHARE_MAXIMUM, FILM_CENTRAL, FILM_MINIMUM, LAMBDA_MINIMUM,
+};
 use crate::mark::Marked;
 pub use crate::point::MachineFigures;
 use crate::point::{MachineSolution, PointSolution};
@@ -79,7 +81,7 @@ fn smallest(
     }
 }
 
-/// The smallest film of all, and the smallest film over roughness.
+/// The smallest film of all, the smallest film over roughness, and the largest load share of asperities.
 fn films(solved: &MachineSolution) -> Vec<Row> {
     let film = smallest(solved, |point| figure_of(point, Figure::FilmMinimum));
     let central = smallest(solved, |point| figure_of(point, Figure::FilmCentral));
@@ -87,10 +89,13 @@ fn films(solved: &MachineSolution) -> Vec<Row> {
         let mixed = point.outcome.solution()?.mixed.as_ref()?;
         Some(Marked::from(mixed.lambda_minimum))
     });
+    let share = |point: &PointSolution| figure_of(point, Figure::AsperityLoadShare);
+    let share = smallest(solved, |point| Some(share(point)? * -1.0)).map(|least| least * -1.0);
     [
         (FILM_CENTRAL, central),
         (FILM_MINIMUM, film),
         (LAMBDA_MINIMUM, lambda),
+        (ASPERITY_LOAD_SHARE_MAXIMUM, share),
     ]
     .into_iter()
     .filter_map(|(figure, estimate)| Some(figure.row(estimate?, "")))

@@ -52,6 +52,7 @@ mod tests {
         let line = Centreline {
             x: vec![-2e-4, 1e-4],
             pressure: vec![0.0, 1e9],
+            asperity_pressure: Vec::new(),
             film_thickness: vec![1e-6, 2.5e-7],
             deflection: vec![1e-6, 2e-6],
             viscosity: vec![0.04, 1e3],

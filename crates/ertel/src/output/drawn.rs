@@ -46,7 +46,7 @@ pub(super) const DRAWN: [Drawn; 12] = drawn! {
     "life", "Rating life",
         [bearing::MODIFIED_RATING_LIFE, bearing::REFERENCE_RATING_LIFE, bearing::BASIC_RATING_LIFE];
     "film", "Film thickness *h*", [run::FILM_CENTRAL_LOWEST, run::FILM_MINIMUM_LOWEST];
-    "traction", "Friction coefficient", [run::TRACTION_COEFFICIENT_HIGHEST, run::TRACTION_COEFFICIENT_MEAN];
+    "traction", "Friction coefficient", [run::TRACTION_COEFFICIENT_HIGHEST, run::TRACTION_COEFFICIENT_MEAN, run::FRICTION_TOTAL_HIGHEST, run::FRICTION_TOTAL_MEAN];
     "pressure", "Pressure *p*", [run::PRESSURE_MAXIMUM_HIGHEST];
     "amplitude-ratio", "Amplitude ratio *A*_{d}/*A*_{i}", [run::AMPLITUDE_RATIO_LAST];
 };

@@ -7,7 +7,6 @@ use serde_json::{Value, json};
 use super::FORMAT_VERSION;
 use super::figure::{percent_or_power, power};
 use super::lines::Lines;
-use super::mixed::ASPERITY_SOURCE;
 use super::report::{write_case, write_contact};
 use super::result_json::units;
 use crate::case::CaseEcho;
@@ -135,17 +134,10 @@ fn write_film(out: &mut Lines, estimate: &CaseEstimate) {
         );
         if let Some(share) = lambda.asperity_load_share {
             let text = format!(
-                "{} of the load, central film assumed everywhere ({ASPERITY_SOURCE})",
+                "{} of the load, central film assumed everywhere",
                 percent_or_power(share)
             );
             out.row("asperity load share", text);
-        }
-        if let Some(limit) = lambda.asperity_load_share_at_contact {
-            let text = format!(
-                "{} of the load, mean planes in contact",
-                percent_or_power(limit)
-            );
-            out.row("  largest share of this model", text);
         }
     }
     if let Some(force) = estimate.rolling_resistance {

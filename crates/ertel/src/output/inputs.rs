@@ -48,9 +48,10 @@ pub(super) fn write(out: &mut Lines, solution: &Solution) {
         _ => figure.symbol().to_owned(),
     };
     head.extend(figures.iter().map(|f| title(f.figure)));
-    let mut widths = vec![(NUMBER_WIDTH, 0); head.len()];
-    widths[0] = (KEY_WIDTH, 0);
     let (rows, negligible) = rows(sensitivities, &figures);
+    let longest = rows.iter().map(|(key, _)| key.len() + 1).max();
+    let mut widths = vec![(NUMBER_WIDTH, 0); head.len()];
+    widths[0] = (KEY_WIDTH.max(longest.unwrap_or(0)), 0);
     let cells = |(key, by): (&str, Vec<f64>)| {
         let by = by.into_iter().map(signed);
         std::iter::once(key.to_owned()).chain(by).collect()

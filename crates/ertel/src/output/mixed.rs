@@ -2,24 +2,39 @@
 
 use std::fmt::Write;
 
-use super::figure::{in_unit, number, percent, percent_or_power};
+use super::figure::{in_unit, number, percent};
 use super::lines::Lines;
-use crate::mixed::Asperities;
+use crate::mixed::{Asperities, AsperityLaw};
 use crate::solution::{Estimate, Solution};
-use crate::words::{digits, pressure};
-
-/// Source of the asperity load and friction model.
-pub(super) const ASPERITY_SOURCE: &str = "Greenwood and Tripp 1970";
+use crate::words::{digits, length, pressure};
 
 /// The asperity parameters.
 pub(super) fn describe(asperities: &Asperities) -> String {
-    let mut text = format!(
-        "σβη {}, σ/β {}",
-        digits(asperities.asperity_group, 6),
-        digits(asperities.rms_height_to_asperity_radius, 6)
-    );
+    let law = &asperities.law;
+    let mut text = match law {
+        AsperityLaw::GreenwoodTripp(summits) | AsperityLaw::GreenwoodWilliamson(summits) => {
+            format!(
+                "{}: σβη {}, σ/β {}",
+                law.source(),
+                digits(summits.asperity_group, 6),
+                digits(summits.rms_height_to_asperity_radius, 6)
+            )
+        }
+        AsperityLaw::Table(table) => format!(
+            "{} at {} distances",
+            law.source(),
+            table.asperity_distances.len()
+        ),
+    };
+    if let Some(hardness) = asperities.hardness {
+        let _ = write!(text, ", hardness {}", pressure(hardness));
+    }
     if let Some(friction) = asperities.boundary_friction_coefficient {
         let _ = write!(text, ", boundary friction {}", digits(friction, 6));
+    }
+    let _ = write!(text, ", oil flows {}", asperities.flow.words());
+    if let Some(orientation) = asperities.orientation {
+        let _ = write!(text, ", γ = {}", orientation.name());
     }
     text
 }
@@ -54,14 +69,27 @@ pub(super) fn write_asperities(out: &mut Lines, solution: &Solution) {
     out.row(
         "asperity load",
         format!(
-            "{load}, {} of the load ({ASPERITY_SOURCE}, at the film of smooth surfaces)",
+            "{load}, {} of the load",
             share(asperities.asperity_load_share)
         ),
     );
-    let limit = percent_or_power(asperities.asperity_load_share_limit);
-    out.row("  upper limit (dry)", limit);
     let largest = pressure(asperities.asperity_pressure_maximum);
     out.row("  largest asperity pressure", largest);
+    if let Some(other) = &asperities.other_gap {
+        let mut text = format!(
+            "{:.1} % of the load, h_c {}, h_min {}",
+            100.0 * other.asperity_load_share,
+            length(other.film_central),
+            length(other.film_minimum)
+        );
+        if let Some(friction) = other.friction_total {
+            let _ = write!(text, ", friction {}", digits(friction, 4));
+        }
+        out.row("  with the other gap", text);
+        out.note(
+            "other gap: the oil flows through the distance of the mean planes; both are models, and their difference is not in the error bars",
+        );
+    }
     let Some(friction) = &asperities.friction else {
         return;
     };

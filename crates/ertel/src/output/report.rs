@@ -381,19 +381,28 @@ pub(super) fn write_formulas(out: &mut Lines, solution: &Solution) {
         return;
     }
     let s = &solution.summary;
+    // The distance of the mean planes of rough surfaces may vanish.
+    let gaps = [Figure::MeanGapCentral, Figure::MeanGapMinimum].map(|gap| solution.figure(gap));
+    let films = [s.film_central, s.film_minimum];
+    let films = [0, 1].map(|i: usize| gaps[i].as_ref().map_or(films[i].value, |gap| gap.value));
     let cell = |formula: Option<f64>, film: f64| match formula {
         Some(h) => format!("{} ({:+.1} %)", length(h), 100.0 * (h / film - 1.0)),
         None => "–".to_owned(),
     };
-    out.heading(match solution.starvation {
-        None => "Published formulas (difference from the computed film)",
-        Some(_) => "Published formulas of flooded contacts (difference from the computed film)",
-    });
+    let contacts = match (&gaps[0], &solution.starvation) {
+        (Some(_), _) => " of smooth surfaces",
+        (None, Some(_)) => " of flooded contacts",
+        (None, None) => "",
+    };
+    let computed = if gaps[0].is_some() { "mean gap" } else { "film" };
+    out.heading(&format!(
+        "Published formulas{contacts} (difference from the computed {computed})"
+    ));
     let row = |f: &FormulaFilm| {
         vec![
             f.name.to_owned(),
-            cell(f.central, s.film_central.value),
-            cell(f.minimum, s.film_minimum.value),
+            cell(f.central, films[0]),
+            cell(f.minimum, films[1]),
         ]
     };
     out.table(Table {

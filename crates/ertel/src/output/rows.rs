@@ -9,9 +9,10 @@ use crate::solution::{Estimate, Kind};
 use crate::words::{digits, pressure};
 
 /// Figures listed in the report of a curve for each machine or run, and by the statistics of samples.
-pub(super) const REPORTED: [Definition; 20] = [
+pub(super) const REPORTED: [Definition; 23] = [
     machine::FILM_MINIMUM,
     machine::LAMBDA_MINIMUM,
+    machine::ASPERITY_LOAD_SHARE_MAXIMUM,
     bearing::FRICTION_TORQUE,
     bearing::FRICTION_POWER,
     gears::MESH_LOSS,
@@ -28,6 +29,8 @@ pub(super) const REPORTED: [Definition; 20] = [
     run::PRESSURE_MAXIMUM_HIGHEST,
     run::TRACTION_COEFFICIENT_HIGHEST,
     run::TRACTION_COEFFICIENT_MEAN,
+    run::ASPERITY_LOAD_SHARE_HIGHEST,
+    run::FRICTION_TOTAL_MEAN,
     run::AMPLITUDE_RATIO_LAST,
     run::COEFFICIENT_OF_RESTITUTION,
 ];

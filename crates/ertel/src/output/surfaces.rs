@@ -47,11 +47,13 @@ pub(super) fn write(out: &mut Lines, surfaces: &[SurfaceEcho]) {
 
 fn parameters(own: &Parameters) -> String {
     format!(
-        "Sa {}, Sq {}, Ssk {}, Sku {}, Sz {}",
+        "Sa {}, Sq {}, Ssk {}, Sku {}, Sz {}; asperities: σβη {}, σ/β {}",
         length(own.sa),
         length(own.sq),
         digits(own.ssk, 3),
         digits(own.sku, 3),
-        length(own.sz)
+        length(own.sz),
+        digits(own.asperity_group, 2),
+        digits(own.rms_height_to_asperity_radius, 2)
     )
 }

@@ -373,6 +373,7 @@ mod tests {
             order: 1,
             elements: vec![0, 1, 1, 2],
             pressure: vec![0.0, 1.0, 0.5],
+            asperity_pressure: Vec::new(),
             film_thickness: vec![1.0; 3],
             deflection: vec![1.0; 3],
             viscosity: vec![1.0; 3],

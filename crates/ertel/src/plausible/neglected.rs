@@ -61,6 +61,7 @@ pub fn neglected(case: &Case, known: &Known) -> Neglected {
         inertia: reynolds(case, known.film_central).reduced,
         plasticity: case.hertz().pressure / case.pressure_limit().0,
         lambda: case.roughness.map(|sigma| known.film_minimum / sigma),
+        has_asperities: case.asperities.is_some(),
     }
 }
 
@@ -150,6 +151,9 @@ pub fn words(neglected: &Neglected) -> String {
         digits(neglected.plasticity, 2)
     ));
     parts.push(match neglected.lambda {
+        Some(_) if neglected.has_asperities => {
+            "wear of asperities, flow factors but those of `flow`".to_owned()
+        }
         Some(lambda) => format!(
             "roughness in the film (h_min is {} times the rms height)",
             digits(lambda, 3)
@@ -198,6 +202,7 @@ mod tests {
             inertia: 7e-6,
             plasticity: 0.2386,
             lambda: None,
+            has_asperities: false,
         };
         assert_eq!(
             words(&known),

@@ -2,6 +2,7 @@
 
 use super::outlet::{self, ToHalves};
 use crate::contact::{Family, Inlet, Outline, Shape, hertz};
+use crate::mixed::Rough;
 use crate::params::{ElasticModel, MeshParams};
 use crate::solve::discretisation::Extents;
 
@@ -70,6 +71,34 @@ pub(super) fn reach(family: Family, model: ElasticModel, heats: bool, film: f64)
     Reach {
         inlet,
         side: inlet * 2.0 / 3.0,
+    }
+}
+
+/// Gap over rms height up to which asperities count: at 5 they press with 2e-8 of what they do where mean planes meet.
+const TOUCHING: f64 = 5.0;
+
+/// How far asperities press beyond the dry contact of smooth bodies, in half-widths.
+fn touching(family: Family, rough: Option<&Rough>) -> f64 {
+    let mut far = 1.0;
+    while rough.is_some_and(|r| hertz::dry_gap(family, far) < TOUCHING * r.rms_height) {
+        far = (1.05 * far).ceil_half();
+    }
+    far
+}
+
+/// Contact area of rough surfaces, where the user does not set its edges: as far as their asperities press.
+pub(super) fn of_rough(
+    extents: Extents,
+    mesh: &MeshParams,
+    family: Family,
+    rough: Option<&Rough>,
+) -> Extents {
+    let far = touching(family, rough);
+    let within = |given: Option<f64>, own: f64| if given.is_some() { own } else { own.max(far) };
+    Extents {
+        inlet: -within(mesh.inlet, -extents.inlet),
+        outlet: within(mesh.outlet, extents.outlet),
+        ..extents
     }
 }
 

@@ -20,7 +20,7 @@ use crate::transient;
 pub const NAME: &[u8] = b"ertel checkpoint ";
 
 /// First bytes of those of this version.
-const MAGIC: &[u8] = b"ertel checkpoint 3\n";
+const MAGIC: &[u8] = b"ertel checkpoint 4\n";
 
 /// Bytes of the hash.
 const HASH: usize = 16;

@@ -9,7 +9,7 @@ use crate::post;
 use crate::problem::groups as groups_of;
 use crate::solution::{
     Asked, BodyField, Centreline, ElementFields, Figure, FilmReduction, IterationRecord, Measured,
-    Section, Sensitivities, Solution, Starvation, Stats, Summary, SurfaceField, Thermal,
+    OtherGap, Section, Sensitivities, Solution, Starvation, Stats, Summary, SurfaceField, Thermal,
     Uncertainties, Unresolved,
 };
 use crate::warning::{Warning, WarningKind};
@@ -21,6 +21,7 @@ pub(super) struct Found {
     pub extents: Extents,
     pub summary: Summary,
     pub film_reduction: Option<FilmReduction>,
+    pub other_gap: Option<OtherGap>,
     pub thermal: Option<Thermal>,
     pub centreline: Centreline,
     pub surface: SurfaceField,
@@ -95,16 +96,16 @@ pub(super) fn describe<Plan>(
     let mixed = case.roughness.map(|rms_height| {
         let surfaces = post::mixed::RoughSurfaces {
             rms_height,
-            asperities: case.asperities,
+            asperities: case.asperities.clone(),
             reduced_modulus: case.reduced_modulus(),
             load: case.contact.load,
         };
-        let symmetry = problem.shape.symmetry;
-        let (motion, summary) = (&case.motion, &summary);
-        let mixed = post::mixed::mixed_lubrication(
-            &surfaces, motion, symmetry, &elements, summary, &traction,
-        );
-        warnings.extend(post::mixed::warnings(&mixed, summary, rms_height));
+        let mut mixed = post::mixed::mixed_lubrication(&surfaces, &measured);
+        if let Some(asperities) = &mut mixed.asperities {
+            asperities.other_gap = found.other_gap;
+        }
+        let film_minimum = summary.film_minimum.value;
+        warnings.extend(post::mixed::warning(&mixed, film_minimum, rms_height));
         mixed
     });
     let mut solution = Solution {
@@ -128,7 +129,8 @@ pub(super) fn describe<Plan>(
         left_out: plausible::neglected::neglected(
             case,
             &Known {
-                film_central: summary.film_central.value,
+                film_central: (measured.find(Figure::MeanGapCentral))
+                    .map_or(summary.film_central.value, |gap| gap.value),
                 film_minimum: summary.film_minimum.value,
                 friction_power: traction.friction_power.value,
             },
@@ -169,7 +171,8 @@ fn side_of<Plan>(problem: &Problem<Plan>, side: f64) -> f64 {
 
 /// Whether a figure has derivatives. These are of the film solve: friction by a law that is not part of it has none.
 pub(super) fn has_derivatives(case: &Case, figure: Figure) -> bool {
-    !(case.friction_by_law && figure.section() == Section::Traction)
+    let is_of_law = figure.section() == Section::Traction || figure == Figure::FrictionTotal;
+    !(case.friction_by_law && is_of_law)
 }
 
 /// Adds the sensitivities to the inputs and the resulting uncertainty. A solution without them remains valid.

@@ -85,6 +85,7 @@ fn found(case: &Case, problem: &Problem, solved: &Finished) -> Result<Found, Sol
     let warnings = results::summary::warnings(&summary, finest, case.mesh.target_error);
     Ok(Found {
         film_reduction: results::summary::film_reduction(levels, &measured),
+        other_gap: None,
         centreline: results::fields::centreline(finest, problem.friction_fluid(), scales),
         surface: results::fields::surface(finest, problem.friction_fluid(), scales),
         elements: results::elements::elements(finest, scales),

@@ -33,7 +33,7 @@ use crate::warning::{Warning, WarningKind, silence};
 
 /// Version of the numerics: incremented whenever the figures of some case change by more than rounding. Study points
 /// solved by an earlier version are then recomputed.
-pub const NUMERICS: u32 = 26;
+pub const NUMERICS: u32 = 27;
 
 /// Checks that a case can be solved: it has the required data, and an allowed mesh resolves its film.
 /// Takes milliseconds.
@@ -44,7 +44,7 @@ pub fn check(case: &Case) -> Result<(), SolveError> {
     match case.solver.method {
         // A first grid is always small enough.
         Some(Method::FiniteVolumes) => Ok(()),
-        None if !case.standing_reliefs().is_empty() => Ok(()),
+        None if !case.standing_reliefs().is_empty() || case.asperities.is_some() => Ok(()),
         _ => elements::may_begin(case).map(drop),
     }
 }
@@ -207,7 +207,7 @@ pub fn first_method(case: &Case) -> Method {
     if let Some(method) = case.solver.method {
         return method;
     }
-    if !case.standing_reliefs().is_empty() {
+    if !case.standing_reliefs().is_empty() || case.asperities.is_some() {
         return Method::FiniteVolumes;
     }
     let is_warm_line = case.thermal().is_some() && case.contact.kind.is_line();
@@ -247,7 +247,7 @@ fn may_use_other_method(case: &Case, first: Method) -> bool {
     let is_open = case.solver.method.is_none() && !needs_elements(case);
     let other_solves = match first {
         Method::FiniteElements => finite_volumes_refuse(case).is_none(),
-        Method::FiniteVolumes => case.standing_reliefs().is_empty(),
+        Method::FiniteVolumes => case.standing_reliefs().is_empty() && case.asperities.is_none(),
     };
     is_open && other_solves
 }

@@ -9,10 +9,11 @@
 use super::transient::{InstantSolution, TransientSolution};
 use crate::figures::run::{
     AMPLITUDE_RATIO_HIGHEST, AMPLITUDE_RATIO_LAST, AMPLITUDE_RATIO_LOWEST, APPROACH_HIGHEST,
-    COEFFICIENT_OF_RESTITUTION, FILM_CENTRAL_HIGHEST, FILM_CENTRAL_LAST, FILM_CENTRAL_LOWEST,
-    FILM_FORCE_HIGHEST, FILM_MINIMUM_LAST, FILM_MINIMUM_LOWEST, FILM_TEMPERATURE_MAXIMUM_HIGHEST,
-    FRICTION_POWER_MEAN, MASS_ERROR_HIGHEST, PRESSURE_MAXIMUM_HIGHEST,
-    TRACTION_COEFFICIENT_HIGHEST, TRACTION_COEFFICIENT_MEAN,
+    ASPERITY_LOAD_SHARE_HIGHEST, COEFFICIENT_OF_RESTITUTION, FILM_CENTRAL_HIGHEST,
+    FILM_CENTRAL_LAST, FILM_CENTRAL_LOWEST, FILM_FORCE_HIGHEST, FILM_MINIMUM_LAST,
+    FILM_MINIMUM_LOWEST, FILM_TEMPERATURE_MAXIMUM_HIGHEST, FRICTION_POWER_MEAN,
+    FRICTION_TOTAL_HIGHEST, FRICTION_TOTAL_MEAN, MASS_ERROR_HIGHEST, MEAN_GAP_MINIMUM_LOWEST,
+    PRESSURE_MAXIMUM_HIGHEST, TRACTION_COEFFICIENT_HIGHEST, TRACTION_COEFFICIENT_MEAN,
 };
 use crate::figures::{Definition, Row};
 use crate::mark::{Mark, Marked, Marks};
@@ -28,11 +29,16 @@ enum Over {
 }
 
 /// Reported reductions of the figures of instants, in order. The sign of friction is its direction: extremes are of its magnitude.
-const REDUCTIONS: [(Figure, Over, Definition); 10] = [
+const REDUCTIONS: [(Figure, Over, Definition); 14] = [
     (Figure::FilmCentral, Over::Lowest, FILM_CENTRAL_LOWEST),
     (Figure::FilmCentral, Over::Highest, FILM_CENTRAL_HIGHEST),
     (Figure::FilmCentral, Over::Last, FILM_CENTRAL_LAST),
     (Figure::FilmMinimum, Over::Lowest, FILM_MINIMUM_LOWEST),
+    (
+        Figure::MeanGapMinimum,
+        Over::Lowest,
+        MEAN_GAP_MINIMUM_LOWEST,
+    ),
     (Figure::FilmMinimum, Over::Last, FILM_MINIMUM_LAST),
     (
         Figure::PressureMaximum,
@@ -49,6 +55,13 @@ const REDUCTIONS: [(Figure, Over, Definition); 10] = [
         Over::Mean,
         TRACTION_COEFFICIENT_MEAN,
     ),
+    (
+        Figure::AsperityLoadShare,
+        Over::Highest,
+        ASPERITY_LOAD_SHARE_HIGHEST,
+    ),
+    (Figure::FrictionTotal, Over::Highest, FRICTION_TOTAL_HIGHEST),
+    (Figure::FrictionTotal, Over::Mean, FRICTION_TOTAL_MEAN),
     (Figure::FrictionPower, Over::Mean, FRICTION_POWER_MEAN),
     (
         Figure::FilmTemperatureMaximum,
@@ -88,7 +101,10 @@ fn of_instants(
     (figure, over, reduced): (Figure, Over, Definition),
     instants: &[InstantSolution],
 ) -> Option<Row> {
-    let is_directed = matches!(figure, Figure::TractionCoefficient | Figure::FrictionPower);
+    let is_directed = matches!(
+        figure,
+        Figure::TractionCoefficient | Figure::FrictionTotal | Figure::FrictionPower
+    );
     let rows: Vec<At> = (instants.iter())
         .filter_map(|instant| {
             let value = instant.measured.figures.value(figure)?;

@@ -13,7 +13,7 @@ use crate::volumes::film::PatchedFilm;
 use crate::volumes::heat::{Params, output};
 use crate::volumes::roller_zone::with_rows_by_film;
 use crate::volumes::tangents::Tangents;
-use crate::volumes::{FiniteVolumes, Plan, fields, reduction, summary};
+use crate::volumes::{FiniteVolumes, Plan, fields, other_gap, reduction, summary};
 
 /// Default limit on the unknowns of a refined grid: some seconds.
 const MAX_UNKNOWNS: usize = 400_000;
@@ -63,6 +63,15 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
             reduction::film_reduction(thinned, newtonian, recorder.observer)?
         }
     };
+    let is_chosen = (case.asperities.as_ref()).is_none_or(|asperities| asperities.flow_is_chosen);
+    let other_gap = match is_chosen {
+        true => None,
+        false => {
+            let mut other = own_problem(case);
+            other.shape.zone = problem.shape.zone.clone();
+            other_gap::other_gap(&solved, other, recorder.observer)?
+        }
+    };
     let film = PatchedFilm::new(&problem.shape, &solved.levels);
     let measured = solved.measured(&problem).with_meniscus(&case.supply);
     let (surface, elements) = fields::surface(&problem, &film);
@@ -74,6 +83,7 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
         extents: problem.extents,
         summary: summary::summarise(&problem, &solved, &measured),
         film_reduction,
+        other_gap,
         thermal,
         centreline: centreline_of(
             &fields::profile(&film),

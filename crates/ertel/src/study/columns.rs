@@ -384,17 +384,8 @@ const DERIVED: &[Column] = &[
     Column::estimate("asperity_load", Kind::Force, |p| {
         Some(mixed(p)?.asperities.as_ref()?.asperity_load)
     }),
-    Column::estimate("asperity_load_share", Kind::Share, |p| {
-        Some(mixed(p)?.asperities.as_ref()?.asperity_load_share)
-    }),
     Column::estimate("friction_fluid", Kind::Coefficient, |p| {
         Some(mixed(p)?.friction()?.friction_fluid)
-    }),
-    Column::estimate("friction_asperities", Kind::Coefficient, |p| {
-        Some(mixed(p)?.friction()?.friction_asperities)
-    }),
-    Column::estimate("friction_total", Kind::Coefficient, |p| {
-        Some(mixed(p)?.friction()?.friction_total)
     }),
     plain!("speed_group", "", s => s.groups.speed),
     plain!("moes_load", "", s => s.groups.moes_load),

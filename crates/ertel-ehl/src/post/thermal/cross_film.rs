@@ -45,10 +45,10 @@ fn profile<Plan>(
         .through(&fields.temperature.as_deref()?.temperature);
     let local = fluid.local(fields.pressure, fields.temperature.as_deref());
     let law = fluid.thermal_law(fields.pressure, local.thermal()?);
-    let (g, omega) = local.demands(fields.place, fields.pressure_gradient, fields.film);
+    let (g, omega) = local.demands(fields.place, fields.pressure_gradient, fields.flowing());
     let tau = mid_stress(&law, g, omega, &mut CrossFilm::default());
     let viscosity = local.point().viscosity[0] * scales.viscosity;
-    let h = fields.film * scales.film;
+    let h = fields.flowing() * scales.film;
     // Shear rates along X and Y, 1/s, and generalized viscosity.
     let at = |s: f64| {
         let t = [0, 1].map(|i: usize| tau[i] + s * g[i]);

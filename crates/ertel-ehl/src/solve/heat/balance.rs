@@ -48,6 +48,7 @@ pub fn heat_balance(
     let scale = scales.area(&d.contact.shape);
     HeatSums {
         shear: scale * account.shear,
+        rubbing: 0.0,
         compression: scale * account.compression,
         compression_size: scale * account.compression_size,
         to_bodies: [0, 1].map(|b| scale * (account.bodies[b] + account.conducted[b])),

@@ -143,6 +143,7 @@ impl<'a> Manufactured<'a> {
             wetted: vec![true; pressure.len()],
             contents: Vec::new(),
             pressure,
+            oil: Vec::new(),
             separation: self.separation + swing(SEPARATION, time),
         }
     }
@@ -165,7 +166,7 @@ impl<'a> Manufactured<'a> {
     /// ρ̄H of the given fields at the nodes of each grid.
     fn masses(&mut self, time: f64) -> Vec<Vec<f64>> {
         let levels = self.levels(time);
-        let of_level = |level: &Level| level.system.masses(&level.state.pressure, &level.films);
+        let of_level = |level: &Level| level.system.masses(&level.state, &level.films);
         levels.iter().map(of_level).collect()
     }
 
@@ -209,8 +210,7 @@ impl<'a> Manufactured<'a> {
             let [a, b] = [own, exact].map(|level| &level.state.pressure);
             let largest = b.iter().fold(0.0_f64, |m, p| m.max(*p));
             let pressure = (a.iter().zip(b)).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
-            let [a, b] =
-                [own, exact].map(|level| level.system.masses(&level.state.pressure, &level.films));
+            let [a, b] = [own, exact].map(|level| level.system.masses(&level.state, &level.films));
             let mass = (a.iter().zip(&b)).fold(0.0_f64, |m, (a, b)| m.max((a / b - 1.0).abs()));
             let separation = (own.state.separation - exact.state.separation).abs();
             [

@@ -196,6 +196,7 @@ fn a_cavity_between_swinging_plates_closes() {
     let distance = |t: f64| 0.125 * (4.0 * std::f64::consts::PI * t).cos() + 0.375;
     let mut state = State {
         pressure: vec![0.025; n],
+        oil: Vec::new(),
         separation: distance(0.0),
         wetted: vec![true; n],
         contents: vec![f64::INFINITY; n],
@@ -217,6 +218,7 @@ fn a_cavity_between_swinging_plates_closes() {
         warmth: Vec::new(),
         storage: None,
         balance: Balance::LOAD,
+        rough: None,
         grid,
     };
     let fronts = [

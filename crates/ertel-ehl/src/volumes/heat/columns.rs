@@ -4,6 +4,8 @@
 //!   R_a = ∫ φ_a (C − h(Q_shear + Q_comp)) + k/h T_s φ_a' ds = 0        W/m², φ_a the polynomials through the nodes of the film
 //!   R_0 = −q_1,  R_N = −q_2                                              heat that flows into the bodies
 //! ```
+//! Asperities rub at both surfaces: half of their heat counts in R_0, half in R_N. The film between is so thin that the bodies decide how much each of them takes.
+//!
 //! with convection and storage C from [`super::transport`]; equations and laws are those of [`crate::forms::energy`].
 
 use rayon::prelude::*;
@@ -40,9 +42,9 @@ impl FilmHeat<'_> {
 
 /// Films and pressures at the nodes of a grid.
 pub struct Films<'a> {
-    /// P.
+    /// P of the oil.
     pub pressure: &'a [f64],
-    /// H.
+    /// The gap that flows.
     pub film: &'a [f64],
     /// F, the missing oil of the gap; none where all gaps are full.
     pub missing: &'a [f64],
@@ -52,6 +54,8 @@ pub struct Films<'a> {
     pub held: &'a [f64],
     /// ∂P/∂T; none of what is steady.
     pub pressure_rate: &'a [f64],
+    /// Heat of the friction of asperities, W/m²; none between smooth surfaces.
+    pub rubbing: &'a [f64],
 }
 
 /// All nodes of a grid.
@@ -154,7 +158,12 @@ impl Columns {
                 wanted(k).then(|| {
                     let place = place(of.grid, films, f, k);
                     let film = film_column(of.fluid, of.heat, of.heights, &place, rule);
-                    column(of, &film, &place, f)
+                    let mut column = column(of, &film, &place, f);
+                    if let Some(heat) = films.rubbing.get(k) {
+                        column.rows[0] -= 0.5 * heat;
+                        column.rows[f - 1] -= 0.5 * heat;
+                    }
+                    column
                 })
             })
             .collect()

@@ -13,6 +13,8 @@ pub fn sums<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> HeatSums {
     for (l, level) in levels.iter().enumerate() {
         let Some(warm) = &level.warm else { continue };
         let grid = &level.system.grid;
+        let rubbing = (problem.heat.as_ref())
+            .map_or_else(Vec::new, |heat| level.system.rubbing(&level.state, heat));
         for [i, j] in grid.nodes() {
             let k = grid.index(i, j);
             let weight = area * grid.cell(j) * share(levels, l, i, j);
@@ -21,6 +23,7 @@ pub fn sums<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> HeatSums {
             }
             let [shear, compression, size] = warm.account.made[k];
             sum.shear += weight * shear;
+            sum.rubbing += weight * rubbing.get(k).copied().unwrap_or(0.0);
             sum.compression += weight * compression;
             sum.compression_size += weight * size;
             for b in 0..2 {

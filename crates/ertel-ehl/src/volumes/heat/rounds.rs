@@ -156,8 +156,8 @@ impl<'a> Rounds<'a> {
 
     /// Sets the coefficients of the film equation by the temperatures.
     pub fn warm_up(&self, system: &mut System, state: &State, temperatures: &Temperatures) {
-        let films = system.films(state);
-        system.warmth = warmth(system, &state.pressure, &films, &temperatures.film);
+        let gaps = system.gaps(state);
+        system.warmth = warmth(system, state.oil(), &gaps, &temperatures.film);
     }
 
     /// Rounds on a grid whose film has been solved at the given temperatures; `solve` solves it again.
@@ -219,7 +219,7 @@ impl<'a> Rounds<'a> {
             }
             let rise = largest_rise(&own, self.heat);
             let previous = change;
-            change = (mean_rise(&own.film, &before.0.film, &state.pressure) / rise)
+            change = (mean_rise(&own.film, &before.0.film, state.oil()) / rise)
                 .max((self::centre(system, state) / centre - 1.0).abs())
                 .max(mean_change(&state.pressure, &before.1.pressure))
                 / share;
@@ -286,9 +286,11 @@ impl<'a> Rounds<'a> {
         let films: Vec<f64> = at.nodes.iter().map(|node| node.film).collect();
         let lacking = lacking(system, state, &at);
         let rate = self.pressure_rate(state);
+        let rubbing = system.rubbing(state, self.heat);
         let as_it_stands = Films {
             pressure_rate: &rate,
-            pressure: &state.pressure,
+            pressure: state.oil(),
+            rubbing: &rubbing,
             film: &films,
             missing: &lacking,
             temperature: &own.film.clone(),
@@ -318,7 +320,7 @@ impl<'a> Rounds<'a> {
     }
 
     fn pressure_rate(&self, state: &State) -> Vec<f64> {
-        let rate = |in_time: &InTime| in_time.pressure_rate(&state.pressure);
+        let rate = |in_time: &InTime| in_time.pressure_rate(state.oil());
         self.in_time.as_ref().map_or_else(Vec::new, rate)
     }
 
@@ -339,9 +341,11 @@ impl<'a> Rounds<'a> {
         let films: Vec<f64> = at.nodes.iter().map(|node| node.film).collect();
         let lacking = lacking(system, state, &at);
         let rate = self.pressure_rate(state);
+        let rubbing = system.rubbing(state, self.heat);
         let now = Films {
             pressure_rate: &rate,
-            pressure: &state.pressure,
+            pressure: state.oil(),
+            rubbing: &rubbing,
             film: &films,
             missing: &lacking,
             temperature: &own.film.clone(),
@@ -369,10 +373,10 @@ pub(super) fn lacking(system: &System, state: &State, at: &Linearised) -> Vec<f6
         .collect()
 }
 
-/// H at the centre.
+/// The gap that flows at the centre.
 fn centre(system: &System, state: &State) -> f64 {
     let [i, j] = system.grid.centre();
-    system.films(state)[system.grid.index(i, j)]
+    system.gap_at(system.films(state)[system.grid.index(i, j)])
 }
 
 /// Root mean square change of the pressure where there is some.

@@ -81,7 +81,7 @@ impl<'a> WarmSide<'a> {
         WarmSide {
             rounds,
             system: level.system.clone(),
-            state: level.state.clone(),
+            state: level.settled(),
             bodies: warm.bodies.clone(),
             temperatures: warm.temperatures.clone(),
             above: 0.0,
@@ -133,6 +133,7 @@ impl<'a> WarmSide<'a> {
     /// Updates it to its solution. Heat made and carried off stays that of the neighbouring solution `warm`.
     fn into_level(mut self, by: &Moved, wetted: &[bool], rise: f64, warm: &Warm) -> Level {
         self.state.moved(&by.film, 1.0, wetted);
+        self.system.settle(&mut self.state);
         let (of_warmth, of_temperatures) = by.parts(&self.system);
         move_warmth(&mut self.system, of_warmth, 1.0, rise);
         let mut temperatures = self.temperatures;
@@ -234,7 +235,8 @@ pub fn solve<'a>(
     let columns = Columns::new(
         &of,
         &Films {
-            pressure: &own.state.pressure,
+            pressure: own.state.oil(),
+            rubbing: &own.system.rubbing(&own.state, own.rounds.heat),
             film: &films,
             missing: &lacking(&own.system, &own.state, at),
             temperature,
@@ -260,7 +262,7 @@ pub fn solve<'a>(
         walls: missing(grid, &own.bodies, of.nodes(), &heated),
         residual,
         flux: heated.flux,
-        warmth: warm_up::warmth(&own.system, &own.state.pressure, &films, temperature),
+        warmth: warm_up::warmth(&own.system, own.state.oil(), &films, temperature),
         rise: largest_rise(&own.temperatures, own.rounds.heat),
         own,
         at,
@@ -344,8 +346,11 @@ impl Coupled<'_, '_> {
         let mut state = side.state.clone();
         let mut at = system.linearise_nearby(&state, self.at, &self.near);
         let mut rows = slopes(&at.outflow, &self.at.outflow);
-        for (row, wetted) in rows.iter_mut().zip(&self.at.wetted) {
-            *row = if *wetted { *row } else { 0.0 };
+        for (k, (row, wetted)) in rows.iter_mut().zip(&self.at.wetted).enumerate() {
+            *row = match wetted {
+                true => *row,
+                false => (self.at.slack_at(k) - at.slack_at(k)) / step,
+            };
         }
         let load = (at.missing_load - self.at.missing_load) / step;
         let right = self.equation.right(&rows, load);
@@ -369,6 +374,7 @@ impl Coupled<'_, '_> {
                 |_| Ok(()),
             )?;
         state.moved(&film, step, &self.at.wetted);
+        system.settle(&mut state);
         own.system.move_on(&mut at, self.at, &film, step);
         // Heat.
         let mut temperatures = side.temperatures.clone();
@@ -376,7 +382,8 @@ impl Coupled<'_, '_> {
         let of = side.rounds.film_heat(&system);
         let films: Vec<f64> = at.nodes.iter().map(|node| node.film).collect();
         let moved = Films {
-            pressure: &state.pressure,
+            pressure: state.oil(),
+            rubbing: &system.rubbing(&state, side.rounds.heat),
             film: &films,
             missing: &lacking(&system, &state, &at),
             temperature: &temperatures.film.clone(),
@@ -418,12 +425,9 @@ impl Coupled<'_, '_> {
             add(flux, by, 1.0);
         }
         // Effect on the film.
-        let rebuilt = warm_up::at(
-            &system,
-            (&state.pressure, &films),
-            &temperatures.film,
-            |k| self.near[k],
-        );
+        let rebuilt = warm_up::at(&system, (state.oil(), &films), &temperatures.film, |k| {
+            self.near[k]
+        });
         let mean = |temperatures: &Temperatures, k: usize| {
             let nodes = of.fluid.nodes();
             nodes.map_or(0.0, |nodes| {

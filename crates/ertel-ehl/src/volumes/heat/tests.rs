@@ -103,11 +103,13 @@ impl Channel {
             warmth: Vec::new(),
             storage: None,
             balance: Balance::LOAD,
+            rough: None,
             grid,
         };
         Channel {
             state: State {
                 pressure: vec![0.0; n],
+                oil: Vec::new(),
                 separation: 0.0,
                 wetted: vec![true; n],
                 contents: Vec::new(),
@@ -137,6 +139,7 @@ impl Channel {
             temperature,
             held: &[],
             pressure_rate: &[],
+            rubbing: &[],
         }
     }
 

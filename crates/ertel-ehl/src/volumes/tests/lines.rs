@@ -19,6 +19,7 @@ fn row() -> (System, State) {
         wetted: x.iter().map(|x| pressure(x) > 0.0).collect(),
         contents: Vec::new(),
         pressure: x.iter().map(pressure).collect(),
+        oil: Vec::new(),
         separation: -0.1,
     };
     let system = System {
@@ -34,6 +35,7 @@ fn row() -> (System, State) {
         warmth: Vec::new(),
         storage: None,
         balance: Balance::LOAD,
+        rough: None,
         grid,
     };
     (system, state)

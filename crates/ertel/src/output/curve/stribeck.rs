@@ -56,7 +56,7 @@ pub fn stribeck_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
     let most = largest(heights(Side::Left));
     let y = Axis::linear_around("Friction coefficient", [0.0, most]);
     let mut chart = Chart::new(title, x, y);
-    chart.heading = "Model: asperities over the film of smooth surfaces".to_owned();
+    chart.heading = "Oil and asperities share the load".to_owned();
     let axis = Axis::log_close_around("Lambda ratio *h*_{min}/*σ*", heights(Side::Right));
     chart.y_right = Some(axis);
     chart.series = curves;

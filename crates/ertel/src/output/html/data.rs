@@ -26,9 +26,10 @@ const TOLERANCES: [f64; 3] = [1e-3, 3e-3, 1e-2];
 const MARGIN: f64 = 1.5;
 
 /// Fields on the contact area in order of priority if not all fit.
-const BY_IMPORTANCE: [Field; 14] = [
+const BY_IMPORTANCE: [Field; 15] = [
     Field::Pressure,
     Field::FilmThickness,
+    Field::AsperityPressure,
     Field::TemperatureMid,
     Field::ShearStressMid,
     Field::TemperatureBody1,

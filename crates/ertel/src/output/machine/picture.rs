@@ -286,11 +286,27 @@ fn along(title: &str, machine: &MachineSolution) -> Drawing {
     let friction = |value: fn(&Solution) -> Option<f64>| {
         values(machine, 0, |i| machine.solution(i).and_then(value))
     };
-    let traction = friction(|s| Some(s.figure(Figure::TractionCoefficient)?.value));
+    let share = friction(|s| Some(s.figure(Figure::AsperityLoadShare)?.value));
+    let traction = friction(|s| {
+        let both = s.figure(Figure::FrictionTotal);
+        Some(
+            both.or_else(|| s.figure(Figure::TractionCoefficient))?
+                .value,
+        )
+    });
     charts.push(chart(
-        "Traction coefficient",
+        match share.is_empty() {
+            true => "Traction coefficient",
+            false => "Friction coefficient",
+        },
         vec![(String::new(), shown(traction, 1.0), Look::LineAndDots)],
     ));
+    if !share.is_empty() {
+        charts.push(chart(
+            "Load on asperities (%)",
+            vec![(String::new(), shown(share, 100.0), Look::LineAndDots)],
+        ));
+    }
     let hottest = friction(|s| Some(s.figure(Figure::FilmTemperatureMaximum)?.value - CELSIUS));
     if !hottest.is_empty() {
         charts.push(chart(

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use super::super::figure::{estimate, in_unit, number, temperature};
+use super::super::figure::{estimate, in_unit, number, percent, temperature};
 use super::super::lines::{Lines, Table};
 use super::super::report::write_case;
 use super::super::rows::shown;
@@ -84,6 +84,8 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
     let solutions = || (0..whole.contacts.len()).filter_map(|i| machine.solution(i));
     let is_rough = solutions().any(|s| s.mixed.is_some());
     let is_hot = solutions().any(|s| s.thermal.is_some());
+    let bears = |s: &Solution| s.figure(Figure::AsperityLoadShare).is_some();
+    let has_asperities = solutions().any(bears);
     let slides = machine.solved().any(|(_, p)| p.case.motion.slides());
     let is_across = solutions().any(|s| s.traction.across.is_some());
     let load = if whole.is_line {
@@ -100,12 +102,19 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
         (true, "central film"),
         (true, "minimum film"),
         (is_rough, "lambda"),
-        (slides, "traction coefficient"),
+        (has_asperities, "load on asperities"),
+        (
+            slides,
+            match has_asperities {
+                true => "friction coefficient",
+                false => "traction coefficient",
+            },
+        ),
         (is_across, "across"),
         (true, "friction power"),
         (is_hot, "hottest film"),
     ];
-    let keep = |cells: [String; 12]| -> Vec<String> {
+    let keep = |cells: [String; 13]| -> Vec<String> {
         let cells = cells.into_iter().zip(&columns);
         cells
             .filter_map(|(cell, (shown, _))| shown.then_some(cell))
@@ -146,11 +155,8 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
                 estimate(&s.summary.film_central),
                 estimate(&s.summary.film_minimum),
                 (s.mixed.as_ref()).map_or_else(none, |m| number(m.lambda_minimum)),
-                marked(
-                    number(s.traction.coefficient),
-                    s,
-                    Figure::TractionCoefficient,
-                ),
+                (s.figure(Figure::AsperityLoadShare)).map_or_else(none, |l| percent(l.estimate())),
+                marked(number(friction(s)), s, Figure::TractionCoefficient),
                 (s.traction.across.as_ref()).map_or_else(none, |a| number(a.coefficient)),
                 marked(power(s, whole.is_line), s, Figure::FrictionPower),
                 (s.thermal.as_ref())
@@ -178,6 +184,12 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
         out.note(mark.words());
     }
     write_idle(out, machine);
+}
+
+/// Friction coefficient of a contact: of film and asperities where they share the load.
+fn friction(solution: &Solution) -> Estimate {
+    let both = solution.figure(Figure::FrictionTotal);
+    both.map_or(solution.traction.coefficient, |both| both.estimate())
 }
 
 /// The text of a contact figure with the symbols of its marks.

@@ -34,13 +34,17 @@ pub fn transient_report(
 }
 
 /// Figures of the whole run that are listed first.
-const LISTED: [Definition; 8] = [
+const LISTED: [Definition; 12] = [
     run::FILM_CENTRAL_LOWEST,
     run::FILM_CENTRAL_HIGHEST,
     run::FILM_MINIMUM_LOWEST,
+    run::MEAN_GAP_MINIMUM_LOWEST,
     run::PRESSURE_MAXIMUM_HIGHEST,
     run::TRACTION_COEFFICIENT_HIGHEST,
     run::TRACTION_COEFFICIENT_MEAN,
+    run::ASPERITY_LOAD_SHARE_HIGHEST,
+    run::FRICTION_TOTAL_HIGHEST,
+    run::FRICTION_TOTAL_MEAN,
     run::FRICTION_POWER_MEAN,
     run::FILM_TEMPERATURE_MAXIMUM_HIGHEST,
 ];
