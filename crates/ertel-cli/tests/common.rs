@@ -1,8 +1,9 @@
 //! Shared parts of the tests of the command.
 
 use std::collections::HashMap;
+use std::io::{BufRead, BufReader, Lines};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Child, ChildStderr, Command, Output, Stdio};
 
 use tempfile::TempDir;
 
@@ -86,38 +87,89 @@ pub fn root() -> PathBuf {
 }
 
 /// A line contact whose speed falls to a half.
-pub const BRAKING: &str = r#"
-title = "Braking"
-
-[contact]
-kind = "line"
-radius = "10 mm"
-load = "100 kN/m"
-
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-
-[motion]
-entrainment_speed = "1 m/s"
-slide_to_roll_ratio = 0.1
-
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
-
-[transient]
-duration = "1 ms"
-output_times = ["0 ms", "0.5 ms"]
-entrainment_speed = { course = "ramp", start = "0.1 ms", end = "0.5 ms", to = "0.5 m/s" }
-"#;
+pub const BRAKING: &str = concat!(
+    "title = \"Braking\"\n[contact]\nkind = \"line\"\nradius = \"10 mm\"\nload = \"100 kN/m\"\n",
+    "[motion]\nentrainment_speed = \"1 m/s\"\nslide_to_roll_ratio = 0.1\n",
+    include_str!("../../ertel/tests/common/cases/steel.toml"),
+    "\n[transient]\nduration = \"1 ms\"\noutput_times = [\"0 ms\", \"0.5 ms\"]\n",
+    "entrainment_speed = { course = \"ramp\", start = \"0.1 ms\", end = \"0.5 ms\", to = \"0.5 m/s\" }\n"
+);
 
 /// A folder with a case.
 pub fn case_folder(case: &str) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     write(&folder, "case.toml", case);
     folder
+}
+
+/// A folder with files, in which commands run.
+pub struct Workspace(pub TempDir);
+
+impl Workspace {
+    pub fn new(files: &[(&str, &str)]) -> Workspace {
+        let workspace = Workspace(tempfile::tempdir().unwrap());
+        for (name, text) in files {
+            write(&workspace.0, name, text);
+        }
+        workspace
+    }
+
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    pub fn ertel(&self, arguments: &[&str]) -> Output {
+        ertel(&self.0, arguments)
+    }
+
+    fn stopped_with(&self, code: i32, arguments: &[&str]) -> Output {
+        let output = self.ertel(arguments);
+        let error = stderr(&output);
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {error}");
+        output
+    }
+
+    /// Runs a command that must succeed; its standard output.
+    pub fn succeed(&self, arguments: &[&str]) -> String {
+        stdout(&self.stopped_with(0, arguments)).to_owned()
+    }
+
+    /// The message for bad input.
+    pub fn refused(&self, arguments: &[&str]) -> String {
+        stderr(&self.stopped_with(2, arguments)).to_owned()
+    }
+
+    pub fn json(&self, name: &str) -> serde_json::Value {
+        json(&self.path(name))
+    }
+}
+
+/// A command that runs, and the lines of its standard error.
+#[cfg(unix)]
+pub struct Running {
+    child: Child,
+    pub lines: Lines<BufReader<ChildStderr>>,
+}
+
+#[cfg(unix)]
+impl Running {
+    pub fn start(mut command: Command) -> Running {
+        command.stderr(Stdio::piped()).stdout(Stdio::null());
+        let mut child = command.spawn().unwrap();
+        let lines = BufReader::new(child.stderr.take().unwrap()).lines();
+        Running { child, lines }
+    }
+
+    /// Ctrl-C, after which the command ends with code 130; the last lines of its standard error.
+    pub fn interrupt(mut self) -> Vec<String> {
+        let kill = Command::new("kill")
+            .args(["-INT", &self.child.id().to_string()])
+            .status();
+        assert!(kill.unwrap().success());
+        let rest: Vec<String> = self.lines.map(Result::unwrap).collect();
+        assert_eq!(self.child.wait().unwrap().code(), Some(130), "{rest:?}");
+        rest
+    }
 }
 
 /// A file of JSON.

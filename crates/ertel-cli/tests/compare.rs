@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{read, text};
+use crate::common::{ertel, read, text};
 
 const TABLE: &str = "speed [m/s],load [kN/m],film_central [nm],film_central_uncertainty [%],film_minimum [nm]\n\
     0.5,20,300,5,\n1,20,600,5,400\n2,20,700,,\n1,20,550,5,\n";
@@ -73,11 +73,7 @@ fn films_are_compared_with_those_of_a_sweep() {
     // The same contact solved alone has the same film.
     let case = read(&folder, "case.toml").replace("1 m/s", "2 m/s");
     std::fs::write(folder.path().join("alone.toml"), case).unwrap();
-    let alone = Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .args(["solve", "alone.toml", "-q", "-o", "alone"])
-        .current_dir(&folder)
-        .output()
-        .unwrap();
+    let alone = ertel(&folder, &["solve", "alone.toml", "-q", "-o", "alone"]);
     assert_eq!(alone.status.code(), Some(0));
     let alone: Value = serde_json::from_str(&read(&folder, "alone/result.json")).unwrap();
     let film = &alone["summary"]["film_central"];

@@ -4,23 +4,13 @@ use tempfile::TempDir;
 
 use crate::common::{read, solve, stderr, stdout, write};
 
-const CASE: &str = r#"
-[contact]
-kind = "circular"
-radius = "16 mm"
-load = "30 N"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[motion]
-entrainment_speed = "0.8 m/s"
-slide_to_roll_ratio = 0.05
-[lubricant]
-name = "iso-vg-32-mineral"
-temperature = "40 degC"
-[mesh]
-target_error = 0.02
-"#;
+const CASE: &str = concat!(
+    "[contact]\nkind = \"circular\"\nradius = \"16 mm\"\nload = \"30 N\"\n",
+    "[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n",
+    "[motion]\nentrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.05\n",
+    "[lubricant]\nname = \"iso-vg-32-mineral\"\ntemperature = \"40 degC\"\n",
+    "[mesh]\ntarget_error = 0.02\n"
+);
 
 /// Every figure in a table and a file, with both bars; the result folder stays one that may be replaced.
 #[test]

@@ -1,13 +1,11 @@
 //! `ertel solve` of a case with a `[curve]`, end to end.
 
 use std::collections::HashMap;
-use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::{Command, Stdio};
 
 use tempfile::TempDir;
 
-use crate::common::{rows_of, solve, solve_command, text};
+use crate::common::{Running, ertel, rows_of, solve, solve_command, text};
 
 const SPEEDS: &str = r#"
 [curve]
@@ -140,22 +138,13 @@ fn a_failed_point_leaves_the_others_standing() {
 fn an_interrupted_curve_keeps_its_points() {
     let range = "[curve]\nquantity = \"contact.load\"\nfrom = \"20 kN/m\"\nto = \"40 kN/m\"\npoints = 1000\n";
     let folder = workspace(str::to_owned, range);
-    let mut child = solve_command(&folder, &["case.toml"])
-        .stderr(Stdio::piped())
-        .stdout(Stdio::null())
-        .spawn()
-        .unwrap();
-    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines();
-    let third = lines
+    let mut run = Running::start(solve_command(&folder, &["case.toml"]));
+    let third = run
+        .lines
         .by_ref()
         .find(|l| l.as_ref().unwrap().contains("point 3/1000"));
     assert!(third.is_some());
-    let kill = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(kill.unwrap().success());
-    let rest: Vec<String> = lines.map(Result::unwrap).collect();
-    assert_eq!(child.wait().unwrap().code(), Some(130), "{rest:?}");
+    let rest = run.interrupt();
     assert!(rest.last().unwrap().contains("of 1000 points"), "{rest:?}");
     let rows = table(&folder);
     assert!((2..1000).contains(&rows.len()));
@@ -225,11 +214,7 @@ fn the_guide_makes_a_study_of_a_curve() {
     let curve = table(&folder);
 
     assert!(section.contains("    ertel sweep film-over-speed.toml\n"));
-    let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .args(["sweep", "film-over-speed.toml", "-q"])
-        .current_dir(&folder)
-        .output()
-        .unwrap();
+    let output = ertel(&folder, &["sweep", "film-over-speed.toml", "-q"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let study = rows_of(&folder.path().join("results/film-over-speed/results.csv"));
     assert_eq!((curve.len(), study.len()), (5, 5));

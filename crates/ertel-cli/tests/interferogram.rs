@@ -1,19 +1,15 @@
 //! `[output.interferogram]`, end to end.
 
-use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
+
+use tempfile::TempDir;
+
+use crate::common::{ertel, write};
 
 const CASE: &str = r#"
-[contact]
-kind = "circular"
-radius = "10 mm"
-load = "10 N"
-[bodies]
-body_1 = "glass"
-body_2 = "steel"
-[motion]
-entrainment_speed = "1 m/s"
-slide_to_roll_ratio = 0.0
+contact = { kind = "circular", radius = "10 mm", load = "10 N" }
+bodies = { body_1 = "glass", body_2 = "steel" }
+motion = { entrainment_speed = "1 m/s", slide_to_roll_ratio = 0.0 }
 [lubricant]
 temperature = "40 degC"
 density = { law = "constant", rho_0 = "870 kg/m^3" }
@@ -28,14 +24,10 @@ spacer_refractive_index = 1.2
 phase_change = "180 deg"
 "#;
 
-fn solve(folder: &Path, case: &str, more: &[&str]) -> Output {
-    std::fs::write(folder.join("case.toml"), case).unwrap();
-    Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .args(["solve", "case.toml", "-q", "-o", "out"])
-        .args(more)
-        .current_dir(folder)
-        .output()
-        .unwrap()
+fn solve(folder: &TempDir, case: &str, more: &[&str]) -> Output {
+    write(folder, "case.toml", case);
+    let arguments = ["solve", "case.toml", "-q", "-o", "out"];
+    ertel(folder, &[&arguments[..], more].concat())
 }
 
 /// Number behind `key` in a text.
@@ -59,7 +51,7 @@ fn tick(svg: &str, label: &str) -> f64 {
 #[test]
 fn the_image_shows_the_film_that_was_computed() {
     let folder = tempfile::tempdir().unwrap();
-    let output = solve(folder.path(), CASE, &[]);
+    let output = solve(&folder, CASE, &[]);
     assert_eq!(
         output.status.code(),
         Some(0),
@@ -119,7 +111,7 @@ fn the_image_shows_the_film_that_was_computed() {
         "wavelength = \"600 nm\"",
         "light = \"cie-rgb\"\nfollows_density = true",
     );
-    assert_eq!(solve(folder.path(), &rgb, &[]).status.code(), Some(0));
+    assert_eq!(solve(&folder, &rgb, &[]).status.code(), Some(0));
 }
 
 #[test]
@@ -172,13 +164,13 @@ fn what_cannot_be_is_refused() {
             "visibility",
         ),
         (
-            "kind = \"circular\"\nradius = \"10 mm\"\nload = \"10 N\"",
-            "kind = \"line\"\nradius = \"10 mm\"\nload = \"10 kN/m\"",
+            "kind = \"circular\", radius = \"10 mm\", load = \"10 N\"",
+            "kind = \"line\", radius = \"10 mm\", load = \"10 kN/m\"",
             "point contact",
         ),
     ] {
         assert!(CASE.contains(from), "{from}");
-        let output = solve(folder.path(), &CASE.replace(from, to), &["--check"]);
+        let output = solve(&folder, &CASE.replace(from, to), &["--check"]);
         let message = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{to}: {message}");
         assert!(

@@ -1,18 +1,14 @@
 //! The cases of `cases/machine`: checked, and estimated with what the machine gave.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 
 use tempfile::TempDir;
 
-use crate::common::{self, text};
+use crate::common::{self, read, text};
 
 fn ertel(arguments: &[&str], case: &Path) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .args(arguments)
-        .arg(case)
-        .output()
-        .unwrap()
+    common::ertel_here(&[arguments, &[case.to_str().unwrap()]].concat())
 }
 
 fn shipped(name: &str) -> PathBuf {
@@ -135,29 +131,7 @@ fn whole_machines_are_no_single_contact() {
 }
 
 /// The path of FZG gears on few points.
-const GEARS: &str = r#"
-title = "FZG-C14"
-[machine]
-kind = "spur-gear"
-template = "FZG-C14"
-pinion_torque = "100 N.m"
-pinion_speed = "1500 rpm"
-position = "path"
-points = 3
-load_sharing = "thirds"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[lubricant]
-temperature = "90 degC"
-iso_vg = 100
-base_oil = "mineral"
-shear_thinning = { law = "estimate" }
-[mesh]
-preset = "coarse"
-[solver]
-newtonian = true
-"#;
+const GEARS: &str = include_str!("../../ertel/tests/common/cases/gears.toml");
 
 const TORQUES: &str = "case = \"gears.toml\"\n[[axis]]\nkey = \"machine.pinion_torque\"\nvalues = [\"100 N.m\", \"110 N.m\"]\n";
 
@@ -167,10 +141,6 @@ fn workspace(gears: &str) -> TempDir {
     std::fs::write(folder.path().join("gears.toml"), gears).unwrap();
     std::fs::write(folder.path().join("torques.toml"), TORQUES).unwrap();
     folder
-}
-
-fn read(folder: &TempDir, name: &str) -> String {
-    std::fs::read_to_string(folder.path().join(name)).unwrap()
 }
 
 /// Points of a study are whole machines: with their figures, a journal that continues, and folders of machines.

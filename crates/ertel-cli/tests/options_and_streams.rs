@@ -7,13 +7,12 @@ use std::process::{Command, Output, Stdio};
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{read, stderr, stdout};
+use crate::common::{self, read, stderr, stdout};
 
 const QUICK: &str = include_str!("good/quick.toml");
 
 fn command(folder: &TempDir, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
-    command.args(arguments).current_dir(folder.path());
+    let mut command = common::command(folder, arguments);
     for variable in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE"] {
         command.env_remove(variable);
     }

@@ -1,11 +1,11 @@
 //! Lubricants and materials of the user, in separate files.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::Path;
+use std::process::Command;
 
 use serde_json::Value;
 
-use crate::common::text;
+use crate::common::{Workspace, text, write};
 
 const OIL: &str = r#"
 density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
@@ -35,54 +35,11 @@ fn case(lubricant: &str, body: &str) -> String {
     CASE.replace("LUBRICANT", lubricant).replace("BODY", body)
 }
 
-struct Workspace(tempfile::TempDir);
-
-impl Workspace {
-    fn new(files: &[(&str, &str)]) -> Workspace {
-        let workspace = Workspace(tempfile::tempdir().unwrap());
-        for (name, text) in files {
-            workspace.write(name, text);
-        }
-        workspace
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn write(&self, name: &str, text: &str) {
-        let path = self.path(name);
-        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
-        std::fs::write(path, text).unwrap();
-    }
-
-    fn ertel(&self, arguments: &[&str]) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_ertel"))
-            .current_dir(self.0.path())
-            .args(arguments)
-            .output()
-            .unwrap()
-    }
-
-    fn done(&self, arguments: &[&str]) -> String {
-        let output = self.ertel(arguments);
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-        text(&output.stdout).to_owned()
-    }
-
-    /// The message for bad input.
-    fn refused(&self, arguments: &[&str]) -> String {
-        let output = self.ertel(arguments);
-        assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
-        text(&output.stderr).to_owned()
-    }
-
-    fn central_film(&self, name: &str) -> f64 {
-        self.done(&["solve", name, "-q", "-o", "result"]);
-        let read = std::fs::read_to_string(self.path("result/result.json")).unwrap();
-        let result: Value = serde_json::from_str(&read).unwrap();
-        result["summary"]["film_central"]["value"].as_f64().unwrap()
-    }
+fn central_film(w: &Workspace, name: &str) -> f64 {
+    w.succeed(&["solve", name, "-q", "-o", "result"]);
+    w.json("result/result.json")["summary"]["film_central"]["value"]
+        .as_f64()
+        .unwrap()
 }
 
 /// The same films, to the bit, as with the same laws in the case; the tables of a file are next to it, wherever the case is.
@@ -116,20 +73,20 @@ fn a_file_stands_for_what_is_in_it() {
             &case("lubricant = \"data/tabled.toml\"", "\"steel\""),
         ),
     ]);
-    let own = w.central_film("own.toml");
-    assert_eq!(own, w.central_film("written.toml"));
-    assert!(w.central_film("tabled.toml") > 0.0);
+    let own = central_film(&w, "own.toml");
+    assert_eq!(own, central_film(&w, "written.toml"));
+    assert!(central_film(&w, "tabled.toml") > 0.0);
     // A change in the file changes the film: 2^0.7, about.
-    w.write("data/oil.toml", &OIL.replace("40 mPa.s", "80 mPa.s"));
-    let ratio = w.central_film("own.toml") / own;
+    write(&w.0, "data/oil.toml", &OIL.replace("40 mPa.s", "80 mPa.s"));
+    let ratio = central_film(&w, "own.toml") / own;
     assert!((1.5..1.8).contains(&ratio), "{ratio}");
     // The report and `fluids` say where it comes from.
     assert!(
-        w.done(&["solve", "own.toml", "-o", "result"])
+        w.succeed(&["solve", "own.toml", "-o", "result"])
             .contains("data/oil.toml")
     );
     assert!(
-        w.done(&[
+        w.succeed(&[
             "fluids",
             "show",
             "data/oil.toml",
@@ -139,7 +96,7 @@ fn a_file_stands_for_what_is_in_it() {
         .contains("80 mPa.s")
     );
     assert!(
-        w.done(&["solids", "show", "data/metal.toml"])
+        w.succeed(&["solids", "show", "data/metal.toml"])
             .contains("200 GPa")
     );
 }
@@ -159,7 +116,7 @@ fn a_fit_is_a_lubricant() {
         .replacen("temperature = \"60 degC\"\n", "\n", 1),
     )]);
     let data = data.to_str().unwrap();
-    w.done(&[
+    w.succeed(&[
         "fit",
         "viscosity",
         data,
@@ -168,8 +125,8 @@ fn a_fit_is_a_lubricant() {
         "-o",
         "my-oil.toml",
     ]);
-    w.done(&["solve", "--check", "case.toml"]);
-    w.done(&["fluids", "show", "my-oil.toml"]);
+    w.succeed(&["solve", "--check", "case.toml"]);
+    w.succeed(&["fluids", "show", "my-oil.toml"]);
 }
 
 /// Errors point to their origin: the case, or the file.
@@ -185,16 +142,16 @@ fn errors_name_the_file() {
     let missing = w.refused(&["solve", "own.toml"]);
     assert!(missing.contains("oil.toml cannot be read"), "{missing}");
     assert!(missing.contains("own.toml:2:"), "{missing}");
-    w.write("oil.toml", &format!("{OIL}viscocity = 3\n"));
+    write(&w.0, "oil.toml", &format!("{OIL}viscocity = 3\n"));
     let unknown = w.refused(&["solve", "own.toml"]);
     assert!(unknown.contains("oil.toml:4:1"), "{unknown}");
     assert!(unknown.contains("`viscosity`"), "{unknown}");
-    w.write("oil.toml", &OIL.replace("40 mPa.s", "-40 mPa.s"));
+    write(&w.0, "oil.toml", &OIL.replace("40 mPa.s", "-40 mPa.s"));
     assert!(
         w.refused(&["fluids", "show", "oil.toml"])
             .contains("oil.toml:3:")
     );
-    w.write("metal.toml", "youngs_modulus = \"200 GPa\"\n");
+    write(&w.0, "metal.toml", "youngs_modulus = \"200 GPa\"\n");
     let body = w.refused(&["solve", "body.toml"]);
     assert!(
         body.contains("metal.toml") && body.contains("poissons_ratio"),
@@ -243,8 +200,8 @@ fn names_of_own_data_are_added_to_those_of_the_database() {
     // Without the folder the names are unknown; with it, films are those of the files, to the bit.
     let unknown = w.refused(&["solve", "named.toml"]);
     assert!(unknown.contains("works-"), "{unknown}");
-    let by_path = w.central_film("path.toml");
-    w.done(&[
+    let by_path = central_film(&w, "path.toml");
+    w.succeed(&[
         "solve",
         "named.toml",
         "-q",
@@ -287,7 +244,7 @@ fn names_of_own_data_are_added_to_those_of_the_database() {
             .contains("80 mPa.s")
     );
     assert!(
-        w.done(&["solids", "show", "works-metal", "--data", "data"])
+        w.succeed(&["solids", "show", "works-metal", "--data", "data"])
             .contains("200 GPa")
     );
     // The volume of Doolittle's law.
@@ -304,7 +261,7 @@ fn names_of_own_data_are_added_to_those_of_the_database() {
     ];
     assert!(w.refused(&fit).contains("volume"));
     assert!(
-        w.done(&[&fit[..], &["--data", "data"]].concat())
+        w.succeed(&[&fit[..], &["--data", "data"]].concat())
             .contains("equation_of_state")
     );
     // A result never takes the place of what was read.

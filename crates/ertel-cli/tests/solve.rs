@@ -1,12 +1,11 @@
 //! `ertel solve` end to end: results, exit codes, and nothing half-written.
 
-use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 
 use tempfile::TempDir;
 
-use crate::common::{solve, solve_command, text};
+use crate::common::{Running, solve, solve_command, text};
 
 /// A folder with a copy of `tests/good/<name>`.
 fn workspace(name: &str) -> TempDir {
@@ -220,20 +219,10 @@ fn a_mesh_that_cannot_be_built_exits_with_2() {
 #[test]
 fn ctrl_c_exits_with_130_and_writes_nothing() {
     let folder = workspace("slow.toml");
-    let mut child = solve_command(&folder, &["slow.toml"])
-        .stderr(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
-    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines();
-    let first = lines.next().unwrap().unwrap();
+    let mut run = Running::start(solve_command(&folder, &["slow.toml"]));
+    let first = run.lines.next().unwrap().unwrap();
     assert!(first.contains("grid 1"), "{first}");
-    let kill = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(kill.unwrap().success());
-    let rest: Vec<String> = lines.map(Result::unwrap).collect();
-    assert_eq!(child.wait().unwrap().code(), Some(130), "{rest:?}");
+    let rest = run.interrupt();
     assert!(
         rest.last()
             .unwrap()

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant, SystemTime};
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{read, text};
+use crate::common::{self, Running, ertel, read, text};
 
 /// Eighteen points in two groups of films.
 const STUDY: &str = r#"
@@ -37,9 +37,7 @@ fn workspace(study: &str) -> TempDir {
 }
 
 fn command(folder: &TempDir, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
-    command.arg("sweep").args(arguments).current_dir(folder);
-    command
+    common::command(folder, &[&["sweep"], arguments].concat())
 }
 
 fn sweep(folder: &TempDir, arguments: &[&str]) -> Output {
@@ -121,11 +119,7 @@ values = ["0.2 m/s", "2 m/s"]
         let off = (film(&table, point) - film(&alone, i)).abs();
         assert!(off <= bar(&table, point) + bar(&alone, i), "{off:e} m off");
     }
-    let fit = Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .args(["fit", "film", "results/study/results.csv"])
-        .current_dir(&folder)
-        .output()
-        .unwrap();
+    let fit = ertel(&folder, &["fit", "film", "results/study/results.csv"]);
     assert!(fit.status.success(), "{}", text(&fit.stderr));
     assert!(text(&fit.stdout).contains("Central film of 18 results"));
 }
@@ -423,11 +417,7 @@ values = ["galerkin"]
     );
     assert_eq!(read(&folder, "results/study/results.csv"), table);
     // The others are fitted.
-    let fit = Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .args(["fit", "film", "results/study/results.csv"])
-        .current_dir(&folder)
-        .output()
-        .unwrap();
+    let fit = ertel(&folder, &["fit", "film", "results/study/results.csv"]);
     assert!(
         text(&fit.stderr).contains("2 films"),
         "{}",
@@ -528,19 +518,9 @@ fn what_cannot_be_run_is_refused() {
 #[test]
 fn an_interrupted_study_says_how_to_go_on() {
     let folder = workspace(&STUDY.replace("points = 6", "points = 300"));
-    let mut child = command(&folder, &["study.toml"])
-        .stderr(Stdio::piped())
-        .stdout(Stdio::null())
-        .spawn()
-        .unwrap();
-    let mut lines = std::io::BufRead::lines(std::io::BufReader::new(child.stderr.take().unwrap()));
-    assert!(lines.next().unwrap().unwrap().contains("1/900"));
-    let kill = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(kill.unwrap().success());
-    let rest: Vec<String> = lines.map(Result::unwrap).collect();
-    assert_eq!(child.wait().unwrap().code(), Some(130), "{rest:?}");
+    let mut run = Running::start(command(&folder, &["study.toml"]));
+    assert!(run.lines.next().unwrap().unwrap().contains("1/900"));
+    let rest = run.interrupt();
     assert!(
         rest.last().unwrap().contains("continues with the others"),
         "{rest:?}"

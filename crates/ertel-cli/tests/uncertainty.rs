@@ -1,64 +1,16 @@
 //! Sensitivities and uncertain inputs from the command line.
 
-use std::path::PathBuf;
-use std::process::{Command, Output};
-
 use serde_json::Value;
 
-const CASE: &str = r#"
-[contact]
-kind = "line"
-radius = "10 mm ± 0.5 %"
-load = "50 kN/m ± 5 %"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[motion]
-entrainment_speed = "[1.9, 2.1] m/s"
-slide_to_roll_ratio = 0
-[lubricant]
-temperature = "60 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "20 ± 1 mPa.s", alpha = "18 1/GPa ± 4 %" }
-[mesh]
-target_error = "1 %"
-"#;
+use crate::common::Workspace;
 
-struct Workspace(tempfile::TempDir);
-
-impl Workspace {
-    fn new(files: &[(&str, &str)]) -> Workspace {
-        let workspace = Workspace(tempfile::tempdir().unwrap());
-        for (name, text) in files {
-            std::fs::write(workspace.path(name), text).unwrap();
-        }
-        workspace
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn ertel(&self, arguments: &[&str]) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_ertel"))
-            .current_dir(self.0.path())
-            .args(arguments)
-            .output()
-            .unwrap()
-    }
-
-    /// Runs a command that must succeed; returns its standard output.
-    fn succeed(&self, arguments: &[&str]) -> String {
-        let output = self.ertel(arguments);
-        let error = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(0), "{arguments:?}: {error}");
-        String::from_utf8(output.stdout).unwrap()
-    }
-
-    fn json(&self, name: &str) -> Value {
-        serde_json::from_slice(&std::fs::read(self.path(name)).unwrap()).unwrap()
-    }
-}
+const CASE: &str = concat!(
+    "[contact]\nkind = \"line\"\nradius = \"10 mm ± 0.5 %\"\nload = \"50 kN/m ± 5 %\"\n",
+    "[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n",
+    "[motion]\nentrainment_speed = \"[1.9, 2.1] m/s\"\nslide_to_roll_ratio = 0\n",
+    "[lubricant]\ntemperature = \"60 degC\"\ndensity = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }\nviscosity = { law = \"roelands\", mu_0 = \"20 ± 1 mPa.s\", alpha = \"18 1/GPa ± 4 %\" }\n",
+    "[mesh]\ntarget_error = \"1 %\"\n"
+);
 
 fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value}"))
@@ -145,20 +97,11 @@ fn fits_hand_their_uncertainty_on() {
             data += &format!("{p},{t},{}\n", mu * scatter);
         }
     }
-    let case = r#"
-lubricant = "oil.toml"
-temperature = "75 degC"
-[contact]
-kind = "line"
-radius = "10 mm"
-load = "50 kN/m"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[motion]
-entrainment_speed = "2 m/s"
-slide_to_roll_ratio = 0
-"#;
+    let contact = "[contact]\nkind = \"line\"\nradius = \"10 mm\"\nload = \"50 kN/m\"\n";
+    let bodies = "[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n";
+    let motion = "[motion]\nentrainment_speed = \"2 m/s\"\nslide_to_roll_ratio = 0\n";
+    let oil = "lubricant = \"oil.toml\"\ntemperature = \"75 degC\"\n";
+    let case = &[oil, contact, bodies, motion].concat();
     let workspace = Workspace::new(&[("data.csv", &data), ("line.toml", case)]);
     workspace.succeed(&[
         "fit",

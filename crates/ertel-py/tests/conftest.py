@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -27,6 +32,28 @@ def program() -> str:
     if path is None:
         pytest.skip("ERTEL does not name the program")
     return path
+
+
+@pytest.fixture(scope="session")
+def interrupted() -> Callable[[str, float], None]:
+    """Runs lines that make a `case`, interrupts its solve, and checks that it ends within some seconds."""
+
+    def run(lines: str, seconds: float) -> None:
+        code = (
+            f"import sys, ertel\n{lines}"
+            "print('ready', flush=True)\n"
+            "try:\n    case.solve()\n"
+            "except KeyboardInterrupt:\n    print('interrupted'); sys.exit(7)\n"
+        )
+        process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+        assert process.stdout is not None and process.stdout.readline() == "ready\n"
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        begun = time.monotonic()
+        assert process.communicate(timeout=60)[0] == "interrupted\n"
+        assert process.returncode == 7 and time.monotonic() - begun < seconds
+
+    return run
 
 
 LINE = {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -23,6 +24,19 @@ def study(tmp_path: Path, cases: Path) -> Path:
         '[[axis]]\nkey = "mesh.target_error"\nvalues = ["1 %"]\n'
     )
     return path
+
+
+def spread(study: Path, folder: Path) -> Any:
+    """The table of a study on two workers, which is that of one process to the byte."""
+    ertel.sweep(study, folder / "alone")
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        rows = ertel_distributed.sweep(study, client, folder / "spread", points_per_task=1)
+    assert rows["converged"].all()
+    assert (folder / "spread" / "results.csv").read_bytes() == (folder / "alone" / "results.csv").read_bytes()
+    return rows
 
 
 def test_killed_workers_lose_nothing(study: Path, tmp_path: Path) -> None:
@@ -69,14 +83,7 @@ def test_machines_are_points(tmp_path: Path, cases: Path) -> None:
         '[[axis]]\nkey = "machine.pinion_torque"\nvalues = ["50 N.m", "100 N.m", "200 N.m"]\n'
         '[[axis]]\nkey = "machine.points"\nvalues = [3]\n'
     )
-    ertel.sweep(study, tmp_path / "alone")
-    with (
-        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
-        distributed.Client(cluster) as client,
-    ):
-        rows = ertel_distributed.sweep(study, client, tmp_path / "spread", points_per_task=1)
-    assert rows["converged"].all() and (rows["mesh_loss"] > 0.0).all()
-    assert (tmp_path / "spread" / "results.csv").read_bytes() == (tmp_path / "alone" / "results.csv").read_bytes()
+    assert (spread(study, tmp_path)["mesh_loss"] > 0.0).all()
 
 
 def test_runs_in_time_are_points(tmp_path: Path, cases: Path) -> None:
@@ -85,14 +92,7 @@ def test_runs_in_time_are_points(tmp_path: Path, cases: Path) -> None:
     (tmp_path / "roller.toml").write_text(text)
     study = tmp_path / "loads.toml"
     study.write_text('case = "roller.toml"\n[[axis]]\nkey = "transient.load.to"\nvalues = ["40 kN/m", "60 kN/m", "80 kN/m"]\n')
-    ertel.sweep(study, tmp_path / "alone")
-    with (
-        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
-        distributed.Client(cluster) as client,
-    ):
-        rows = ertel_distributed.sweep(study, client, tmp_path / "spread", points_per_task=1)
-    assert rows["converged"].all() and (rows["film_minimum_lowest_m"] > 0.0).all()
-    assert (tmp_path / "spread" / "results.csv").read_bytes() == (tmp_path / "alone" / "results.csv").read_bytes()
+    assert (spread(study, tmp_path)["film_minimum_lowest_m"] > 0.0).all()
 
 
 def test_bad_studies_are_refused_before_anything_is_sent(tmp_path: Path) -> None:

@@ -1,23 +1,17 @@
 //! Exact derivatives of every law against central differences, and the behaviour of tables, on random states.
 
-use ertel_rheology::density::{
-    BulkModulusSoftening, DowsonHigginson, Murnaghan, Tait, TaitVolume, ThermalExpansion,
-};
+use crate::common::{gear_oil, hybrid, softening, squalane, wlf_oil};
+use ertel_rheology::density::{DowsonHigginson, Murnaghan, Tait, TaitVolume, ThermalExpansion};
 use ertel_rheology::viscosity::{
-    Cheng, Doolittle, GlassTransition, Hybrid, ImprovedYasutomi, McEwen, ModifiedWlf,
-    OccupiedVolume, Paluch, PressureLaw, Roelands, TemperatureSlope, Walther,
+    Cheng, Hybrid, ImprovedYasutomi, McEwen, Paluch, PressureLaw, Roelands, TemperatureSlope,
+    Walther,
 };
 use ertel_rheology::{DensityLaw, Isotherms, ViscosityLaw};
 use num_dual::{HyperDual64, second_derivative, second_partial_derivative};
 use proptest::prelude::*;
 
 fn volume() -> TaitVolume {
-    let thermal = BulkModulusSoftening {
-        reference_temperature: 313.0,
-        bulk_modulus_coefficient: 0.006765,
-        bulk_modulus_slope_coefficient: 0.0018,
-        expansivity: 7.52e-4,
-    };
+    let thermal = softening([313.0, 0.006765, 0.0018, 7.52e-4]);
     TaitVolume::new(8.375e9, 7.0, Some(thermal)).unwrap()
 }
 
@@ -56,61 +50,12 @@ fn viscosity_laws() -> Vec<ViscosityLaw> {
             )
             .unwrap(),
         ),
-        ViscosityLaw::ModifiedWlf(
-            ModifiedWlf::new(ModifiedWlf {
-                glass: GlassTransition {
-                    glass_viscosity: 1e12,
-                    glass_temperature: 199.29,
-                    a_1: 19.17,
-                    a_2: 4.07e-9,
-                    c_1: 16.04,
-                    c_2: 18.18,
-                },
-                b_1: 0.23,
-                b_2: 0.0249e-6,
-            })
-            .unwrap(),
-        ),
-        ViscosityLaw::Doolittle(
-            Doolittle::new(
-                0.0705,
-                4.2,
-                0.658,
-                Some(OccupiedVolume {
-                    reference_temperature: 313.0,
-                    expansivity: -9.599e-4,
-                }),
-                volume(),
-            )
-            .unwrap(),
-        ),
-        ViscosityLaw::ImprovedYasutomi(
-            ImprovedYasutomi::new(ImprovedYasutomi {
-                glass: GlassTransition {
-                    glass_viscosity: 1e12,
-                    glass_temperature: 201.45,
-                    a_1: 210.6,
-                    a_2: 0.455e-9,
-                    c_1: 16.372,
-                    c_2: 29.99,
-                },
-                b_1: 7.606e-9,
-                b_2: -0.4193,
-            })
-            .unwrap(),
-        ),
+        wlf_oil(),
+        squalane(volume()),
+        ViscosityLaw::ImprovedYasutomi(ImprovedYasutomi::new(gear_oil()).unwrap()),
         ViscosityLaw::McEwen(McEwen::new(0.04, 20e-9, 8.0).unwrap()),
         ViscosityLaw::Paluch(Paluch::new(0.024, 27.5, 2.73e9).unwrap()),
-        ViscosityLaw::Hybrid(
-            Hybrid::new(Hybrid {
-                mu_0: 0.03,
-                a_0: 12e-9,
-                q: 3.0,
-                fragility: 20.0,
-                divergence_pressure: 3e9,
-            })
-            .unwrap(),
-        ),
+        ViscosityLaw::Hybrid(Hybrid::new(hybrid()).unwrap()),
         walther(PressureLaw::Roelands, 0.0),
         walther(PressureLaw::Barus, 0.0),
         walther(PressureLaw::Roelands, -0.8),

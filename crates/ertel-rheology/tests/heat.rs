@@ -1,9 +1,10 @@
 //! Laws of conductivity and heat capacity: values computed outside, exact derivatives against differences, and
 //! positive numbers wherever a solver may stray.
 
+use crate::common::{near, t9_density};
 use approx::assert_relative_eq;
 use ertel_rheology::conductivity;
-use ertel_rheology::density::{BulkModulusSoftening, DowsonHigginson, Murnaghan, ThermalExpansion};
+use ertel_rheology::density::{DowsonHigginson, ThermalExpansion};
 use ertel_rheology::heat_capacity::{self, VolumetricConstants};
 use ertel_rheology::property::LinearFactor;
 use ertel_rheology::{ConductivityLaw, DensityLaw, HeatCapacityLaw, Isotherms, LawError};
@@ -16,16 +17,6 @@ fn density() -> DensityLaw {
         temperature_coefficient: 7e-4,
     };
     DensityLaw::DowsonHigginson(DowsonHigginson::new(870.0, Some(thermal)).unwrap())
-}
-
-fn murnaghan() -> DensityLaw {
-    let thermal = BulkModulusSoftening {
-        reference_temperature: 298.0,
-        bulk_modulus_coefficient: 6.09e-3,
-        bulk_modulus_slope_coefficient: 0.0,
-        expansivity: 7.734e-4,
-    };
-    DensityLaw::Murnaghan(Murnaghan::new(872.0, 9.234e9, 10.545, Some(thermal)).unwrap())
 }
 
 fn constants() -> VolumetricConstants {
@@ -74,7 +65,7 @@ fn conductivity_laws() -> Vec<ConductivityLaw> {
                     q: 3.0,
                     reference_temperature: 298.0,
                 },
-                murnaghan(),
+                t9_density(),
             )
             .unwrap(),
         ),
@@ -99,7 +90,7 @@ fn heat_capacity_laws() -> Vec<HeatCapacityLaw> {
                     w: 4.0,
                     reference_temperature: 298.0,
                 },
-                murnaghan(),
+                t9_density(),
             )
             .unwrap(),
         ),
@@ -130,11 +121,7 @@ fn values_at_one_state() {
     let HeatCapacityLaw::LarssonAndersson(law) = &heat_capacity_laws()[2] else {
         panic!("the third law is per volume");
     };
-    assert_relative_eq!(
-        law.volumetric(0.7e9, 350.0),
-        2228423.77734525,
-        max_relative = 1e-12
-    );
+    near(law.volumetric(0.7e9, 350.0), 2228423.77734525, 1e-12);
 }
 
 /// The data of a table are linear in p and T, so that monotone cubics return them between the knots, too.

@@ -2,54 +2,16 @@
 //! scaling: values by mpmath at 30 digits from the formulas, written independently of this code, limits, and constants
 //! that are refused.
 
+use crate::common::{gear_oil, hybrid, near, t9_density};
 use approx::assert_relative_eq;
 use ertel_rheology::conductivity::{self, Scaling as ConductivityScaling};
-use ertel_rheology::density::{BulkModulusSoftening, DowsonHigginson, Murnaghan, ThermalExpansion};
+use ertel_rheology::density::{DowsonHigginson, Murnaghan, ThermalExpansion};
 use ertel_rheology::heat_capacity::{self, Scaling as HeatCapacityScaling};
-use ertel_rheology::viscosity::{
-    GlassTransition, Hybrid, ImprovedYasutomi, McEwen, Paluch, PressureLaw, Walther,
-};
+use ertel_rheology::viscosity::{Hybrid, ImprovedYasutomi, McEwen, Paluch, PressureLaw, Walther};
 use ertel_rheology::{ConductivityLaw, DensityLaw, HeatCapacityLaw, LawError, ViscosityLaw};
 use num_dual::first_derivative;
 
 const GPA: f64 = 1e9;
-
-/// Constants of the traction oil Shell T9 as a public program prints them.
-fn t9_density() -> DensityLaw {
-    let thermal = BulkModulusSoftening {
-        reference_temperature: 298.0,
-        bulk_modulus_coefficient: 6.09e-3,
-        bulk_modulus_slope_coefficient: 0.0,
-        expansivity: 7.734e-4,
-    };
-    DensityLaw::Murnaghan(Murnaghan::new(872.0, 9.234e9, 10.545, Some(thermal)).unwrap())
-}
-
-/// Constants of a gear oil 80W-90 as two public programs print them, units repaired.
-fn gear_oil() -> ImprovedYasutomi {
-    ImprovedYasutomi {
-        glass: GlassTransition {
-            glass_viscosity: 1e12,
-            glass_temperature: 201.45,
-            a_1: 210.6,
-            a_2: 0.455e-9,
-            c_1: 16.372,
-            c_2: 29.99,
-        },
-        b_1: 7.606e-9,
-        b_2: -0.4193,
-    }
-}
-
-fn hybrid() -> Hybrid {
-    Hybrid {
-        mu_0: 0.03,
-        a_0: 12e-9,
-        q: 3.0,
-        fragility: 20.0,
-        divergence_pressure: 3e9,
-    }
-}
 
 fn expanding() -> DensityLaw {
     let thermal = ThermalExpansion {
@@ -119,11 +81,7 @@ fn improved_yasutomi_beyond_the_glass_transition() {
         if limit > 0.0 {
             let before = slope(&law, limit - 1.0, temperature);
             assert!(before > 0.0);
-            assert_relative_eq!(
-                before,
-                slope(&law, limit + 1.0, temperature),
-                max_relative = 1e-6
-            );
+            near(before, slope(&law, limit + 1.0, temperature), 1e-6);
         }
         let mut last = law.ln_viscosity(limit, temperature);
         for i in 1..50 {
@@ -148,10 +106,10 @@ fn mcewen() {
     // Barus in the limit.
     let steep = McEwen::new(0.04, 20e-9, 1e9).unwrap();
     let barus = ViscosityLaw::barus(0.04, 20e-9).unwrap();
-    assert_relative_eq!(
+    near(
         steep.ln_viscosity(GPA, 300.0),
         barus.ln_viscosity(GPA, 300.0),
-        max_relative = 1e-7
+        1e-7,
     );
 }
 
@@ -228,11 +186,7 @@ fn walther_over_temperature() {
         (373.15, 6.9),
         (423.15, 2.9042868657),
     ] {
-        assert_relative_eq!(
-            law.kinematic_viscosity(temperature) * 1e6,
-            nu,
-            max_relative = 1e-9
-        );
+        near(law.kinematic_viscosity(temperature) * 1e6, nu, 1e-9);
     }
     // Below 2 mm²/s with the exponential term, whose approximate inverse is off by 4e-5 here.
     let (a, b) = Walther::constants([(313.15, 3.7e-6), (373.15, 1.3e-6)]);

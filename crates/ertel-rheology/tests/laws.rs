@@ -3,12 +3,11 @@
 //! Unless a test says otherwise, the expected values are evaluations of the formulas of Habchi 2008 (section 2.4, with
 //! its misprints corrected) in Python with mpmath at 30 digits, written independently of this code.
 
+use crate::common::{self, near, softening, wlf_oil};
 use approx::assert_relative_eq;
-use ertel_rheology::density::{
-    BulkModulusSoftening, DowsonHigginson, Tait, TaitVolume, ThermalExpansion,
-};
+use ertel_rheology::density::{DowsonHigginson, Tait, TaitVolume, ThermalExpansion};
 use ertel_rheology::viscosity::{
-    Cheng, Doolittle, GlassTransition, ModifiedWlf, OccupiedVolume, Roelands, TemperatureSlope,
+    Cheng, Doolittle, GlassTransition, ModifiedWlf, Roelands, TemperatureSlope,
 };
 use ertel_rheology::{DensityLaw, Isotherms, ViscosityLaw};
 
@@ -16,54 +15,22 @@ const MPA: f64 = 1e6;
 const GPA: f64 = 1e9;
 
 fn squalane_volume() -> TaitVolume {
-    let thermal = BulkModulusSoftening {
-        reference_temperature: 313.0,
-        bulk_modulus_coefficient: 0.006765,
-        bulk_modulus_slope_coefficient: 0.0,
-        expansivity: 7.52e-4,
-    };
+    let thermal = softening([313.0, 0.006765, 0.0, 7.52e-4]);
     TaitVolume::new(8.375e9, 11.29, Some(thermal)).unwrap()
 }
 
 fn glycerol_volume() -> TaitVolume {
-    let thermal = BulkModulusSoftening {
-        reference_temperature: 313.0,
-        bulk_modulus_coefficient: 0.0035,
-        bulk_modulus_slope_coefficient: 0.0018,
-        expansivity: 5.2e-4,
-    };
+    let thermal = softening([313.0, 0.0035, 0.0018, 5.2e-4]);
     TaitVolume::new(12.43e9, 4.5432, Some(thermal)).unwrap()
 }
 
 fn squalane() -> ViscosityLaw {
-    let thermal = OccupiedVolume {
-        reference_temperature: 313.0,
-        expansivity: -9.599e-4,
-    };
-    ViscosityLaw::Doolittle(
-        Doolittle::new(0.0705, 4.2, 0.658, Some(thermal), squalane_volume()).unwrap(),
-    )
+    common::squalane(squalane_volume())
 }
 
 fn pao() -> ViscosityLaw {
     let volume = TaitVolume::new(1.4252e9, 12.82, None).unwrap();
     ViscosityLaw::Doolittle(Doolittle::new(1.42, 4.422, 0.6694, None, volume).unwrap())
-}
-
-fn wlf_oil() -> ViscosityLaw {
-    let constants = ModifiedWlf {
-        glass: GlassTransition {
-            glass_viscosity: 1e12,
-            glass_temperature: 273.15 - 73.86,
-            a_1: 19.17,
-            a_2: 4.07e-9,
-            c_1: 16.04,
-            c_2: 18.18,
-        },
-        b_1: 0.23,
-        b_2: 0.0249e-6,
-    };
-    ViscosityLaw::ModifiedWlf(ModifiedWlf::new(constants).unwrap())
 }
 
 fn polyphenyl_ether() -> ViscosityLaw {
@@ -96,11 +63,7 @@ fn dowson_higginson() {
     let law = DensityLaw::dowson_higginson(870.0).unwrap();
     assert_eq!(law.density(0.0, 300.0), 870.0);
     // By hand: 870 (1 + 0.6/2.7).
-    assert_relative_eq!(
-        law.density(GPA, 300.0),
-        1063.333333333,
-        max_relative = 1e-11
-    );
+    near(law.density(GPA, 300.0), 1063.333333333, 1e-11);
     let thermal = ThermalExpansion {
         reference_temperature: 300.0,
         temperature_coefficient: 7e-4,
@@ -120,25 +83,17 @@ fn tait() {
     let (k_0, k_0_prime) = glycerol_volume().bulk_modulus_and_slope(313.0);
     assert_relative_eq!(k_0, 4156248670.42, max_relative = 1e-11);
     assert_relative_eq!(k_0_prime, 7.98074375565, max_relative = 1e-11);
-    assert_relative_eq!(
+    near(
         glycerol_volume().relative_volume(0.5 * GPA, 313.0),
         0.918430402765,
-        max_relative = 1e-11
+        1e-11,
     );
 
     let glycerol = DensityLaw::Tait(Tait::new(1260.0, glycerol_volume()).unwrap());
     assert_relative_eq!(glycerol.density(0.0, 313.0), 1260.0, max_relative = 1e-14);
-    assert_relative_eq!(
-        glycerol.density(0.5 * GPA, 343.0),
-        1358.1014989,
-        max_relative = 1e-10
-    );
+    near(glycerol.density(0.5 * GPA, 343.0), 1358.1014989, 1e-10);
     let squalane = Tait::new(818.0, squalane_volume()).unwrap();
-    assert_relative_eq!(
-        squalane.density(GPA, 333.0),
-        1033.35767717,
-        max_relative = 1e-11
-    );
+    near(squalane.density(GPA, 333.0), 1033.35767717, 1e-11);
 }
 
 /// Habchi 2008, eq. 2.17.
@@ -146,26 +101,18 @@ fn tait() {
 fn barus() {
     let law = ViscosityLaw::barus(0.01, 20e-9).unwrap();
     // 0.01 e^10
-    assert_relative_eq!(
-        law.viscosity(0.5 * GPA, 300.0),
-        220.264657948067,
-        max_relative = 1e-13
-    );
+    near(law.viscosity(0.5 * GPA, 300.0), 220.264657948067, 1e-13);
 }
 
 /// Habchi 2008, eq. 2.16.
 #[test]
 fn cheng() {
     let glycerol = ViscosityLaw::Cheng(Cheng::new(0.2803, 5.4e-9, 7468.75, 0.0, 313.0).unwrap());
-    assert_relative_eq!(
-        glycerol.viscosity(0.5 * GPA, 323.0),
-        1.9924182628,
-        max_relative = 1e-10
-    );
-    assert_relative_eq!(
+    near(glycerol.viscosity(0.5 * GPA, 323.0), 1.9924182628, 1e-10);
+    near(
         fluid_a().viscosity(0.4 * GPA, 257.15),
         6.53227392762e-3,
-        max_relative = 1e-10
+        1e-10,
     );
 }
 
@@ -201,16 +148,8 @@ fn cheng_fits_measured_viscosities() {
         }
         worst
     };
-    assert_relative_eq!(
-        worst(&fluid_a(), &fluid_a_measured),
-        0.262,
-        max_relative = 2e-3
-    );
-    assert_relative_eq!(
-        worst(&fluid_b(), &fluid_b_measured),
-        0.0661,
-        max_relative = 2e-3
-    );
+    near(worst(&fluid_a(), &fluid_a_measured), 0.262, 2e-3);
+    near(worst(&fluid_b(), &fluid_b_measured), 0.0661, 2e-3);
 }
 
 /// Habchi 2008, eq. 2.18.
@@ -218,16 +157,8 @@ fn cheng_fits_measured_viscosities() {
 fn roelands() {
     let law = ViscosityLaw::roelands(0.04, 22e-9).unwrap();
     assert_relative_eq!(law.viscosity(0.0, 300.0), 0.04, max_relative = 1e-14);
-    assert_relative_eq!(
-        law.viscosity(0.5 * GPA, 300.0),
-        217.207023152,
-        max_relative = 1e-10
-    );
-    assert_relative_eq!(
-        law.viscosity(GPA, 300.0),
-        154144.908831,
-        max_relative = 1e-10
-    );
+    near(law.viscosity(0.5 * GPA, 300.0), 217.207023152, 1e-10);
+    near(law.viscosity(GPA, 300.0), 154144.908831, 1e-10);
 
     let thermal = TemperatureSlope {
         reference_temperature: 313.0,
@@ -236,54 +167,30 @@ fn roelands() {
     let law =
         Roelands::from_alpha(0.04, 22e-9, Roelands::PRESSURE_CONSTANT, Some(thermal)).unwrap();
     let law = ViscosityLaw::Roelands(law);
-    assert_relative_eq!(
-        law.viscosity(0.5 * GPA, 353.0),
-        10.675995325,
-        max_relative = 1e-10
-    );
+    near(law.viscosity(0.5 * GPA, 353.0), 10.675995325, 1e-10);
     // β is the initial slope: -d ln μ/dT at T_R and ambient pressure.
     let (_, slope) = num_dual::first_derivative(|t| law.ln_viscosity(0.0.into(), t), 313.0);
     assert_relative_eq!(slope, -0.04, max_relative = 1e-12);
 
     let law = ViscosityLaw::Roelands(Roelands::from_index(0.04, 0.68, 1.96e8, None).unwrap());
-    assert_relative_eq!(
-        law.viscosity(0.5 * GPA, 300.0),
-        270.773878418,
-        max_relative = 1e-10
-    );
+    near(law.viscosity(0.5 * GPA, 300.0), 270.773878418, 1e-10);
 }
 
 /// Habchi 2008, eq. 2.19.
 #[test]
 fn modified_wlf() {
     let law = wlf_oil();
-    assert_relative_eq!(
-        law.viscosity(0.0, 313.15),
-        0.0147392783087,
-        max_relative = 1e-10
-    );
-    assert_relative_eq!(
-        law.viscosity(0.5 * GPA, 313.15),
-        16.6716298053,
-        max_relative = 1e-10
-    );
-    assert_relative_eq!(
-        law.viscosity(0.5 * GPA, 333.15),
-        3.58883805896,
-        max_relative = 1e-10
-    );
+    for (found, expected) in [
+        (law.viscosity(0.0, 313.15), 0.0147392783087),
+        (law.viscosity(0.5 * GPA, 313.15), 16.6716298053),
+        (law.viscosity(0.5 * GPA, 333.15), 3.58883805896),
+    ] {
+        assert_relative_eq!(found, expected, max_relative = 1e-10);
+    }
 
     let law = polyphenyl_ether();
-    assert_relative_eq!(
-        law.viscosity(0.0, 313.15),
-        0.520572286453,
-        max_relative = 1e-10
-    );
-    assert_relative_eq!(
-        law.viscosity(0.2 * GPA, 333.15),
-        46.2585938695,
-        max_relative = 1e-10
-    );
+    near(law.viscosity(0.0, 313.15), 0.520572286453, 1e-10);
+    near(law.viscosity(0.2 * GPA, 333.15), 46.2585938695, 1e-10);
 }
 
 /// At the pressure where `T_g = T` the viscosity is μ_g by definition; beyond it the formula itself would turn back,
@@ -338,11 +245,7 @@ fn modified_wlf_beyond_the_glass_transition() {
     let ViscosityLaw::ModifiedWlf(wlf) = polyphenyl_ether() else {
         unreachable!()
     };
-    assert_relative_eq!(
-        wlf.limiting_pressure(313.15),
-        0.3433338086e9,
-        max_relative = 1e-9
-    );
+    near(wlf.limiting_pressure(313.15), 0.3433338086e9, 1e-9);
 }
 
 /// Habchi 2008, eqs. 2.20 and 2.21.
@@ -350,26 +253,14 @@ fn modified_wlf_beyond_the_glass_transition() {
 fn doolittle() {
     let law = squalane();
     assert_relative_eq!(law.viscosity(0.0, 313.0), 0.0705, max_relative = 1e-12);
-    assert_relative_eq!(
-        law.viscosity(0.5 * GPA, 313.0),
-        81.977352644,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        law.viscosity(0.5 * GPA, 333.0),
-        19.063299144,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        law.viscosity(GPA, 313.0),
-        26616.1136773,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        pao().viscosity(0.5 * GPA, 348.0),
-        400.597643019,
-        max_relative = 1e-9
-    );
+    for (found, expected) in [
+        (law.viscosity(0.5 * GPA, 313.0), 81.977352644),
+        (law.viscosity(0.5 * GPA, 333.0), 19.063299144),
+        (law.viscosity(GPA, 313.0), 26616.1136773),
+        (pao().viscosity(0.5 * GPA, 348.0), 400.597643019),
+    ] {
+        assert_relative_eq!(found, expected, max_relative = 1e-9);
+    }
 }
 
 /// The formula is singular at a few gigapascals and negative beyond; the law must keep growing.
@@ -393,27 +284,15 @@ fn doolittle_keeps_growing_through_its_singularity() {
 #[test]
 fn slopes_at_ambient_pressure() {
     let per_gpa = |law: ViscosityLaw, temperature| law.pressure_viscosity_slope(temperature) * GPA;
-    assert_relative_eq!(
-        per_gpa(squalane(), 313.0),
-        23.4440606062,
-        max_relative = 1e-10
-    );
-    assert_relative_eq!(
-        per_gpa(squalane(), 333.0),
-        22.8705078868,
-        max_relative = 1e-10
-    );
-    assert_relative_eq!(per_gpa(pao(), 348.0), 19.0030335067, max_relative = 1e-10);
-    assert_relative_eq!(
-        per_gpa(wlf_oil(), 313.15),
-        28.1179808201,
-        max_relative = 1e-10
-    );
-    assert_relative_eq!(
-        per_gpa(polyphenyl_ether(), 333.15),
-        21.0233333434,
-        max_relative = 1e-10
-    );
+    for (found, expected) in [
+        (per_gpa(squalane(), 313.0), 23.4440606062),
+        (per_gpa(squalane(), 333.0), 22.8705078868),
+        (per_gpa(pao(), 348.0), 19.0030335067),
+        (per_gpa(wlf_oil(), 313.15), 28.1179808201),
+        (per_gpa(polyphenyl_ether(), 333.15), 21.0233333434),
+    ] {
+        assert_relative_eq!(found, expected, max_relative = 1e-10);
+    }
     let roelands = ViscosityLaw::roelands(0.04, 22e-9).unwrap();
     assert_relative_eq!(per_gpa(roelands, 300.0), 22.0, max_relative = 1e-13);
     assert_eq!(per_gpa(ViscosityLaw::constant(0.04).unwrap(), 300.0), 0.0);
@@ -433,35 +312,23 @@ fn reciprocal_asymptotic_coefficients() {
         let law = ViscosityLaw::barus(0.01, alpha / GPA).unwrap();
         assert_relative_eq!(per_gpa(law, 300.0), alpha, max_relative = 1e-9);
     }
-    assert_relative_eq!(
-        per_gpa(squalane(), 313.0),
-        18.9247577595,
-        max_relative = 1e-8
-    );
-    assert_relative_eq!(
-        per_gpa(squalane(), 333.0),
-        17.5509542561,
-        max_relative = 1e-8
-    );
-    assert_relative_eq!(per_gpa(pao(), 348.0), 14.9967776857, max_relative = 1e-8);
-    assert_relative_eq!(
-        per_gpa(wlf_oil(), 313.15),
-        20.4679206991,
-        max_relative = 1e-8
-    );
+    for (found, expected) in [
+        (per_gpa(squalane(), 313.0), 18.9247577595),
+        (per_gpa(squalane(), 333.0), 17.5509542561),
+        (per_gpa(pao(), 348.0), 14.9967776857),
+        (per_gpa(wlf_oil(), 313.15), 20.4679206991),
+    ] {
+        assert_relative_eq!(found, expected, max_relative = 1e-8);
+    }
     // The expected value leaves out pressures above 0.4 GPa, 2e-7 of the integral.
-    assert_relative_eq!(
-        per_gpa(polyphenyl_ether(), 333.15),
-        23.986021849,
-        max_relative = 1e-6
-    );
+    near(per_gpa(polyphenyl_ether(), 333.15), 23.986021849, 1e-6);
     let roelands = ViscosityLaw::roelands(0.04, 22e-9).unwrap();
     assert_relative_eq!(per_gpa(roelands, 300.0), 20.5255121643, max_relative = 1e-8);
     let slow = Roelands::from_index(0.01, 0.3, Roelands::PRESSURE_CONSTANT, None).unwrap();
-    assert_relative_eq!(
+    near(
         per_gpa(ViscosityLaw::Roelands(slow), 300.0),
         4.87634468706,
-        max_relative = 1e-8
+        1e-8,
     );
 }
 
@@ -502,12 +369,7 @@ fn impossible_constants_are_rejected() {
         "r_0"
     );
     assert_eq!(key(TaitVolume::new(0.0, 11.0, None).unwrap_err()), "k_0r");
-    let vanishing = BulkModulusSoftening {
-        reference_temperature: 313.0,
-        bulk_modulus_coefficient: 0.006,
-        bulk_modulus_slope_coefficient: 0.0,
-        expansivity: 4e-3,
-    };
+    let vanishing = softening([313.0, 0.006, 0.0, 4e-3]);
     assert_eq!(
         key(TaitVolume::new(8e9, 11.0, Some(vanishing)).unwrap_err()),
         "a_v"

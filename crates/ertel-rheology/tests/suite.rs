@@ -1,5 +1,6 @@
 //! All integration tests in one program: separate programs would each link the whole library, and run alone.
 
+mod common;
 mod database;
 mod derivatives;
 mod heat;

@@ -14,7 +14,6 @@ use ertel::run::problem;
 use ertel::solution::{Figure, Measured};
 use ertel::solve::figures::measure;
 use ertel::solve::sequence::solve_stages;
-use ertel_input::Document;
 
 #[derive(Parser)]
 struct Args {
@@ -176,8 +175,7 @@ fn compare(contact: &Contact) -> Vec<Row> {
 
 fn solve(contact: &Contact, mesh: &str) -> Option<Measured> {
     let text = format!("{}\n[mesh]\n{mesh}\n", contact.text);
-    let document = Document::parse(contact.name.clone(), text).expect("a case file");
-    let case = match Case::from_document(&document, &contact.folder) {
+    let case = match Case::from_text(&contact.name, &text, &contact.folder) {
         Ok(case) => case,
         Err(error) => {
             eprintln!("{}: {error}", contact.name);

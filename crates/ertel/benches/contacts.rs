@@ -18,7 +18,6 @@ use ertel::params::{LinearSolver, SensitivityDemand};
 use ertel::run::{solve, solve_from};
 use ertel::solution::{Estimate, Solution, Timings};
 use ertel::study::solve_curve;
-use ertel_input::Document;
 
 /// Cost of contacts.
 #[derive(Parser)]
@@ -164,8 +163,8 @@ fn folder() -> PathBuf {
 fn read(name: &str, tables: &str) -> Case {
     let path = folder().join(format!("{name}.toml"));
     let text = std::fs::read_to_string(&path).expect("a shipped case");
-    let document = Document::parse(name, format!("{text}\n{tables}")).expect("valid TOML");
-    let mut case = Case::from_document(&document, &folder()).expect("a valid case");
+    let text = format!("{text}\n{tables}");
+    let mut case = Case::from_text(name, &text, &folder()).expect("a valid case");
     case.output.body_field = false;
     case
 }

@@ -13,7 +13,6 @@ use ertel::engine::NoObserver;
 use ertel::run;
 use ertel::run::transient::TransientSolution;
 use ertel::solution::Figure;
-use ertel_input::Document;
 
 const LINE: &str = "kind = \"line\"\nradius = \"10 mm\"\nload = \"100 kN/m\"";
 const WAVY: &str = "kind = \"line\"\nradius = \"10 mm\"\nload = \"1083.32 kN/m\"";
@@ -136,8 +135,7 @@ impl Course {
              viscosity = {{ law = \"roelands\", mu_0 = \"{viscosity}\", alpha = \"22 1/GPa\" }} }}\n[contact]\n{contact}\n[bodies]\nbody_1 = {body}\nbody_2 = {body}\n\
              [motion]\nentrainment_speed = \"{speed}\"\nslide_to_roll_ratio = 0.0\n[output]\nsensitivities = false\n[solver]\nmethod = \"finite-volumes\"\n{in_time}"
         );
-        let document = Document::parse("case.toml", text).expect("a case");
-        Case::from_document(&document, "".as_ref()).expect("a case")
+        Case::from_text("case.toml", &text, "".as_ref()).expect("a case")
     }
 }
 

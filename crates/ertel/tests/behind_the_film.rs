@@ -1,12 +1,11 @@
 //! Oil behind the film: only the oil that leaves the film is sheared there.
 
+use crate::common::text::read;
 use approx::assert_relative_eq;
-use ertel::case::Case;
 use ertel::engine::NoObserver;
 use ertel::params::Method;
 use ertel::run::solve;
 use ertel::solution::{Estimate, Solution};
-use ertel_input::Document;
 
 const METHODS: [Method; 2] = [Method::FiniteElements, Method::FiniteVolumes];
 
@@ -17,8 +16,7 @@ fn solved(contact: &str, motion: &str, mesh: &str, method: Method) -> Solution {
          \"40 mPa.s\" }} }}\n[contact]\n{contact}\n[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n[motion]\nentrainment_speed = \"1 m/s\"\n\
          slide_to_roll_ratio = 0.5\n{motion}\n[mesh]\n{mesh}\n"
     );
-    let document = Document::parse("case.toml", text).unwrap();
-    let mut case = Case::from_document(&document, "".as_ref()).unwrap();
+    let mut case = read(text);
     case.solver.method = Some(method);
     solve(&case, &mut NoObserver).unwrap()
 }

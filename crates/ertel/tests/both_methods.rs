@@ -4,13 +4,15 @@
 use std::collections::BTreeMap;
 
 use ertel::case::Case;
-use ertel::cross_check::{Verdict, cross_check};
+use ertel::cross_check::{Crossed, Verdict, cross_check};
 use ertel::engine::NoObserver;
 use ertel::params::{Formulation, Method};
 use ertel::run::{first_method, solve};
 use ertel::solution::{Figure, Sensitivities, SensitivityMethod, Solution};
 use ertel::warning::WarningKind;
-use ertel_input::Document;
+
+use crate::common::solved;
+use crate::common::text::read;
 
 fn case(contact: &str, motion: &str, more: &str) -> Case {
     case_of(contact, motion, more, "22")
@@ -18,12 +20,7 @@ fn case(contact: &str, motion: &str, more: &str) -> Case {
 
 /// The same with a pressure-viscosity coefficient in 1/GPa.
 fn case_of(contact: &str, motion: &str, more: &str, alpha: &str) -> Case {
-    parsed(text_of(contact, motion, more, alpha))
-}
-
-fn parsed(text: String) -> Case {
-    let document = Document::parse("case.toml", text).unwrap();
-    Case::from_document(&document, "".as_ref()).unwrap()
+    read(text_of(contact, motion, more, alpha))
 }
 
 fn text_of(contact: &str, motion: &str, more: &str, alpha: &str) -> String {
@@ -40,8 +37,43 @@ fn thinned_by(law: &str, text: &str) -> String {
     text.replace("} }\n[contact]", &thinning)
 }
 
-fn solved(case: &Case) -> Solution {
-    solve(case, &mut NoObserver).unwrap()
+/// The same with a mineral base oil whose viscosity falls with the temperature.
+fn mineral(text: &str) -> String {
+    text.replacen(
+        "lubricant = { ",
+        "lubricant = { base_oil = \"mineral\", ",
+        1,
+    )
+    .replace(
+        "mu_0 = ",
+        "beta = \"0.04 1/K\", reference_temperature = \"40 degC\", mu_0 = ",
+    )
+}
+
+/// The solution by finite volumes.
+fn by_volumes(case: &mut Case) -> Solution {
+    case.solver.method = Some(Method::FiniteVolumes);
+    let own = solved(case);
+    assert_eq!(own.stats.method, Method::FiniteVolumes);
+    own
+}
+
+/// A figure of both methods, which must agree.
+fn agreed(all: &[Crossed], figure: Figure) -> &Crossed {
+    let crossed = all.iter().find(|c| c.figure == figure);
+    let crossed = crossed.unwrap_or_else(|| panic!("{figure:?}"));
+    assert_eq!(crossed.verdict(), Verdict::Agrees, "{crossed:?}");
+    crossed
+}
+
+/// Figures of a solution next to those of another one.
+fn crossed(own: &Solution, other: &Solution) -> Vec<Crossed> {
+    let crossed = |(figure, own)| Crossed {
+        figure,
+        own,
+        other: other.figure(figure),
+    };
+    own.figures().map(crossed).collect()
 }
 
 const METHODS: [Method; 2] = [Method::FiniteElements, Method::FiniteVolumes];
@@ -76,12 +108,10 @@ fn both_engines_agree() {
             Figure::TractionCoefficientBody2,
             Figure::FrictionPower,
         ] {
-            let crossed = found.figures.iter().find(|c| c.figure == figure);
-            let crossed = crossed.unwrap_or_else(|| panic!("{figure:?}"));
-            assert_eq!(crossed.verdict(), Verdict::Agrees, "{crossed:?}");
+            agreed(&found.figures, figure);
         }
         for film in [Figure::FilmCentral, Figure::FilmMinimum] {
-            let crossed = found.figures.iter().find(|c| c.figure == film).unwrap();
+            let crossed = agreed(&found.figures, film);
             let (_, bars) = crossed.difference().unwrap();
             assert!(bars < 0.03 * crossed.own.value, "{crossed:?}");
         }
@@ -97,15 +127,7 @@ fn both_engines_agree_on_rollers_and_heat() {
                   profile = { kind = \"logarithmic\", design_load = \"1.5 kN\" }";
     let mesh = "[mesh]\ntarget_error = 0.02\n[output]\nsensitivities = false";
     let heat = "[thermal]\n[mesh]\ntarget_error = 0.05\n[output]\nsensitivities = false";
-    let warm = text_of(BALL, motion, heat, "20").replacen(
-        "lubricant = { ",
-        "lubricant = { base_oil = \"mineral\", ",
-        1,
-    );
-    let warm = warm.replace(
-        "mu_0 = ",
-        "beta = \"0.04 1/K\", reference_temperature = \"40 degC\", mu_0 = ",
-    );
+    let warm = mineral(&text_of(BALL, motion, heat, "20"));
     // Either way, at the edge with an eighth of their speeds.
     let spin = format!("{motion}\nbody_1_spin = \"-1500 rad/s\"\nbody_2_spin = \"1500 rad/s\"");
     let contact = "kind = \"circular\"\nradius = \"10 mm\"\nload = \"60 N\"";
@@ -114,7 +136,7 @@ fn both_engines_agree_on_rollers_and_heat() {
     let eyring = "law = \"ree-eyring\", tau_0 = \"6 MPa\"";
     let roller = thinned_by(eyring, &text_of(roller, motion, mesh, "22"));
     let spinning = thinned_by(eyring, &spinning);
-    let cases = [roller, warm, spinning].map(parsed);
+    let cases = [roller, warm, spinning].map(read);
     let of_heat = &[
         Figure::FilmTemperatureMean,
         Figure::TemperatureBody1Mean,
@@ -126,15 +148,11 @@ fn both_engines_agree_on_rollers_and_heat() {
         of_heat,
         of_heat,
     ]) {
-        case.solver.method = Some(Method::FiniteVolumes);
-        let own = solved(&case);
-        assert_eq!(own.stats.method, Method::FiniteVolumes);
+        let own = by_volumes(&mut case);
         let found = cross_check(&case, &own, &mut NoObserver).unwrap();
         let films = [Figure::FilmCentral, Figure::FilmMinimum];
         for figure in films.iter().chain(asked) {
-            let crossed = found.figures.iter().find(|c| c.figure == *figure);
-            let crossed = crossed.unwrap_or_else(|| panic!("{figure:?}"));
-            assert_eq!(crossed.verdict(), Verdict::Agrees, "{crossed:?}");
+            agreed(&found.figures, *figure);
         }
     }
 }
@@ -147,16 +165,8 @@ fn the_middle_of_a_long_roller_with_heat_is_a_line() {
         let motion = "entrainment_speed = \"4 m/s\"\nslide_to_roll_ratio = 0.4";
         let more =
             format!("[thermal]\n[mesh]\ntarget_error = {target}\n[output]\nsensitivities = false");
-        let text = text_of(contact, motion, &more, "18").replacen(
-            "lubricant = { ",
-            "lubricant = { base_oil = \"mineral\", ",
-            1,
-        );
-        let text = text.replace(
-            "mu_0 = ",
-            "beta = \"0.04 1/K\", reference_temperature = \"40 degC\", mu_0 = ",
-        );
-        parsed(thinned_by("law = \"ree-eyring\", tau_0 = \"6 MPa\"", &text))
+        let text = mineral(&text_of(contact, motion, &more, "18"));
+        read(thinned_by("law = \"ree-eyring\", tau_0 = \"6 MPa\"", &text))
     };
     let roller = "kind = \"roller\"\nradius = \"15 mm\"\nlength = \"8 mm\"\nload = \"1.2 kN\"\n\
                   profile = { kind = \"logarithmic\", design_load = \"1.2 kN\" }";
@@ -191,22 +201,9 @@ fn both_engines_agree_on_heat_of_lines() {
     let line = "kind = \"line\"\nradius = \"15 mm\"\nload = \"150 kN/m\"";
     let motion = "entrainment_speed = \"4 m/s\"\nslide_to_roll_ratio = 0.5";
     let layer = |nm: u32| format!("[inlet]\noil_layer = \"{nm} nm\"\n");
-    let warm = |contact: &str, more: &str| {
-        let text = text_of(contact, motion, more, "18");
-        let text = text.replacen(
-            "lubricant = { ",
-            "lubricant = { base_oil = \"mineral\", ",
-            1,
-        );
-        parsed(text.replace(
-            "mu_0 = ",
-            "beta = \"0.04 1/K\", reference_temperature = \"40 degC\", mu_0 = ",
-        ))
-    };
+    let warm = |contact: &str, more: &str| read(mineral(&text_of(contact, motion, more, "18")));
     for mut case in [warm(line, SETTINGS), warm(line, &(layer(400) + SETTINGS))] {
-        case.solver.method = Some(Method::FiniteVolumes);
-        let own = solved(&case);
-        assert_eq!(own.stats.method, Method::FiniteVolumes);
+        let own = by_volumes(&mut case);
         let found = cross_check(&case, &own, &mut NoObserver).unwrap();
         for figure in [
             Figure::FilmCentral,
@@ -220,9 +217,7 @@ fn both_engines_agree_on_heat_of_lines() {
             Figure::TemperatureBody2Mean,
             Figure::HeatShear,
         ] {
-            let crossed = found.figures.iter().find(|c| c.figure == figure);
-            let crossed = crossed.unwrap_or_else(|| panic!("{figure:?}"));
-            assert_eq!(crossed.verdict(), Verdict::Agrees, "{crossed:?}");
+            let crossed = agreed(&found.figures, figure);
             let (difference, _) = crossed.difference().unwrap();
             let most = match figure.unit(false) == "K" {
                 true => 0.5,
@@ -249,15 +244,11 @@ fn both_engines_agree_on_lines() {
         &text_of(line, &across, mesh, "22"),
     );
     for text in [plain(mesh), plain(&starved), eyring] {
-        let mut case = parsed(text);
-        case.solver.method = Some(Method::FiniteVolumes);
-        let own = solved(&case);
-        assert_eq!(own.stats.method, Method::FiniteVolumes);
-        let found = cross_check(&case, &own, &mut NoObserver).unwrap();
-        let crossed = |figure| {
-            let crossed = found.figures.iter().find(|c| c.figure == figure);
-            crossed.unwrap_or_else(|| panic!("{figure:?}"))
-        };
+        let mut case = read(text);
+        let own = by_volumes(&mut case);
+        case.solver.method = Some(Method::FiniteElements);
+        let other = solved(&case);
+        let found = crossed(&own, &other);
         for figure in [
             Figure::FilmCentral,
             Figure::FilmMinimum,
@@ -265,8 +256,7 @@ fn both_engines_agree_on_lines() {
             Figure::PressureCentral,
             Figure::OutletPosition,
         ] {
-            let crossed = crossed(figure);
-            assert_eq!(crossed.verdict(), Verdict::Agrees, "{crossed:?}");
+            let crossed = agreed(&found, figure);
             let (_, bars) = crossed.difference().unwrap();
             assert!(bars < 0.01 * crossed.own.value, "{crossed:?}");
         }
@@ -275,7 +265,7 @@ fn both_engines_agree_on_lines() {
             (Figure::TractionCoefficientBody2, 0.01),
             (Figure::FrictionPower, 0.02),
         ] {
-            let crossed = crossed(figure);
+            let crossed = found.iter().find(|c| c.figure == figure).unwrap();
             let (difference, _) = crossed.difference().unwrap();
             let size = crossed.own.value.abs();
             assert!(difference.abs() < share * size, "{crossed:?}");
@@ -285,8 +275,7 @@ fn both_engines_agree_on_lines() {
             let figures = found.figures().map(|(figure, _)| figure);
             figures.collect::<Vec<_>>()
         };
-        case.solver.method = Some(Method::FiniteElements);
-        assert_eq!(names(&own), names(&solved(&case)));
+        assert_eq!(names(&own), names(&other));
     }
 }
 
@@ -298,7 +287,7 @@ fn films_unresolved_by_one_method_are_solved_by_the_other() {
                 mu_0 = \"6.92 mPa.s\", alpha = \"22.3 1/GPa\" }, shear_thinning = { law = \"ree-eyring\", tau_0 = \"9.77 MPa\", limit = { tau_l0 = \"8.1 MPa\", \
                 lambda = 0.067 } } }\n[contact]\nkind = \"line\"\nradius = \"6.42 mm\"\nhertz_pressure = \"2.225 GPa\"\n[bodies]\nbody_1 = \"steel\"\n\
                 body_2 = \"steel\"\n[motion]\nentrainment_speed = \"3.578 m/s\"\nslide_to_roll_ratio = 0.688\n[output]\nsensitivities = false\n";
-    let case = parsed(text.to_owned());
+    let case = read(text);
     assert_eq!(first_method(&case), Method::FiniteElements);
     let found = solved(&case);
     assert_eq!(found.stats.method, Method::FiniteVolumes);
@@ -325,11 +314,11 @@ fn both_engines_agree_on_thinning() {
     let eyring = "law = \"ree-eyring\", tau_0 = \"5 MPa\"";
     let carreau = "law = \"carreau\", g_c = \"0.1 MPa\", n = 0.5, beta_c = 2.0, mu_2 = \"0 Pa.s\"";
     for (contact, motion, law) in [(BALL, spin, eyring), (ellipse, straight, carreau)] {
-        let mut case = parsed(thinned_by(law, &text_of(contact, motion, mesh, "22")));
-        case.solver.method = Some(Method::FiniteVolumes);
-        let own = solved(&case);
-        assert_eq!(own.stats.method, Method::FiniteVolumes);
-        let found = cross_check(&case, &own, &mut NoObserver).unwrap();
+        let mut case = read(thinned_by(law, &text_of(contact, motion, mesh, "22")));
+        let own = by_volumes(&mut case);
+        case.solver.method = Some(Method::FiniteElements);
+        let other = solved(&case);
+        let found = crossed(&own, &other);
         for figure in [
             Figure::FilmCentral,
             Figure::FilmMinimum,
@@ -338,9 +327,7 @@ fn both_engines_agree_on_thinning() {
             Figure::TractionCoefficientBody2,
             Figure::FrictionPower,
         ] {
-            let crossed = found.figures.iter().find(|c| c.figure == figure);
-            let crossed = crossed.unwrap_or_else(|| panic!("{figure:?}"));
-            assert_eq!(crossed.verdict(), Verdict::Agrees, "{law} {crossed:?}");
+            let crossed = agreed(&found, figure);
             let (_, bars) = crossed.difference().unwrap();
             // Power is summed as far as the bodies go, where its bars hold what lies beyond.
             let is_narrow = bars < 0.03 * crossed.own.value.abs();
@@ -349,8 +336,7 @@ fn both_engines_agree_on_thinning() {
                 "{law} {crossed:?}"
             );
         }
-        case.solver.method = Some(Method::FiniteElements);
-        let other = solved(&case).film_reduction.unwrap().central;
+        let other = other.film_reduction.unwrap().central;
         let own = own.film_reduction.unwrap().central;
         let bars = own.error.unwrap() + other.error.unwrap();
         assert!(
@@ -407,7 +393,7 @@ fn volumes_solve_contacts_that_elements_do_not() {
     // Thinned by a power of the stress: elements are tried first.
     let law = "law = \"rabinowitsch\", tau_0 = \"5 MPa\", n = 0.5";
     let text = text_of(BALL, motion, "[mesh]\ntarget_error = 0.05", "22");
-    let mut case = parsed(thinned_by(law, &text));
+    let mut case = read(thinned_by(law, &text));
     case.solver.max_iterations = 1;
     let solution = solved(&case);
     assert_eq!(solution.stats.method, Method::FiniteVolumes);
@@ -509,7 +495,7 @@ fn the_method_that_takes_less_time() {
     let line = "kind = \"line\"\nradius = \"10 mm\"\nload = \"100 kN/m\"";
     let layer = "[inlet]\noil_layer = \"150 nm\"";
     let [elements, volumes] = METHODS;
-    let thinned = |law: &str| parsed(thinned_by(law, &text_of(BALL, motion, "", "22")));
+    let thinned = |law: &str| read(thinned_by(law, &text_of(BALL, motion, "", "22")));
     for (case, method) in [
         (case(ellipse, motion, ""), volumes),
         (case(BALL, motion, layer), volumes),
@@ -521,7 +507,7 @@ fn the_method_that_takes_less_time() {
             elements,
         ),
         (
-            parsed(thinned_by(
+            read(thinned_by(
                 "law = \"rabinowitsch\", tau_0 = \"5 MPa\", n = 0.5",
                 &text_of(BALL, motion, "", "40"),
             )),
@@ -551,9 +537,7 @@ fn a_try_that_ends_in_no_number_leaves_none() {
         radius_y = \"3 mm\"\nhertz_pressure = \"0.45 GPa\"\nentrainment_angle = \"45 deg\"\n[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
         [motion]\nentrainment_speed = \"12 m/s\"\nslide_to_roll_ratio = 0.0\n[solver]\nmethod = \"finite-volumes\"\nnewtonian = true\n\
         isothermal = true\n[output]\nsensitivities = false";
-    let document = Document::parse("case.toml", text.to_owned()).unwrap();
-    let case = Case::from_document(&document, "".as_ref()).unwrap();
-    let solution = solved(&case);
+    let solution = solved(&read(text));
     assert!(solution.history.iter().all(|step| step.update.is_finite()));
     assert!(solution.summary.film_central.value > 1e-6);
 }

@@ -2,23 +2,20 @@
 
 use crate::common;
 
-use std::path::Path;
 use std::sync::Arc;
 
+use crate::common::text::read;
 use approx::assert_relative_eq;
-use common::{case, heated};
+use common::{case, heated, solved};
 use ertel::case::Case;
 use ertel::contact::{Contact, ContactKind, Hertz, Symmetry};
 use ertel::elastic::Accuracy;
-use ertel::engine::NoObserver;
 use ertel::params::{Formulation, MeshParams, MeshPreset, Method};
 use ertel::problem::predicted_film;
-use ertel::run::solve;
 use ertel::solution::Role;
 use ertel::solution::{Estimate, Solution};
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents};
 use ertel_fem::linear::NEVER;
-use ertel_input::Document;
 
 /// An ellipse of reduced radii (m) under a Hertz pressure of 0.7 GPa, with the entrainment at an angle (degrees).
 fn ellipse(radii: [f64; 2], angle: f64) -> Case {
@@ -29,10 +26,6 @@ fn ellipse(radii: [f64; 2], angle: f64) -> Case {
     case.mesh = MeshParams::adaptive(5e-3, ContactKind::Elliptical);
     case.solver.method = Some(Method::FiniteElements);
     case
-}
-
-fn solved(case: &Case) -> Solution {
-    solve(case, &mut NoObserver).unwrap()
 }
 
 fn films(s: &Solution) -> [Estimate; 2] {
@@ -176,8 +169,7 @@ fn slender(speed: f64) -> Case {
         [motion]\nentrainment_speed = \"{speed} m/s\"\nslide_to_roll_ratio = 0.0\n\
         [lubricant]\nname = \"venner-oil\"\ntemperature = \"40 degC\"\n[mesh]\ntarget_error = \"2 %\"\n"
     );
-    let document = Document::parse("slender.toml", &text).unwrap();
-    Case::from_document(&document, Path::new("")).unwrap()
+    read(&text)
 }
 
 /// Along the longer axis of an ellipse ten times as long as wide, where cells are ten times as long: the first start leads to the case

@@ -4,8 +4,8 @@ use crate::common;
 
 use std::path::Path;
 
+use crate::common::text::{BALL, read};
 use common::heated;
-use ertel::case::Case;
 use ertel::contact::ContactKind;
 use ertel::engine::NoObserver;
 use ertel::output::{report, result_json};
@@ -13,7 +13,6 @@ use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
 use ertel::solution::Role;
 use ertel::solution::{Estimate, Figure, Located};
-use ertel_input::Document;
 
 #[test]
 fn every_figure_of_a_thermal_contact_has_its_bar() {
@@ -128,12 +127,11 @@ fn every_figure_of_a_thermal_contact_has_its_bar() {
 fn the_middle_is_resolved_and_the_ridge_is_a_lower_bound() {
     for refine_for in ["films", "fields"] {
         let text = format!(
-            "{BALL_ON_DISC}target_error = \"2 %\"\nrefine_for = \"{refine_for}\"\n\
+            "{BALL}[mesh]\ntarget_error = \"2 %\"\nrefine_for = \"{refine_for}\"\n\
              [output]\nsensitivities = true\n"
         );
-        let document = Document::parse("case.toml", text).unwrap();
-        let case = Case::from_document(&document, Path::new("")).unwrap();
-        let solution = solve(&case, &mut NoObserver).unwrap();
+        let case = read(text);
+        let solution = common::solved(&case);
         let s = &solution.summary;
         let middle = s.pressure_central;
         assert!(middle.resolved, "{middle:?}");
@@ -186,24 +184,6 @@ fn the_middle_is_resolved_and_the_ridge_is_a_lower_bound() {
         assert_eq!(json["summary"]["pressure_central"]["resolved"], true);
     }
 }
-
-const BALL_ON_DISC: &str = r#"
-[contact]
-kind = "circular"
-radius = "16 mm"
-load = "100 N"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[motion]
-entrainment_speed = "0.8 m/s"
-slide_to_roll_ratio = 0.0
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
-[mesh]
-"#;
 
 /// Line of the results of a report.
 fn result<'t>(text: &'t str, name: &str) -> Option<&'t str> {

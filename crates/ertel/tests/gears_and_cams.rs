@@ -1,73 +1,32 @@
 //! Pairs of gears and cams from a case file to their figures.
 
-use std::path::Path;
-
 use approx::assert_relative_eq;
 use ertel::case::{Case, Mechanics};
-use ertel::engine::NoObserver;
-use ertel::machine::{MachineFigures, figures};
+use ertel::machine::MachineFigures;
 use ertel::solution::Figure;
-use ertel::study::{MachineSolution, solve_machine};
-use ertel_input::Document;
+use ertel::study::MachineSolution;
 
-const REST: &str = r#"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[lubricant]
-temperature = "90 degC"
-density = { law = "dowson-higginson", rho_0 = "860 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "20 mPa.s", alpha = "16 1/GPa" }
-shear_thinning = { law = "ree-eyring", tau_0 = "5 MPa" }
-[mesh]
-preset = "coarse"
-"#;
+use crate::common::{assert_figures, near, solved_machine, value};
+
+const REST: &str = concat!(
+    "[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n",
+    "[lubricant]\ntemperature = \"90 degC\"\ndensity = { law = \"dowson-higginson\", rho_0 = \"860 kg/m^3\" }\nviscosity = { law = \"roelands\", mu_0 = \"20 mPa.s\", alpha = \"16 1/GPa\" }\nshear_thinning = { law = \"ree-eyring\", tau_0 = \"5 MPa\" }\n",
+    "[mesh]\npreset = \"coarse\"\n"
+);
 
 /// FZG gears under a light load.
-const GEARS: &str = r#"
-title = "FZG C14"
-[machine]
-kind = "spur-gear"
-template = "FZG-C14"
-pinion_torque = "40 N.m"
-pinion_speed = "2000 rpm"
-position = "path"
-points = 2
-load_sharing = "thirds"
-bulk_temperature = "100 degC"
-scuffing_temperature = "300 degC"
-pinion_ra = "0.3 um"
-wheel_ra = "0.5 um"
-permissible_lambda = 0.2
-"#;
+const GEARS: &str = concat!(
+    "title = \"FZG C14\"\n",
+    "[machine]\nkind = \"spur-gear\"\ntemplate = \"FZG-C14\"\npinion_torque = \"40 N.m\"\npinion_speed = \"2000 rpm\"\nposition = \"path\"\npoints = 2\nload_sharing = \"thirds\"\nbulk_temperature = \"100 degC\"\nscuffing_temperature = \"300 degC\"\npinion_ra = \"0.3 um\"\nwheel_ra = \"0.5 um\"\npermissible_lambda = 0.2\n"
+);
 
-const CAM: &str = r#"
-title = "Eccentric disc"
-[machine]
-kind = "cam"
-follower = "flat"
-base_radius = "18 mm"
-eccentricity = "4 mm"
-cam_speed = "1500 rpm"
-width = "12 mm"
-load = "500 N"
-angle = "turn"
-points = 4
-"#;
+const CAM: &str = concat!(
+    "title = \"Eccentric disc\"\n",
+    "[machine]\nkind = \"cam\"\nfollower = \"flat\"\nbase_radius = \"18 mm\"\neccentricity = \"4 mm\"\ncam_speed = \"1500 rpm\"\nwidth = \"12 mm\"\nload = \"500 N\"\nangle = \"turn\"\npoints = 4\n"
+);
 
 fn solve(machine: &str) -> (Case, MachineSolution, MachineFigures) {
-    let text = format!("{machine}{REST}");
-    let document = Document::parse("machine.toml", text).unwrap();
-    let case = Case::from_document(&document, Path::new("")).unwrap();
-    let solved = solve_machine(case.contacts.as_ref().unwrap(), &mut NoObserver);
-    assert_eq!(solved.n_failed(), 0);
-    let found = figures(&case, &solved);
-    (case, solved, found)
-}
-
-fn value(found: &MachineFigures, name: &str) -> f64 {
-    let figure = found.find(name).unwrap_or_else(|| panic!("no {name}"));
-    figure.estimate.value
+    solved_machine(format!("{machine}{REST}"))
 }
 
 fn figure(solved: &MachineSolution, contact: usize, figure: Figure) -> f64 {
@@ -158,29 +117,18 @@ fn a_short_path_of_gears() {
         let mean = 0.5 * omega * (one + two / 1.5);
         rolling += between(&resistance, s) * mean * 14e-3 * step;
     }
-    assert_relative_eq!(
-        value(&found, "friction_power_rolling"),
-        rolling,
-        max_relative = 2e-3
-    );
-    assert_relative_eq!(
-        value(&found, "friction_power_sliding"),
-        sliding,
-        max_relative = 2e-3
-    );
-    assert_relative_eq!(
-        value(&found, "friction_coefficient_mean"),
-        sliding / weight,
-        max_relative = 2e-3
+    assert_figures(
+        &found,
+        &[
+            ("friction_power_rolling", rolling, 2e-3),
+            ("friction_power_sliding", sliding, 2e-3),
+            ("friction_coefficient_mean", sliding / weight, 2e-3),
+        ],
     );
     let total = value(&found, "friction_power");
     assert_relative_eq!(total, sliding + rolling, max_relative = 2e-3);
     let efficiency = 1.0 - total / (40.0 * omega);
-    assert_relative_eq!(
-        value(&found, "mesh_efficiency"),
-        efficiency,
-        max_relative = 1e-9
-    );
+    assert_figures(&found, &[("mesh_efficiency", efficiency, 1e-9)]);
     assert!(efficiency > 0.97 && efficiency < 0.9999, "{efficiency}");
 
     let steel = |body: &ertel::case::Body| {
@@ -198,35 +146,23 @@ fn a_short_path_of_gears() {
     });
     let flash = flashes.fold(0.0, f64::max);
     // The norm's formula is that of infinite Péclet numbers.
-    assert_relative_eq!(
-        value(&found, "flash_temperature"),
-        flash,
-        max_relative = 0.05
-    );
+    assert_figures(&found, &[("flash_temperature", flash, 0.05)]);
     let hottest = value(&found, "contact_temperature");
-    assert_relative_eq!(
-        hottest,
-        373.15 + value(&found, "flash_temperature"),
-        max_relative = 1e-9
-    );
+    near(hottest, 373.15 + value(&found, "flash_temperature"), 1e-9);
     // Oil at 90 °C, teeth at 100 °C, scuffing at 300 °C.
-    assert_relative_eq!(
-        value(&found, "scuffing_safety"),
-        210.0 / (hottest - 363.15),
-        max_relative = 1e-9
+    assert_figures(
+        &found,
+        &[("scuffing_safety", 210.0 / (hottest - 363.15), 1e-9)],
     );
     let thinnest = (0..5).map(|i| figure(&solved, i, Figure::FilmMinimum));
     let thinnest = thinnest.fold(f64::INFINITY, f64::min);
     let lambda = thinnest / 0.4e-6;
-    assert_relative_eq!(
-        value(&found, "specific_film_minimum"),
-        lambda,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        value(&found, "micropitting_safety"),
-        lambda / 0.2,
-        max_relative = 1e-9
+    assert_figures(
+        &found,
+        &[
+            ("specific_film_minimum", lambda, 1e-9),
+            ("micropitting_safety", lambda / 0.2, 1e-9),
+        ],
     );
     // GEARpie has H_V = 0.1950 of C14 after Ohlendorf.
     assert!((value(&found, "loss_factor_ohlendorf") - 0.1950).abs() < 6e-5);
@@ -242,15 +178,10 @@ fn a_short_path_of_gears() {
 /// With heat the temperatures of the teeth are those that were solved: the hottest flank of all contacts is the contact temperature of S_B, and Blok's is given in addition.
 #[test]
 fn solved_flanks_are_the_contact_temperature() {
-    let text = format!("{GEARS}{REST}").replace(
+    let (_, solved, found) = solved_machine(format!("{GEARS}{REST}").replace(
         "[mesh]",
         "thermal_conductivity = \"0.14 W/(m.K)\"\nheat_capacity = \"2000 J/(kg.K)\"\n[thermal]\n[mesh]",
-    );
-    let document = Document::parse("machine.toml", text).unwrap();
-    let case = Case::from_document(&document, Path::new("")).unwrap();
-    let solved = solve_machine(case.contacts.as_ref().unwrap(), &mut NoObserver);
-    assert_eq!(solved.n_failed(), 0);
-    let found = figures(&case, &solved);
+    ));
     let flanks = [
         Figure::TemperatureBody1Maximum,
         Figure::TemperatureBody2Maximum,
@@ -258,22 +189,15 @@ fn solved_flanks_are_the_contact_temperature() {
     let hottest = (0..5).flat_map(|i| flanks.map(|flank| figure(&solved, i, flank)));
     let hottest = hottest.fold(0.0, f64::max);
     assert_eq!(value(&found, "contact_temperature"), hottest);
-    assert_relative_eq!(
-        value(&found, "flash_temperature"),
-        hottest - 373.15,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        value(&found, "scuffing_safety"),
-        210.0 / (hottest - 363.15),
-        max_relative = 1e-9
+    assert_figures(
+        &found,
+        &[
+            ("flash_temperature", hottest - 373.15, 1e-9),
+            ("scuffing_safety", 210.0 / (hottest - 363.15), 1e-9),
+        ],
     );
     let blok = value(&found, "flash_temperature_blok");
-    assert_relative_eq!(
-        value(&found, "contact_temperature_blok"),
-        373.15 + blok,
-        max_relative = 1e-9
-    );
+    assert_figures(&found, &[("contact_temperature_blok", 373.15 + blok, 1e-9)]);
     // The oil enters at the temperature of the teeth, 373.15 K: nothing is colder, but for half a kelvin of this coarse mesh.
     for i in 0..5 {
         assert!(figure(&solved, i, Figure::FilmTemperatureLowest) > 372.65);
@@ -293,20 +217,12 @@ fn a_turn_of_a_cam() {
     let off = (turn.value - power).abs();
     assert!(off < turn.error.unwrap(), "{power} {turn:?}");
     let omega = 1500.0 * std::f64::consts::TAU / 60.0;
-    assert_relative_eq!(
-        value(&found, "friction_torque"),
-        turn.value / omega,
-        max_relative = 1e-9
-    );
+    assert_figures(&found, &[("friction_torque", turn.value / omega, 1e-9)]);
     // F e of an eccentric disc, at 90°.
-    assert_relative_eq!(value(&found, "torque_maximum"), 2.0, max_relative = 1e-9);
+    assert_figures(&found, &[("torque_maximum", 2.0, 1e-9)]);
     let films = (0..4).map(|i| figure(&solved, i, Figure::FilmMinimum));
     let thinnest = films.fold(f64::INFINITY, f64::min);
-    assert_relative_eq!(
-        value(&found, "film_minimum"),
-        thinnest,
-        max_relative = 1e-12
-    );
+    assert_figures(&found, &[("film_minimum", thinnest, 1e-12)]);
     // u_m = (ω/2)(r_b − e cos θ) is least at 0°, the nose.
     assert_eq!(value(&found, "film_minimum_angle"), 0.0);
 }

@@ -1,55 +1,22 @@
 //! Heat in time: a steady contact stays steady, and a changed one approaches the steady contact of the new conditions.
 
-use std::path::Path;
-
-use ertel::case::Case;
+use crate::common::text::read;
 use ertel::engine::{NoObserver, Observer};
 use ertel::output::transient::{profiles_table, transient_table};
 use ertel::run::checkpoint::Checkpoint;
 use ertel::run::solve;
 use ertel::run::transient::{self, InstantObserver, InstantSolution, Reached, TransientSolution};
 use ertel::solution::Figure;
-use ertel_input::Document;
 
 /// A ball on glass, both of whose surfaces slide, by a coarse mesh.
-const CASE: &str = r#"
-title = "Heat in time"
-lubricant = "squalane-pip"
-temperature = "313 K"
-
-[contact]
-kind = "circular"
-radius = "12.7 mm"
-load = "23 N"
-
-[bodies]
-body_1 = "glass"
-body_2 = "steel"
-
-[motion]
-entrainment_speed = "1.47 m/s"
-slide_to_roll_ratio = 0.5
-
-[thermal]
-
-[solver]
-newtonian = true
-
-[mesh]
-target_error = "10 %"
-max_unknowns = 3000
-
-[output]
-sensitivities = false
-"#;
-
-fn parsed(text: &str) -> Case {
-    let document = Document::parse("case.toml", text).unwrap();
-    Case::from_document(&document, Path::new("")).unwrap()
-}
+const CASE: &str = concat!(
+    include_str!("common/cases/squalane.toml"),
+    "[thermal]\n[solver]\nnewtonian = true\n[mesh]\ntarget_error = \"10 %\"\nmax_unknowns = 3000\n",
+    "[output]\nsensitivities = false\n"
+);
 
 fn solved(more: &str) -> TransientSolution {
-    let case = parsed(&format!("{CASE}{more}"));
+    let case = read(format!("{CASE}{more}"));
     let found = transient::solve(&case, &mut NoObserver);
     assert!(found.failure.is_none(), "{:?}", found.failure);
     found
@@ -105,7 +72,7 @@ fn steady_contacts_stay_and_changes_come_to_them() {
     assert_alike(&before, &start, 1e-3);
     let end = figures(found.instants.last().unwrap());
     let slow = CASE.replace("1.47 m/s", "1.3 m/s");
-    let steady = parsed(&format!("{slow}[transient]\nduration = \"1 ns\"\n"));
+    let steady = read(format!("{slow}[transient]\nduration = \"1 ns\"\n"));
     let steady = figures(&transient::solve(&steady, &mut NoObserver).instants[0]);
     // Heat of the start has not all left the glass yet.
     assert_alike(&end, &steady, 8e-3);
@@ -116,25 +83,14 @@ fn steady_contacts_stay_and_changes_come_to_them() {
 #[test]
 fn a_thinner_layer_heats_the_line_to_its_steady_temperatures() {
     let case = |layer: &str, temperature: f64, more: &str| {
-        parsed(&format!(
-            r#"
-lubricant = {{ base_oil = "mineral", temperature = "{temperature} K", density = {{ law = "dowson-higginson", rho_0 = "870 kg/m^3" }}, viscosity = {{ law = "roelands", mu_0 = "40 mPa.s", alpha = "18 1/GPa", beta = "0.04 1/K", reference_temperature = "313.15 K" }} }}
-[contact]
-kind = "line"
-radius = "15 mm"
-load = "150 kN/m"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[motion]
-entrainment_speed = "4 m/s"
-slide_to_roll_ratio = 0.5
-[inlet]
-oil_layer = "{layer}"
-[thermal]
-[output]
-sensitivities = false
-{more}"#
+        read(format!(
+            "lubricant = {{ base_oil = \"mineral\", temperature = \"{temperature} K\", density = {{ law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }}, viscosity = {{ law = \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"18 1/GPa\", beta = \"0.04 1/K\", reference_temperature = \"313.15 K\" }} }}\n\
+         [contact]\nkind = \"line\"\nradius = \"15 mm\"\nload = \"150 kN/m\"\n\
+         [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
+         [motion]\nentrainment_speed = \"4 m/s\"\nslide_to_roll_ratio = 0.5\n\
+         [inlet]\noil_layer = \"{layer}\"\n\
+         [thermal]\n\
+         [output]\nsensitivities = false\n{more}\n"
         ))
     };
     let change = "[mesh]\ntarget_error = 0.1\n[transient]\nduration = \"3 ms\"\ntolerance = 0.05\n\
@@ -196,7 +152,7 @@ impl InstantObserver for Stopping {
 /// part of them. It stops where three instants count.
 #[test]
 fn a_run_with_heat_that_stopped_goes_on_to_the_digit() {
-    let case = parsed(&format!(
+    let case = read(format!(
         "{CASE}[transient]\nduration = \"20 us\"\ntolerance = 0.05\noutput_times = [\"20 us\"]\n\
          entrainment_speed = {{ course = \"ramp\", start = \"0 us\", end = \"100 us\", to = \"1.1 m/s\" }}\n"
     ));

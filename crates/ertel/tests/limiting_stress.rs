@@ -2,11 +2,11 @@
 
 use crate::common;
 
+use crate::common::text::read;
+use common::solved;
 use ertel::case::Case;
 use ertel::contact::ContactKind;
-use ertel::engine::NoObserver;
 use ertel::params::{MeshParams, MeshPreset};
-use ertel::run::solve;
 use ertel::solution::Solution;
 use ertel_rheology::shear::{ReeEyring, ShearLaw, ShearThinning, StressLimit};
 
@@ -27,10 +27,6 @@ fn case(kind: ContactKind, load: f64, limit: [f64; 2], slide_to_roll_ratio: f64)
     }
     case.solver.error_estimate = false;
     case
-}
-
-fn solved(case: &Case) -> Solution {
-    solve(case, &mut NoObserver).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// ∫f dx by the trapezoidal rule over the written centreline.
@@ -123,29 +119,14 @@ fn a_limit_caps_a_law() {
 /// affects the film, which thins by next to nothing. Newton's method that ended early on one of both films made 3 % of it, ± 0.1 %.
 #[test]
 fn a_film_that_does_not_thin_has_no_reduction() {
-    let text = r#"
-        [contact]
-        kind = "line"
-        radius = "5.565 mm"
-        load = "484.4 kN/m"
-        [bodies]
-        body_1 = { youngs_modulus = "81 GPa", poissons_ratio = 0.208 }
-        body_2 = { youngs_modulus = "210 GPa", poissons_ratio = 0.3 }
-        [motion]
-        entrainment_speed = "0.2092 m/s"
-        slide_to_roll_ratio = 0.3
-        [lubricant]
-        temperature = "60 degC"
-        density = { law = "dowson-higginson", rho_0 = "860 kg/m^3" }
-        viscosity = { law = "roelands", mu_0 = "0.3289 mPa.s", alpha = "16.06 1/GPa" }
-        shear_thinning = { law = "ree-eyring", tau_0 = "5 MPa", limit = { tau_l0 = "10 MPa", lambda = 0.06 } }
-        [mesh]
-        target_error = "0.2 %"
-        [output]
-        sensitivities = false
-    "#;
-    let document = ertel_input::Document::parse("case.toml", text).unwrap();
-    let case = Case::from_document(&document, std::path::Path::new("")).unwrap();
+    let case = read(
+        "[contact]\nkind = \"line\"\nradius = \"5.565 mm\"\nload = \"484.4 kN/m\"\n\
+         [bodies]\nbody_1 = { youngs_modulus = \"81 GPa\", poissons_ratio = 0.208 }\nbody_2 = { youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }\n\
+         [motion]\nentrainment_speed = \"0.2092 m/s\"\nslide_to_roll_ratio = 0.3\n\
+         [lubricant]\ntemperature = \"60 degC\"\ndensity = { law = \"dowson-higginson\", rho_0 = \"860 kg/m^3\" }\nviscosity = { law = \"roelands\", mu_0 = \"0.3289 mPa.s\", alpha = \"16.06 1/GPa\" }\nshear_thinning = { law = \"ree-eyring\", tau_0 = \"5 MPa\", limit = { tau_l0 = \"10 MPa\", lambda = 0.06 } }\n\
+         [mesh]\ntarget_error = \"0.2 %\"\n\
+         [output]\nsensitivities = false\n",
+    );
     let reduction = solved(&case).film_reduction.unwrap();
     println!("{reduction:?}");
     for film in [reduction.central, reduction.minimum] {

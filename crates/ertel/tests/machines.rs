@@ -1,60 +1,45 @@
 //! Whole machines from a case file to their figures.
 
-use std::path::Path;
+use std::sync::LazyLock;
 
 use approx::assert_relative_eq;
-use ertel::case::Case;
 use ertel::engine::{NoObserver, Observer};
 use ertel::machine::figures;
 use ertel::output;
 use ertel::run;
 use ertel::solution::Figure;
-use ertel::study::{CurveObserver, PointSolution, solve_curve, solve_in_balance, solve_machine};
-use ertel_input::Document;
+use ertel::study::{
+    CurveObserver, MachineSolution, PointSolution, solve_curve, solve_in_balance, solve_machine,
+};
+
+use crate::common::text::{GEARS, read, with};
+use crate::common::{assert_figures, near};
 
 /// All balls of a bearing under thrust are identical.
-const THRUST: &str = r#"
-title = "6206 under thrust"
-[machine]
-kind = "ball-bearing"
-designation = "6206"
-inner_ring_speed = "3000 rpm"
-axial_load = "500 N"
-contamination_factor = 0.5
-thermal_resistance = "0.5 K/W"
-ambient_temperature = "20 degC"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[lubricant]
-temperature = "70 degC"
-iso_vg = 68
-base_oil = "mineral"
-shear_thinning = { law = "estimate" }
-[mesh]
-target_error = 0.05
-[solver]
-newtonian = true
-"#;
+const THRUST: &str = concat!(
+    "title = \"6206 under thrust\"\n",
+    "[machine]\nkind = \"ball-bearing\"\ndesignation = \"6206\"\ninner_ring_speed = \"3000 rpm\"\naxial_load = \"500 N\"\ncontamination_factor = 0.5\nthermal_resistance = \"0.5 K/W\"\nambient_temperature = \"20 degC\"\n",
+    "[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n",
+    "[lubricant]\ntemperature = \"70 degC\"\niso_vg = 68\nbase_oil = \"mineral\"\nshear_thinning = { law = \"estimate\" }\n",
+    "[mesh]\ntarget_error = 0.05\n",
+    "[solver]\nnewtonian = true\n"
+);
 
-fn read(text: &str) -> Case {
-    Case::from_document(
-        &Document::parse("bearing.toml", text).unwrap(),
-        Path::new(""),
-    )
-    .unwrap()
-}
+/// Its contacts, solved.
+static UNDER_THRUST: LazyLock<MachineSolution> = LazyLock::new(|| {
+    let case = read(THRUST);
+    solve_machine(case.contacts.as_ref().unwrap(), &mut NoObserver)
+});
 
 /// Two contacts represent eighteen; their sums are nine times theirs, and each is what it is when solved alone.
 #[test]
 fn a_bearing_under_thrust() {
     let case = read(THRUST);
-    let contacts = case.contacts.as_ref().unwrap();
-    let solved = solve_machine(contacts, &mut NoObserver);
+    let solved = &*UNDER_THRUST;
     assert_eq!(solved.n_contacts(), 2);
     assert_eq!(solved.n_failed(), 0);
     assert!(!solved.is_partial());
-    let found = figures(&case, &solved);
+    let found = figures(&case, solved);
     let value = |name: &str| found.find(name).unwrap().estimate.value;
     let power = |contact: usize| {
         let solution = solved.solution(contact).unwrap();
@@ -81,34 +66,30 @@ fn a_bearing_under_thrust() {
     let torque = value("friction_power") / 314.159_265;
     assert_relative_eq!(value("friction_torque"), torque, max_relative = 1e-8);
     let temperature = 293.15 + 0.5 * value("friction_power");
-    assert_relative_eq!(
-        value("bearing_temperature"),
-        temperature,
-        max_relative = 1e-12
-    );
+    near(value("bearing_temperature"), temperature, 1e-12);
     // The contact of the last ball is the one of the first; alone it is the same to the last bit.
     let central = |contact: usize| solved.solution(contact).unwrap().summary.film_central.value;
     assert_eq!(central(0), central(16));
-    let alone = read(&format!(
+    let alone = read(format!(
         "{}\n",
         THRUST.replace("axial_load", "element = 5\nring = \"outer\"\naxial_load")
     ));
     let alone = run::solve(&alone, &mut NoObserver).unwrap();
     assert_eq!(alone.summary.film_central.value, central(11));
 
-    let json = output::machine_json(&case.echo(), &solved, &found).unwrap();
+    let json = output::machine_json(&case.echo(), solved, &found).unwrap();
     assert_eq!(json["format"], "ertel-machine");
     assert_eq!(json["n_solved"], 2);
     assert_eq!(json["contacts"][17]["solved_as"], 2);
     assert_eq!(json["figures"]["friction_torque"]["unit"], "N m");
-    let table = output::machine_table(&solved);
+    let table = output::machine_table(solved);
     assert_eq!(table.lines().count(), 19);
     let widths: Vec<usize> = table
         .lines()
         .map(|line| line.matches(',').count())
         .collect();
     assert!(widths[1..].iter().all(|w| *w >= widths[0]), "{widths:?}");
-    let report = output::machine_report(&case.echo(), &solved, &found, None);
+    let report = output::machine_report(&case.echo(), solved, &found, None);
     for expected in [
         "friction torque of all contacts",
         "ball 0, inner ring and 8 more",
@@ -125,19 +106,20 @@ fn a_bearing_under_thrust() {
 /// P = 886.2 N, C = 19452.5 N: L_10 = (C/P)³ = 10576 million.
 #[test]
 fn lives_of_a_bearing() {
-    let case = read(&THRUST.replace("target_error = 0.05", "target_error = 0.1"));
+    let case = read(THRUST.replace("target_error = 0.05", "target_error = 0.1"));
     let mut solved = solve_machine(case.contacts.as_ref().unwrap(), &mut NoObserver);
     let found = figures(&case, &solved);
     let value = |name: &str| found.find(name).unwrap().estimate.value;
-    assert_relative_eq!(value("equivalent_load"), 886.2, max_relative = 1e-3);
-    assert_relative_eq!(value("basic_rating_life"), 10_576.0, max_relative = 3e-3);
+    assert_figures(
+        &found,
+        &[
+            ("equivalent_load", 886.2, 1e-3),
+            ("basic_rating_life", 10_576.0, 3e-3),
+        ],
+    );
     // Revolutions to seconds: 2π/ω = 0.02 s each.
     let seconds = 1e6 * value("basic_rating_life") * 0.02;
-    assert_relative_eq!(
-        value("basic_rating_life_time"),
-        seconds,
-        max_relative = 1e-9
-    );
+    near(value("basic_rating_life_time"), seconds, 1e-9);
     // Without a contact there are no sums over the contacts.
     solved.contacts[1] = None;
     let partial = figures(&case, &solved);
@@ -192,9 +174,14 @@ fn tapered_rollers_by_their_designation() {
     assert_eq!(solved.n_failed(), 0);
     let found = figures(&case, &solved);
     let value = |name: &str| found.find(name).unwrap().estimate.value;
-    assert_relative_eq!(value("equivalent_load"), 5200.0, max_relative = 1e-4);
-    assert_relative_eq!(value("basic_rating_life"), 1143.6, max_relative = 2e-3);
-    assert_relative_eq!(value("static_safety_factor"), 9.5, max_relative = 1e-6);
+    assert_figures(
+        &found,
+        &[
+            ("equivalent_load", 5200.0, 1e-4),
+            ("basic_rating_life", 1143.6, 2e-3),
+            ("static_safety_factor", 9.5, 1e-6),
+        ],
+    );
     assert!(value("film_minimum") > 1e-8 && value("friction_torque") > 0.0);
     let reference = value("reference_rating_life") / value("basic_rating_life");
     assert!((0.3..5.0).contains(&reference), "{reference}");
@@ -212,8 +199,7 @@ fn tapered_rollers_by_their_designation() {
 #[test]
 fn an_interrupted_machine_is_marked_in_every_file() {
     let case = read(THRUST);
-    let contacts = case.contacts.as_ref().unwrap();
-    let mut solved = solve_machine(contacts, &mut NoObserver);
+    let mut solved = UNDER_THRUST.clone();
     let found = figures(&case, &solved);
     let last = solved.contacts.iter().rposition(Option::is_some).unwrap();
     solved.contacts[last] = None;
@@ -274,44 +260,32 @@ fn a_machine_that_is_stopped() {
     assert!(found.find("friction_power").is_none());
 }
 
-/// The path of FZG gears on few points.
-const GEARS: &str = r#"
-title = "FZG-C14 over torque"
-[machine]
-kind = "spur-gear"
-template = "FZG-C14"
-pinion_torque = "100 N.m"
-pinion_speed = "1500 rpm"
-position = "path"
-points = 3
-load_sharing = "thirds"
-pinion_ra = "0.4 um"
-wheel_ra = "0.4 um"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[lubricant]
-temperature = "90 degC"
-iso_vg = 100
-base_oil = "mineral"
-[mesh]
-preset = "coarse"
-[solver]
-newtonian = true
-"#;
+/// The path of FZG gears on few points, with roughness and without a law of the shear.
+static ROUGH_GEARS: LazyLock<String> = LazyLock::new(|| {
+    with(
+        GEARS,
+        &[
+            [
+                "[bodies]",
+                "pinion_ra = \"0.4 um\"\nwheel_ra = \"0.4 um\"\n[bodies]",
+            ],
+            ["shear_thinning = { law = \"estimate\" }\n", ""],
+        ],
+    )
+});
 
 /// Each point of a curve is the machine that its case is alone; where it starts from the point before, within the error bars.
 #[test]
 fn a_curve_of_whole_machines() {
     let curve =
         "[curve]\nquantity = \"machine.pinion_torque\"\nvalues = [\"100 N.m\", \"110 N.m\"]\n";
-    let case = read(&format!("{GEARS}{curve}"));
+    let case = read(format!("{}{curve}", *ROUGH_GEARS));
     let curve = case.curve.as_ref().unwrap();
     assert!(case.contacts.is_none(), "its points have the contacts");
     let solved = solve_curve(curve, &mut NoObserver);
     assert_eq!((solved.points.len(), solved.n_failed()), (2, 0));
     for (point, torque) in solved.points.iter().zip(["100 N.m", "110 N.m"]) {
-        let alone = read(&GEARS.replace("100 N.m", torque));
+        let alone = read(ROUGH_GEARS.replace("100 N.m", torque));
         let machine = solve_machine(alone.contacts.as_ref().unwrap(), &mut NoObserver);
         let expected = figures(&alone, &machine);
         let found = &point.machine.as_ref().unwrap().figures;
@@ -328,11 +302,7 @@ fn a_curve_of_whole_machines() {
         }
         let governing = machine.solution(machine.machine.governing).unwrap();
         let own = point.outcome.solution().unwrap();
-        assert_relative_eq!(
-            own.hertz.pressure,
-            governing.hertz.pressure,
-            max_relative = 1e-12
-        );
+        near(own.hertz.pressure, governing.hertz.pressure, 1e-12);
     }
     // The first contact of the second point starts from that of the first.
     let warm = |point: &PointSolution| {
@@ -372,12 +342,12 @@ fn a_curve_of_whole_machines() {
 /// A curve of a chosen contact has that contact alone.
 #[test]
 fn a_curve_of_one_contact_of_a_machine() {
-    let text = GEARS
+    let text = ROUGH_GEARS
         .replace("\"path\"", "\"pitch point\"")
         .replace("points = 3\n", "");
     let curve =
         "[curve]\nquantity = \"machine.pinion_speed\"\nvalues = [\"500 rpm\", \"1000 rpm\"]\n";
-    let case = read(&format!("{text}{curve}"));
+    let case = read(format!("{text}{curve}"));
     let points = &case.curve.as_ref().unwrap().points;
     assert!(
         points
@@ -391,8 +361,8 @@ fn a_curve_of_one_contact_of_a_machine() {
 fn a_point_with_a_failed_contact() {
     let curve =
         "[curve]\nquantity = \"machine.pinion_torque\"\nvalues = [\"50 N.m\", \"200 N.m\"]\n";
-    let text = GEARS.replace("newtonian = true", "newtonian = true\nmax_iterations = 1");
-    let case = read(&format!("{text}{curve}"));
+    let text = ROUGH_GEARS.replace("newtonian = true", "newtonian = true\nmax_iterations = 1");
+    let case = read(format!("{text}{curve}"));
     let solved = solve_curve(case.curve.as_ref().unwrap(), &mut NoObserver);
     assert_eq!(solved.n_failed(), 2);
     let reason = solved.points[0].outcome.reason().unwrap();
@@ -433,14 +403,19 @@ fn any_number_of_a_machine_varies() {
             "[\"5 um\", \"15 um\"]",
         ),
         (
-            GEARS,
+            ROUGH_GEARS.as_str(),
             "face_width",
             "face_width = \"14 mm\"\n",
             "[\"10 mm\", \"20 mm\"]",
         ),
-        (GEARS, "pinion_ra", "", "[\"0.2 um\", \"0.8 um\"]"),
         (
-            GEARS,
+            ROUGH_GEARS.as_str(),
+            "pinion_ra",
+            "",
+            "[\"0.2 um\", \"0.8 um\"]",
+        ),
+        (
+            ROUGH_GEARS.as_str(),
             "tip_relief",
             "tip_relief = \"10 um\"\ntip_relief_length = \"2 mm\"\n",
             "[\"5 um\", \"15 um\"]",
@@ -448,7 +423,7 @@ fn any_number_of_a_machine_varies() {
     ] {
         let text = base.replace("[bodies]", &format!("{old}[bodies]"));
         let curve = format!("[curve]\nquantity = \"machine.{key}\"\nvalues = {values}\n");
-        let case = read(&format!("{text}{curve}"));
+        let case = read(format!("{text}{curve}"));
         let points = &case.curve.as_ref().unwrap().points;
         assert!(points.iter().all(|p| p.case.contacts.is_some()), "{key}");
     }

@@ -1,28 +1,15 @@
 //! Marks of contacts apply to all figures derived from them; friction of machines follows a law by default; bars include the distance of the contacts.
 
-use std::path::Path;
+use std::sync::LazyLock;
 
 use ertel::case::Case;
 use ertel::engine::NoObserver;
-use ertel::machine::{MachineFigures, figures};
+use ertel::machine::MachineFigures;
 use ertel::output;
-use ertel::study::{MachineSolution, solve_curve, solve_machine};
+use ertel::study::{MachineSolution, solve_curve};
 
-fn read(text: &str) -> Case {
-    Case::from_text("machine.toml", text, Path::new("")).unwrap()
-}
-
-fn solve(text: &str) -> (Case, MachineSolution, MachineFigures) {
-    let case = read(text);
-    let solved = solve_machine(case.contacts.as_ref().unwrap(), &mut NoObserver);
-    assert_eq!(solved.n_failed(), 0);
-    let found = figures(&case, &solved);
-    (case, solved, found)
-}
-
-fn value(found: &MachineFigures, name: &str) -> f64 {
-    found.find(name).unwrap().estimate.value
-}
+use crate::common::text::read;
+use crate::common::{solved_machine, value};
 
 const STEEL: &str = "
 [bodies]
@@ -55,6 +42,10 @@ target_error = 0.05
     )
 }
 
+/// Their path without a law of the shear, solved.
+static NEWTONIAN_GEARS: LazyLock<(Case, MachineSolution, MachineFigures)> =
+    LazyLock::new(|| solved_machine(gears("[solver]\nnewtonian = true")));
+
 /// Effect of contact friction on a pair of gears.
 const OF_FRICTION: [&str; 8] = [
     "friction_coefficient_mean",
@@ -70,8 +61,8 @@ const OF_FRICTION: [&str; 8] = [
 /// Without a law some contacts have a traction above 0.15: all figures derived from friction have their mark, in the report, in JSON and in tables; films have none.
 #[test]
 fn friction_that_no_lubricant_transmits_marks_totals_of_gears() {
-    let (case, solved, found) = solve(&gears("[solver]\nnewtonian = true"));
-    let json = output::machine_json(&case.echo(), &solved, &found).unwrap();
+    let (case, solved, found) = &*NEWTONIAN_GEARS;
+    let json = output::machine_json(&case.echo(), solved, found).unwrap();
     for name in OF_FRICTION {
         let marks = &json["figures"][name]["marks"];
         assert_eq!(marks[0], "friction-beyond-lubricants", "{name}: {marks}");
@@ -88,7 +79,7 @@ fn friction_that_no_lubricant_transmits_marks_totals_of_gears() {
             "{name}"
         );
     }
-    let report = output::machine_report(&case.echo(), &solved, &found, None);
+    let report = output::machine_report(&case.echo(), solved, found, None);
     let line = |words: &str| {
         let mut lines = report.lines();
         lines.find(|line| line.contains(words)).unwrap().to_owned()
@@ -108,16 +99,16 @@ fn friction_that_no_lubricant_transmits_marks_totals_of_gears() {
 /// flanks of Ra 0.5 µm, which a warning and a label say.
 #[test]
 fn friction_of_gears_follows_a_law_by_default() {
-    let (case, solved, found) = solve(&gears(""));
+    let (case, solved, found) = solved_machine(gears(""));
     assert!(case.friction_by_law && case.shear_thinning().is_none());
     let friction = value(&found, "friction_coefficient_mean");
     assert!((0.018..0.0225).contains(&friction), "{friction}");
     let power = value(&found, "friction_power");
     assert!((18.5..23.5).contains(&power), "{power}");
-    let (_, _, newtonian) = solve(&gears("[solver]\nnewtonian = true"));
+    let (_, _, newtonian) = &*NEWTONIAN_GEARS;
     assert_eq!(
         value(&found, "film_minimum"),
-        value(&newtonian, "film_minimum")
+        value(newtonian, "film_minimum")
     );
     for name in OF_FRICTION {
         let estimate = found.find(name).unwrap().estimate;
@@ -167,7 +158,7 @@ target_error = 0.1
 /// the limiting stress, 3/8 µ Q a E(k) ω over the contacts (computed outside).
 #[test]
 fn spin_is_bounded_or_not_resolved() {
-    let (case, solved, found) = solve(&bearing(""));
+    let (case, solved, found) = solved_machine(bearing(""));
     for name in [
         "friction_power_spin",
         "friction_power",
@@ -189,7 +180,7 @@ fn spin_is_bounded_or_not_resolved() {
         "{table}"
     );
 
-    let (_, solved, found) = solve(&bearing("base_oil = 'mineral'"));
+    let (_, solved, found) = solved_machine(bearing("base_oil = 'mineral'"));
     let spin = value(&found, "friction_power_spin");
     assert!((3.0..9.4).contains(&spin), "{spin}");
     assert!(
@@ -241,7 +232,7 @@ fn tables_of_curves_name_marked_figures_and_warnings() {
 #[test]
 fn bars_of_a_turn_hold_the_distance_of_its_angles() {
     let cam = |points: usize| {
-        let (_, _, found) = solve(&format!(
+        let (_, _, found) = solved_machine(format!(
             "
 [machine]
 kind = 'cam'

@@ -1,37 +1,33 @@
 //! Warnings of converged results that are physically impossible; names of figures that the mesh does not resolve.
 
-use std::path::Path;
+use std::sync::LazyLock;
 
-use ertel::case::Case;
-use ertel::engine::NoObserver;
-use ertel::run::solve;
+use crate::common;
+use crate::common::text::{LINE, read, with};
+
 use ertel::solution::{Figure, Solution, Why};
 use ertel::warning::WarningKind;
-use ertel_input::Document;
 
-const ROLLER: &str = r#"
-    [contact]
-    kind = "line"
-    radius = "10 mm"
-    load = "100 kN/m"
-    [bodies]
-    body_1 = "steel"
-    body_2 = "steel"
-    [motion]
-    entrainment_speed = "2 m/s"
-    slide_to_roll_ratio = 0.05
-    [lubricant]
-    temperature = "40 degC"
-    density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-    viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
-"#;
+/// A Newtonian isothermal roller that slides.
+static ROLLER: LazyLock<String> = LazyLock::new(|| {
+    with(
+        LINE,
+        &[
+            ["20 kN/m", "100 kN/m"],
+            ["1 m/s", "2 m/s"],
+            ["slide_to_roll_ratio = 0.0", "slide_to_roll_ratio = 0.05"],
+            ["20 1/GPa", "22 1/GPa"],
+        ],
+    )
+});
+
+/// Its solution.
+static SOLVED: LazyLock<Solution> = LazyLock::new(|| solved(&ROLLER));
 
 const EYRING: &str = r#"shear_thinning = { law = "ree-eyring", tau_0 = "5 MPa" }"#;
 
 fn solved(text: &str) -> Solution {
-    let document = Document::parse("roller.toml", text).unwrap();
-    let case = Case::from_document(&document, Path::new("")).unwrap();
-    solve(&case, &mut NoObserver).unwrap()
+    common::solved(&read(text))
 }
 
 fn warning(solution: &Solution, kind: WarningKind) -> Option<&str> {
@@ -45,9 +41,9 @@ fn warning(solution: &Solution, kind: WarningKind) -> Option<&str> {
 /// spike is beyond all bounds, too, and Eyring's stress is not.
 #[test]
 fn friction_that_no_lubricant_transmits() {
-    let newtonian = solved(ROLLER);
+    let newtonian = &*SOLVED;
     assert!(newtonian.traction.coefficient.value > 0.15);
-    let words = warning(&newtonian, WarningKind::Friction).unwrap();
+    let words = warning(newtonian, WarningKind::Friction).unwrap();
     let coefficient = format!(
         "traction coefficient of {:.3}",
         newtonian.traction.coefficient.value
@@ -63,7 +59,7 @@ fn friction_that_no_lubricant_transmits() {
     let rolling = solved(&ROLLER.replace("0.05", "0.0"));
     let words = warning(&rolling, WarningKind::Friction).unwrap();
     assert!(words.contains("a shear stress of"), "{words}");
-    let thinning = solved(&format!("{ROLLER}{EYRING}"));
+    let thinning = solved(&format!("{}{EYRING}", *ROLLER));
     assert!(thinning.traction.coefficient.value < 0.08);
     assert_eq!(warning(&thinning, WarningKind::Friction), None);
 }
@@ -126,9 +122,8 @@ fn friction_beyond_physics_is_not_resolved() {
 /// An inlet edge at 1.2 half-widths starves the contact: its effect on the films exceeds any bar.
 #[test]
 fn unresolved_figures_are_named() {
-    let fine = solved(ROLLER);
-    assert!(fine.unresolved.is_empty());
-    let starved = solved(&format!("{ROLLER}[mesh]\ninlet = -1.2\n"));
+    assert!(SOLVED.unresolved.is_empty());
+    let starved = solved(&format!("{}[mesh]\ninlet = -1.2\n", *ROLLER));
     let figures: Vec<Figure> = starved.unresolved.iter().map(|u| u.figure).collect();
     assert!(figures.contains(&Figure::FilmCentral) && figures.contains(&Figure::FilmMinimum));
     assert!(warning(&starved, WarningKind::InletEdge).is_some());
@@ -144,26 +139,11 @@ fn unresolved_figures_are_named() {
 fn heat_balances_close() {
     let hot = |speed, ratio| {
         solved(&format!(
-            r#"
-    [contact]
-    kind = "line"
-    radius = "20 mm"
-    hertz_pressure = "400 MPa"
-    [bodies]
-    body_1 = "sapphire"
-    body_2 = "steel"
-    [motion]
-    entrainment_speed = "{speed} m/s"
-    slide_to_roll_ratio = {ratio}
-    [lubricant]
-    temperature = "40 degC"
-    density = {{ law = "dowson-higginson", rho_0 = "870 kg/m^3" }}
-    viscosity = {{ law = "roelands", mu_0 = "40 mPa.s", alpha = "20 1/GPa", beta = "0.04 1/K", reference_temperature = "40 degC" }}
-    thermal_conductivity = "0.14 W/(m.K)"
-    heat_capacity = "2000 J/(kg.K)"
-    shear_thinning = {{ law = "carreau-yasuda", g = "5 MPa", n = 0.45, a = 5.0, mu_2 = "0 Pa.s" }}
-    [thermal]
-"#
+            "[contact]\nkind = \"line\"\nradius = \"20 mm\"\nhertz_pressure = \"400 MPa\"\n\
+         [bodies]\nbody_1 = \"sapphire\"\nbody_2 = \"steel\"\n\
+         [motion]\nentrainment_speed = \"{speed} m/s\"\nslide_to_roll_ratio = {ratio}\n\
+         [lubricant]\ntemperature = \"40 degC\"\ndensity = {{ law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }}\nviscosity = {{ law = \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"20 1/GPa\", beta = \"0.04 1/K\", reference_temperature = \"40 degC\" }}\nthermal_conductivity = \"0.14 W/(m.K)\"\nheat_capacity = \"2000 J/(kg.K)\"\nshear_thinning = {{ law = \"carreau-yasuda\", g = \"5 MPa\", n = 0.45, a = 5.0, mu_2 = \"0 Pa.s\" }}\n\
+         [thermal]\n"
         ))
     };
     // It was open by 2.2 % where the oil entered with a jump at the walls.

@@ -1,5 +1,6 @@
 //! Reliefs that stand still in steady contacts, and maps.
 
+use crate::common::near;
 use std::path::Path;
 
 use approx::assert_relative_eq;
@@ -54,16 +55,8 @@ fn stationary_waves_agree_with_finite_elements() {
         (AT_REST, waves("0 deg", "x = \"1.367 mm\""), [183.8, 107.4]),
     ] {
         let found = films(&solved(motion, &more));
-        assert_relative_eq!(
-            found[0] / smooth[0],
-            expected[0] / 213.4,
-            max_relative = 1e-2
-        );
-        assert_relative_eq!(
-            found[1] / smooth[1],
-            expected[1] / 120.6,
-            max_relative = 2e-2
-        );
+        near(found[0] / smooth[0], expected[0] / 213.4, 1e-2);
+        near(found[1] / smooth[1], expected[1] / 120.6, 2e-2);
     }
 }
 
@@ -96,11 +89,7 @@ fn a_map_of_waves_is_waves() {
     assert_relative_eq!(problem.load, problem.shape.load(), max_relative = 1e-12);
     let left = 50.0 * (-std::f64::consts::LN_2 * (30.0 / lambda).powi(2)).exp();
     let echo = map.echo().surfaces;
-    assert_relative_eq!(
-        echo[0].filtered.sq,
-        1e-9 * left / 2.0_f64.sqrt(),
-        max_relative = 1e-2
-    );
+    near(echo[0].filtered.sq, 1e-9 * left / 2.0_f64.sqrt(), 1e-2);
     let waves = format!(
         "{COARSE}[[surface]]\nkind = \"waves\"\nbody = \"body_2\"\nwavelength = \"{lambda} um\"\namplitude = \"{left} nm\"\nx = \"1.367 mm\"\n"
     );

@@ -2,11 +2,11 @@
 
 use crate::common;
 
-use std::path::Path;
 use std::sync::Arc;
 
+use crate::common::text::read;
 use approx::assert_relative_eq;
-use common::{case, heated};
+use common::{case, heated, near, solved};
 use ertel::case::{Case, Lubricant};
 use ertel::contact::roller::{Profile, Roller};
 use ertel::contact::{Contact, ContactKind, Hertz, Motion, Symmetry};
@@ -18,7 +18,6 @@ use ertel::solution::{Estimate, Figure, IterationRecord, Solution};
 use ertel::solve::discretisation::{ContactSurface, Discretisation};
 use ertel::warning::WarningKind;
 use ertel_fem::linear::NEVER;
-use ertel_input::Document;
 use ertel_rheology::ViscosityLaw;
 
 const RADIUS: f64 = 0.016;
@@ -57,10 +56,6 @@ fn lundberg(length: f64) -> Case {
         Profile::lundberg(length, w, b, modulus),
         0.0,
     )
-}
-
-fn solved(case: &Case) -> Solution {
-    solve(case, &mut NoObserver).unwrap()
 }
 
 /// Whether two figures agree within their bars and a share of themselves.
@@ -268,11 +263,7 @@ fn a_tilt_shifts_the_contact_along_the_crown() {
         let shift = angle * CROWN;
         assert!((position.value - shift).abs() < bar, "{position:?} {shift}");
         let moment = figure(Figure::RollerMoment).value;
-        assert_relative_eq!(
-            moment,
-            case.contact.load * position.value,
-            max_relative = 1e-9
-        );
+        near(moment, case.contact.load * position.value, 1e-9);
         [Figure::EdgePressureRight, Figure::EdgePressureLeft].map(figure)
     });
     // Mirror images: the ends exchange their pressures.
@@ -303,12 +294,11 @@ fn a_tilted_logarithmic_roller_is_solved() {
     let text = include_str!("../../../cases/cylindrical-roller.toml");
     let text = text.replace("misalignment = \"0 deg\"", "misalignment = \"0.01 deg\"");
     let text = format!("{text}\n[mesh]\ntarget_error = \"2 %\"\n");
-    let document = Document::parse("tilted.toml", text.as_str()).unwrap();
-    let case = Case::from_document(&document, Path::new("")).unwrap();
-    assert_relative_eq!(
+    let case = read(&text);
+    near(
         case.contact.roller.as_ref().unwrap().misalignment,
         0.01_f64.to_radians(),
-        max_relative = 1e-12
+        1e-12,
     );
     let mut count = Count(0, 85);
     let solution = solve(&case, &mut count).unwrap();

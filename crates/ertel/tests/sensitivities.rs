@@ -3,20 +3,15 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use crate::common::text::read;
 use ertel::case::Case;
 use ertel::engine::NoObserver;
 use ertel::params::{Method, SensitivityDemand};
 use ertel::run::{Start, solve_from};
 use ertel::solution::{Figure, Sensitivities, SensitivityMethod, Solution};
-use ertel_input::Document;
 
 /// Steps of the inputs, over their size.
 const STEP: f64 = 5e-5;
-
-fn case(text: &str) -> Case {
-    let document = Document::parse("case.toml", text).unwrap();
-    Case::from_document(&document, Path::new("")).unwrap()
-}
 
 fn solved(case: &Case, start: Option<&Start>) -> (Solution, Start) {
     let (solution, next) = solve_from(case, start, &[], &mut NoObserver).unwrap();
@@ -49,7 +44,7 @@ fn expect_inputs(found: &Sensitivities, n_inputs: usize) {
 
 /// All inputs at once, each with a separate weight: one pair of solves instead of one for each input, where solves take long.
 fn along_directions(text: &str, n_inputs: usize, tolerance: f64) {
-    let base = case(&format!("{text}\n[output]\nsensitivities = true\n"));
+    let base = read(format!("{text}\n[output]\nsensitivities = true\n"));
     let (solution, start) = solved(&base, None);
     let sensitivities = solution.sensitivities.as_ref().unwrap();
     expect_inputs(sensitivities, n_inputs);
@@ -85,7 +80,7 @@ fn along_directions(text: &str, n_inputs: usize, tolerance: f64) {
 
 /// Compares every derivative with differences of solves: relative to 1e-5, small ones to 1e-6 of the largest.
 fn against_differences(text: &str, n_inputs: usize, n_figures: usize) {
-    let base = case(&format!("{text}\n[output]\nsensitivities = true\n"));
+    let base = read(format!("{text}\n[output]\nsensitivities = true\n"));
     let (solution, start) = solved(&base, None);
     let sensitivities = solution.sensitivities.as_ref().unwrap();
     expect_inputs(sensitivities, n_inputs);
@@ -139,37 +134,21 @@ fn neglected(figure: Figure) -> f64 {
     }
 }
 
-const NEWTONIAN: &str = r#"
-[bodies]
-body_1 = "steel"
-body_2 = { youngs_modulus = "400 GPa", poissons_ratio = 0.25 }
-[motion]
-entrainment_speed = "0.8 m/s"
-slide_to_roll_ratio = 0.1
-[lubricant]
-temperature = "60 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "18 1/GPa" }
-[mesh]
-preset = "coarse"
-[solver]
-tolerance = 1e-11
-"#;
+const NEWTONIAN: &str = concat!(
+    "[bodies]\nbody_1 = \"steel\"\nbody_2 = { youngs_modulus = \"400 GPa\", poissons_ratio = 0.25 }\n",
+    "[motion]\nentrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.1\n",
+    "[lubricant]\ntemperature = \"60 degC\"\ndensity = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }\nviscosity = { law = \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"18 1/GPa\" }\n",
+    "[mesh]\npreset = \"coarse\"\n",
+    "[solver]\ntolerance = 1e-11\n"
+);
 
-const SHEAR_THINNING: &str = r#"
-lubricant = "squalane-pip"
-temperature = "313 K"
-[bodies]
-body_1 = "glass"
-body_2 = "steel"
-[motion]
-entrainment_speed = "0.74 m/s"
-slide_to_roll_ratio = 0.2
-[mesh]
-preset = "coarse"
-[solver]
-tolerance = 1e-11
-"#;
+const SHEAR_THINNING: &str = concat!(
+    "lubricant = \"squalane-pip\"\ntemperature = \"313 K\"\n",
+    "[bodies]\nbody_1 = \"glass\"\nbody_2 = \"steel\"\n",
+    "[motion]\nentrainment_speed = \"0.74 m/s\"\nslide_to_roll_ratio = 0.2\n",
+    "[mesh]\npreset = \"coarse\"\n",
+    "[solver]\ntolerance = 1e-11\n"
+);
 
 #[test]
 fn newtonian_line() {
@@ -203,7 +182,7 @@ fn heated_circle() {
     let text = std::fs::read_to_string(path).unwrap();
     let tight = text.replacen("[thermal]", "[thermal]\ntolerance = 1e-5", 1);
     let tail = "\n[mesh]\ntarget_error = 0.05\ninlet = -15.0\noutlet = 15.0\nside = 10.0\n[output]\nsensitivities = true\n[solver]\nmethod = \"finite-volumes\"\n";
-    let base = case(&format!("{tight}{tail}"));
+    let base = read(format!("{tight}{tail}"));
     let solve = |case: &Case| solve_from(case, None, &[], &mut NoObserver).unwrap().0;
     let solution = solve(&base);
     assert_eq!(solution.stats.method, Method::FiniteVolumes);
@@ -259,7 +238,7 @@ fn heated_circle_with_warmer_laws() {
         viscosity = { law = \"wlf\", mu_g = \"1e12 Pa.s\", t_g0 = \"-73.86 degC\", a_1 = \"188.95 K\", a_2 = \"0.719 1/GPa\", \
         b_1 = 0.2, b_2 = \"8.2 1/GPa\", c_1 = 16.09, c_2 = \"17.38 K\" }\n\
         [thermal]\n[mesh]\ntarget_error = 0.05\n[output]\nsensitivities = true\n[solver]\nmethod = \"finite-volumes\"\n";
-    let (solution, _) = solve_from(&case(text), None, &[], &mut NoObserver).unwrap();
+    let (solution, _) = solve_from(&read(text), None, &[], &mut NoObserver).unwrap();
     let found = solution.sensitivities.as_ref().unwrap();
     let keys = [
         "lubricant.temperature",
@@ -294,7 +273,7 @@ fn heated_line() {
         viscosity = { law = \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"18 1/GPa\", beta = \"0.048 1/K\", reference_temperature = \"40 degC\" }\n\
         shear_thinning = { law = \"ree-eyring\", tau_0 = \"6 MPa\" }\n\
         [thermal]\n[mesh]\ntarget_error = 0.01\n[output]\nsensitivities = true\n[solver]\nmethod = \"finite-volumes\"\n";
-    let solution = solve_from(&case(text), None, &[], &mut NoObserver)
+    let solution = solve_from(&read(text), None, &[], &mut NoObserver)
         .unwrap()
         .0;
     let found = solution.sensitivities.as_ref().unwrap();
@@ -359,7 +338,7 @@ fn skewed_circle() {
 /// same pressures and traction; one of twice the modulus, load and viscosity and half the pressure-viscosity coefficient has twice the
 /// pressures, and all else the same. By hand, for any shape.
 fn scales_with_size_and_stress(text: &str, lengths: &[&str], tolerance: f64, of_pressure: f64) {
-    let base = case(&format!("{text}\n[output]\nsensitivities = true\n"));
+    let base = read(format!("{text}\n[output]\nsensitivities = true\n"));
     let (solution, _) = solved(&base, None);
     let sensitivities = solution.sensitivities.as_ref().unwrap();
     for figure in &sensitivities.figures {
@@ -433,7 +412,7 @@ fn rollers_scale() {
 fn a_roller_does_not_feel_length_that_carries_nothing() {
     let contact = "[contact]\nkind = \"roller\"\nradius = \"10 mm\"\nload = \"40 N\"\nlength = \"2 mm\"\n\
                    profile = { kind = \"crown\", crown_radius = \"300 mm\" }\n";
-    let base = case(&format!(
+    let base = read(format!(
         "{contact}{}\n[output]\nsensitivities = true\n",
         scalable()
     ));

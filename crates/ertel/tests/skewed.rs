@@ -3,13 +3,10 @@
 use crate::common;
 
 use approx::assert_relative_eq;
-use common::{case, heated};
+use common::{case, heated, near, solved};
 use ertel::case::Case;
 use ertel::contact::{ContactKind, Symmetry};
-use ertel::engine::NoObserver;
 use ertel::params::MeshParams;
-use ertel::run::solve;
-use ertel::solution::Solution;
 use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning};
 
 /// A ball on a plane, with a film that stress thins or not.
@@ -19,10 +16,6 @@ fn contact(thins: bool) -> Case {
     let carreau = Carreau::new(5e6, 0.5, 2.0, 0.1).unwrap();
     case.lubricant.shear_thinning = thins.then(|| ShearThinning::of(ShearLaw::Carreau(carreau)));
     case
-}
-
-fn solved(case: &Case) -> Solution {
-    solve(case, &mut NoObserver).unwrap()
 }
 
 fn alike(a: ertel::solution::Estimate, b: ertel::solution::Estimate, what: &str) {
@@ -68,10 +61,10 @@ fn newtonian_film_pulls_as_it_slides() {
     case.motion.slide_to_roll_ratio_across = -0.06;
     let straight = solved(&case);
     let across = straight.traction.across.unwrap();
-    assert_relative_eq!(
+    near(
         across.coefficient.value,
         -1.5 * straight.traction.coefficient.value,
-        max_relative = 1e-9
+        1e-9,
     );
 }
 

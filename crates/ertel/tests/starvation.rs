@@ -4,12 +4,11 @@
 use crate::common;
 
 use approx::assert_relative_eq;
-use common::{case, heated};
+use common::{case, heated, solved};
 use ertel::case::Case;
 use ertel::contact::{ContactKind, Supply};
-use ertel::engine::NoObserver;
 use ertel::params::MeshParams;
-use ertel::run::{predicted_film, solve};
+use ertel::run::predicted_film;
 use ertel::solution::Solution;
 
 /// N, N/m of a line.
@@ -24,10 +23,6 @@ fn layer(kind: ContactKind, share: f64, target: f64) -> (Case, f64) {
     let thickness = share * predicted_film(&case);
     case.supply = Supply::OilLayer { thickness };
     (case, thickness)
-}
-
-fn solved(case: &Case) -> Solution {
-    solve(case, &mut NoObserver).unwrap()
 }
 
 /// Index of the sample of the centreline nearest to x, m.

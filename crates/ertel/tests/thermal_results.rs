@@ -3,8 +3,9 @@
 
 use crate::common;
 
+use crate::common::text::read;
 use approx::assert_relative_eq;
-use common::heated;
+use common::{heated, near};
 use ertel::case::Case;
 use ertel::contact::{ContactKind, Scales, Symmetry};
 use ertel::engine::NoObserver;
@@ -18,7 +19,6 @@ use ertel::solve::results::elements::elements;
 use ertel::solve::results::thermal::thermal;
 use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
 use ertel_fem::element::Lagrange;
-use ertel_input::Document;
 use ertel_rheology::provenance::{TemperatureRange, celsius};
 
 fn case(kind: ContactKind, load: f64, slide_to_roll_ratio: f64) -> Case {
@@ -233,16 +233,12 @@ fn heat_is_accounted_for() {
     let solution = solve(&case, &mut NoObserver).unwrap();
     let thermal = solution.thermal.as_ref().unwrap();
     let b = &thermal.balance;
-    assert_relative_eq!(
-        b.shear.value,
-        solution.traction.friction_power.value,
-        max_relative = 2e-3
-    );
+    near(b.shear.value, solution.traction.friction_power.value, 2e-3);
     let made = b.shear.value + b.compression.value;
-    assert_relative_eq!(
+    near(
         made,
         b.to_body_1.value + b.to_body_2.value + b.by_film.value,
-        max_relative = 0.01
+        0.01,
     );
     // The error is of the heat made, compression with its sign; what compression and expansion make is a small part of the heat.
     let lost = made - b.to_body_1.value - b.to_body_2.value - b.by_film.value;
@@ -262,16 +258,8 @@ fn heat_is_accounted_for() {
     assert_relative_eq!(lowest, -depth, max_relative = 1e-9);
     assert!(heights.fold(0.0, f64::max) > depth);
     // Glass conducts next to nothing out of the area; steel a little, to where it comes in.
-    assert_relative_eq!(
-        carried(&case, &solution, 0),
-        b.to_body_1.value,
-        max_relative = 0.02
-    );
-    assert_relative_eq!(
-        carried(&case, &solution, 2),
-        b.to_body_2.value,
-        max_relative = 0.05
-    );
+    near(carried(&case, &solution, 0), b.to_body_1.value, 0.02);
+    near(carried(&case, &solution, 2), b.to_body_2.value, 0.05);
     let reduction = thermal.reduction.unwrap();
     assert!(reduction.traction.unwrap().value > 0.0 && reduction.film_central.value > 0.0);
 }
@@ -282,11 +270,7 @@ fn heat_of_a_circular_contact_counts_both_halves() {
     let solution = solve(&case(ContactKind::Circular, 30.0, 0.4), &mut NoObserver).unwrap();
     let thermal = solution.thermal.as_ref().unwrap();
     let b = &thermal.balance;
-    assert_relative_eq!(
-        b.shear.value,
-        solution.traction.friction_power.value,
-        max_relative = 5e-3
-    );
+    near(b.shear.value, solution.traction.friction_power.value, 5e-3);
     assert!(b.error.abs() < 0.01, "{}", b.error);
     // Every wedge has its lower triangle below the upper one, and volume.
     let field = thermal.field.as_ref().unwrap();
@@ -357,8 +341,7 @@ fn no_film_is_colder_than_the_inflow() {
              viscosity = {{ law = \"roelands\", mu_0 = \"20 mPa.s\", alpha = \"19 1/GPa\", beta = \"0.037 1/K\", reference_temperature = \"60 degC\" }}\n\
              thermal_conductivity = \"0.14 W/(m.K)\"\nheat_capacity = \"2000 J/(kg.K)\"\n"
         );
-        let document = Document::parse("warm.toml", text).unwrap();
-        let mut case = Case::from_document(&document, "".as_ref()).unwrap();
+        let mut case = read(text);
         case.solver.method = Some(method);
         let solution = solve(&case, &mut NoObserver).unwrap();
         let lowest = &solution.thermal.as_ref().unwrap().film_lowest;

@@ -1,12 +1,9 @@
 //! Films thicker than the dry contact is deep, around bodies that hardly deflect, with the motion at an angle.
 
-use std::path::Path;
-
-use ertel::case::Case;
+use crate::common::text::read;
 use ertel::engine::NoObserver;
 use ertel::run::solve;
 use ertel::solution::Estimate;
-use ertel_input::Document;
 
 /// A body on a plane, by finite elements: its central film, m, for an incompressible oil of one viscosity.
 fn film(contact: &str, mesh: &str) -> Estimate {
@@ -18,8 +15,7 @@ fn film(contact: &str, mesh: &str) -> Estimate {
          viscosity = {{ law = \"constant\", mu_0 = \"20 mPa.s\" }}\n\
          [solver]\nmethod = \"finite-elements\"\n[mesh]\ntarget_error = \"0.2 %\"\n{mesh}\n[output]\nsensitivities = false\n"
     );
-    let document = Document::parse("thick.toml", &text).unwrap();
-    let case = Case::from_document(&document, Path::new("")).unwrap();
+    let case = read(&text);
     solve(&case, &mut NoObserver).unwrap().summary.film_central
 }
 

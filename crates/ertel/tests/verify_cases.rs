@@ -3,12 +3,10 @@
 use crate::common;
 
 use approx::assert_relative_eq;
+use common::solved;
 use ertel::case::Case;
 use ertel::contact::{Contact, ContactKind, reduced_modulus};
-use ertel::engine::NoObserver;
 use ertel::params::ElasticModel;
-use ertel::run::solve;
-use ertel::solution::Solution;
 use ertel_rheology::{DensityLaw, ViscosityLaw};
 
 /// Circular contacts on a mesh that is cheap rather than accurate: the statements below hold on any.
@@ -21,10 +19,6 @@ fn cheap(case: &mut Case) {
         case.mesh.pressure_order = 2;
     }
     case.solver.error_estimate = false;
-}
-
-fn solved(case: &Case) -> Solution {
-    solve(case, &mut NoObserver).unwrap()
 }
 
 /// Glass on steel, each body for itself and as one equivalent body (Habchi 2008, appendix A).

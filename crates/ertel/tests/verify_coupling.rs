@@ -2,17 +2,14 @@
 
 use crate::common;
 
-use std::path::Path;
-
+use crate::common::text::read;
 use approx::assert_relative_eq;
-use ertel::case::Case;
 use ertel::contact::ContactKind;
 use ertel::engine::{NoObserver, Observer};
 use ertel::reference::thermal::{ThermalReduction, thermal_loading};
 use ertel::run::{problem, solve};
 use ertel::solution::Role;
 use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
-use ertel_input::Document;
 
 /// Keeps the changes of the rounds of the last coupling.
 #[derive(Default)]
@@ -85,29 +82,13 @@ fn the_remaining_error_is_within_the_tolerance() {
 /// is reduced as the formula of Murch and Wilson has it, within a fifth, by which such formulas differ.
 #[test]
 fn rolling_at_high_speed_settles_from_the_isothermal_film() {
-    let text = r#"
-[contact]
-kind = "line"
-radius = "12.7 mm"
-hertz_pressure = "700 MPa"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[motion]
-entrainment_speed = "30 m/s"
-slide_to_roll_ratio = 0
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "15 1/GPa", beta = "0.04 1/K", reference_temperature = "40 degC" }
-thermal_conductivity = "0.14 W/(m.K)"
-heat_capacity = "2000 J/(kg.K)"
-[mesh]
-preset = "coarse"
-[thermal]
-"#;
-    let document = Document::parse("case.toml", text).unwrap();
-    let case = Case::from_document(&document, Path::new("")).unwrap();
+    let text = "[contact]\nkind = \"line\"\nradius = \"12.7 mm\"\nhertz_pressure = \"700 MPa\"\n\
+         [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
+         [motion]\nentrainment_speed = \"30 m/s\"\nslide_to_roll_ratio = 0\n\
+         [lubricant]\ntemperature = \"40 degC\"\ndensity = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }\nviscosity = { law = \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"15 1/GPa\", beta = \"0.04 1/K\", reference_temperature = \"40 degC\" }\nthermal_conductivity = \"0.14 W/(m.K)\"\nheat_capacity = \"2000 J/(kg.K)\"\n\
+         [mesh]\npreset = \"coarse\"\n\
+         [thermal]\n";
+    let case = read(text);
     let mut rounds = Rounds::default();
     let solution = solve(&case, &mut rounds).unwrap_or_else(|e| panic!("{e}"));
     let paths = solution

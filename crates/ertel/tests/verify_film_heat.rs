@@ -3,6 +3,7 @@
 
 use crate::common;
 
+use crate::common::text::read;
 use approx::assert_relative_eq;
 use common::rigid::heated_case;
 use ertel::case::Case;
@@ -45,6 +46,41 @@ fn case(thins: bool) -> Case {
     let law = Rabinowitsch::new(KNEE, 1.0 / 3.0).unwrap();
     case.lubricant.shear_thinning = thins.then(|| ShearThinning::of(ShearLaw::Rabinowitsch(law)));
     case
+}
+
+/// The place, with a temperature at each node and height s.
+fn place(
+    problem: &Problem,
+    held_conductance: Option<f64>,
+    temperature: impl Fn(usize, f64) -> f64,
+) -> FilmPlace {
+    let mut place = FilmPlace {
+        pressure_rate: 0.0,
+        at: AT,
+        pressure: PRESSURE,
+        pressure_gradient: GRADIENT,
+        film: FILM,
+        filling: 1.0,
+        temperature: [0.0; MOST_NODES],
+        held_conductance,
+    };
+    let nodes = problem.fluid.nodes().unwrap().points();
+    for (m, s) in nodes.iter().enumerate() {
+        place.temperature[m] = temperature(m, *s);
+    }
+    place
+}
+
+/// The film at a place, with heat by these laws.
+fn column_at(problem: &Problem, heat: &Heat, place: &FilmPlace) -> FilmColumn {
+    let heights = &problem.plan.heat.as_ref().unwrap().column.heights;
+    film_column(
+        &problem.fluid,
+        heat,
+        heights,
+        place,
+        &mut CrossFilm::default(),
+    )
 }
 
 /// Velocities of plane and ball at the place, m/s, by hand.
@@ -187,26 +223,10 @@ fn heat_of_the_film() {
         let heights = &problem.plan.heat.as_ref().unwrap().column.heights;
         let nodes = problem.fluid.nodes().unwrap().points();
         let column = |warmer: Option<usize>, by: f64| {
-            let mut place = FilmPlace {
-                pressure_rate: 0.0,
-                at: AT,
-                pressure: PRESSURE,
-                pressure_gradient: GRADIENT,
-                film: FILM,
-                filling: 1.0,
-                temperature: [0.0; MOST_NODES],
-                held_conductance: None,
-            };
-            for (m, s) in nodes.iter().enumerate() {
-                place.temperature[m] = profile(*s) + if warmer == Some(m) { by } else { 0.0 };
-            }
-            film_column(
-                &problem.fluid,
-                heat,
-                heights,
-                &place,
-                &mut CrossFilm::default(),
-            )
+            let place = place(&problem, None, |m, s| {
+                profile(s) + if warmer == Some(m) { by } else { 0.0 }
+            });
+            column_at(&problem, heat, &place)
         };
         let found = column(None, 0.0);
         let u_m = case.motion.entrainment_speed;
@@ -264,28 +284,9 @@ fn heat_of_the_film() {
 /// profile itself.
 fn film_at(problem: &Problem, held: bool, warmer: impl Fn(f64) -> f64) -> FilmColumn {
     let heat = problem.heat.as_ref().unwrap();
-    let nodes = problem.fluid.nodes().unwrap().points();
     let column = |held_conductance: Option<f64>, warmer: &dyn Fn(f64) -> f64| {
-        let mut place = FilmPlace {
-            pressure_rate: 0.0,
-            at: AT,
-            pressure: PRESSURE,
-            pressure_gradient: GRADIENT,
-            film: FILM,
-            filling: 1.0,
-            temperature: [0.0; MOST_NODES],
-            held_conductance,
-        };
-        for (t, s) in place.temperature.iter_mut().zip(nodes) {
-            *t = profile(*s) + warmer(*s);
-        }
-        film_column(
-            &problem.fluid,
-            heat,
-            &problem.plan.heat.as_ref().unwrap().column.heights,
-            &place,
-            &mut CrossFilm::default(),
-        )
+        let place = place(problem, held_conductance, |_, s| profile(s) + warmer(s));
+        column_at(problem, heat, &place)
     };
     let conductance = column(None, &|_| 0.0).conductance;
     column(held.then_some(conductance), &warmer)
@@ -387,27 +388,8 @@ fn the_film_conducts_by_its_own_temperature() {
         conductivity,
         ..heat.clone()
     };
-    let mut place = FilmPlace {
-        pressure_rate: 0.0,
-        at: AT,
-        pressure: PRESSURE,
-        pressure_gradient: GRADIENT,
-        film: FILM,
-        filling: 1.0,
-        temperature: [0.0; MOST_NODES],
-        held_conductance: None,
-    };
-    let nodes = problem.fluid.nodes().unwrap().points();
-    for (t, s) in place.temperature.iter_mut().zip(nodes) {
-        *t = profile(*s);
-    }
-    let found = film_column(
-        &problem.fluid,
-        &law,
-        heights,
-        &place,
-        &mut CrossFilm::default(),
-    );
+    let place = place(&problem, None, |_, s| profile(s));
+    let found = column_at(&problem, &law, &place);
     let h = FILM * law.film;
     let mut largest = 0.0_f64;
     for (point, s) in found.heights.iter().zip(heights.points()) {
@@ -424,28 +406,12 @@ fn the_film_conducts_by_its_own_temperature() {
 /// where the pressure falls steeply.
 #[test]
 fn heat_of_a_film_that_is_all_but_solid() {
-    let text = r#"
-        [contact]
-        kind = "line"
-        radius = "7.9 mm"
-        load = "181 kN/m"
-        [bodies]
-        body_1 = "steel"
-        body_2 = "steel"
-        [motion]
-        entrainment_speed = "0.1 m/s"
-        slide_to_roll_ratio = 1.0
-        [lubricant]
-        temperature = "60 degC"
-        density = { law = "dowson-higginson", rho_0 = "860 kg/m^3", reference_temperature = "60 degC", beta = "7e-4 1/K" }
-        viscosity = { law = "roelands", mu_0 = "8.65 mPa.s", alpha = "40 1/GPa", reference_temperature = "60 degC", beta = "0.035 1/K" }
-        thermal_conductivity = "0.13 W/(m.K)"
-        heat_capacity = "2000 J/(kg.K)"
-        shear_thinning = { law = "ree-eyring", tau_0 = "6 MPa" }
-        [thermal]
-    "#;
-    let document = ertel_input::Document::parse("case.toml", text).unwrap();
-    let case = Case::from_document(&document, std::path::Path::new("")).unwrap();
+    let text = "[contact]\nkind = \"line\"\nradius = \"7.9 mm\"\nload = \"181 kN/m\"\n\
+         [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
+         [motion]\nentrainment_speed = \"0.1 m/s\"\nslide_to_roll_ratio = 1.0\n\
+         [lubricant]\ntemperature = \"60 degC\"\ndensity = { law = \"dowson-higginson\", rho_0 = \"860 kg/m^3\", reference_temperature = \"60 degC\", beta = \"7e-4 1/K\" }\nviscosity = { law = \"roelands\", mu_0 = \"8.65 mPa.s\", alpha = \"40 1/GPa\", reference_temperature = \"60 degC\", beta = \"0.035 1/K\" }\nthermal_conductivity = \"0.13 W/(m.K)\"\nheat_capacity = \"2000 J/(kg.K)\"\nshear_thinning = { law = \"ree-eyring\", tau_0 = \"6 MPa\" }\n\
+         [thermal]\n";
+    let case = read(text);
     let problem = problem(&case);
     let law = problem.heat.as_ref().unwrap();
     let heights = &problem.plan.heat.as_ref().unwrap().column.heights;
@@ -461,25 +427,12 @@ fn heat_of_a_film_that_is_all_but_solid() {
                 temperature: [case.lubricant.temperature; MOST_NODES],
                 held_conductance: None,
             };
-            let found = film_column(
-                &problem.fluid,
-                law,
-                heights,
-                &place,
-                &mut CrossFilm::default(),
-            );
+            let found = column_at(&problem, law, &place);
             let held = FilmPlace {
-                pressure_rate: 0.0,
                 held_conductance: Some(found.conductance),
                 ..place
             };
-            let held = film_column(
-                &problem.fluid,
-                law,
-                heights,
-                &held,
-                &mut CrossFilm::default(),
-            );
+            let held = column_at(&problem, law, &held);
             println!("{pressure} {gradient} {found:?}");
             let h = place.film * law.film;
             let mu = case

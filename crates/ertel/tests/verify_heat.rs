@@ -6,16 +6,17 @@ use ertel::engine::HeatError;
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use common::rigid::{EXTENTS, heated_case, problem_without_expansion, rigid, solve};
+use common::rigid::{EXTENTS, across_film, heated_case, problem_without_expansion, rigid, solve};
 use ertel::contact::{ContactKind, Planar};
 use ertel::film::MOST_NODES;
 use ertel::film::cross_film::CrossFilm;
-use ertel::forms::energy::{FilmPlace, Layer, film_column};
+use ertel::forms::energy::{FilmPlace, Heat, Layer, film_column};
 use ertel::run::problem;
-use ertel::solve::discretisation::Extents;
+use ertel::solve::discretisation::{Discretisation, Extents};
 use ertel::solve::heat::column::Column;
 use ertel::solve::heat::newton::{HeatNewton, HeatParams};
 use ertel::solve::heat::system::{Kept, assemble};
+use ertel::solve::system::State;
 use ertel_fem::quadrature::Quadrature;
 use ertel_rheology::{ConductivityLaw, ViscosityLaw};
 
@@ -249,13 +250,7 @@ fn couette_heating() {
 
     // Away from the inlet, whose temperature is prescribed: without convection it dies out from node to node.
     for x in [0.0, 0.7] {
-        let (cell, xi) = d
-            .contact
-            .locator
-            .find(&d.contact.surface, [x, 0.0])
-            .unwrap();
-        let space = d.heat.as_ref().unwrap();
-        let film = space.column.film_of(&space.column_in(&state, cell, xi));
+        let film = across_film(&d, &state, x);
         assert_relative_eq!(film[4], t_mid, epsilon = 1e-4 * (t_mid - t_wall));
         assert_relative_eq!(film[0], t_wall, epsilon = 1e-4);
     }
@@ -304,13 +299,7 @@ fn compression_heats_and_expansion_cools() {
     let top = at(-0.5) - heat.inlet_temperature;
     assert!(top > 10.0, "{top}: there must be something to see");
     for x in [-1.3, -0.5, 0.3, 0.9] {
-        let (cell, xi) = d
-            .contact
-            .locator
-            .find(&d.contact.surface, [x, 0.0])
-            .unwrap();
-        let space = d.heat.as_ref().unwrap();
-        let film = space.column.film_of(&space.column_in(&state, cell, xi));
+        let film = across_film(&d, &state, x);
         for t in &film[1..4] {
             assert_relative_eq!(*t, at(x), epsilon = 5e-3 * top);
         }
@@ -412,14 +401,8 @@ fn moving_heat_source() {
         };
         solve(&d, &problem.fluid, heat, &mut state, Some(&source));
         for x in [-0.5, 0.0, 0.5, 0.9] {
-            let (cell, xi) = d
-                .contact
-                .locator
-                .find(&d.contact.surface, [x, 0.0])
-                .unwrap();
-            let space = d.heat.as_ref().unwrap();
-            let film = space.column.film_of(&space.column_in(&state, cell, xi));
-            let rise = film[space.column.film.n() - 1] - heat.inlet_temperature;
+            let film = across_film(&d, &state, x);
+            let rise = film[film.len() - 1] - heat.inlet_temperature;
             let jaeger = flux * heat.length / (PI * 46.0) * band(peclet, x);
             println!(
                 "Pe {peclet:.2} x {x}: {rise:.4} {jaeger:.4} {:.2e}",
@@ -465,14 +448,19 @@ fn scaled_k0(z: f64) -> f64 {
     h * sum
 }
 
+/// A rigid line contact on a coarse mesh.
+fn coarse_line(heat: &Heat) -> (Discretisation, State) {
+    let column = Column::new(6, 4, 1.2, [0.3, 0.3]);
+    rigid(ContactKind::Line, &EXTENTS, 0.5, 1, column, heat)
+}
+
 /// Heat beyond what a matrix in single precision carries is refused as such, not as a preconditioner that breaks down.
 #[test]
 fn heat_beyond_all_bounds_is_refused() {
     let case = heated_case(ContactKind::Line, 6);
     let problem = problem(&case);
     let heat = problem.heat.as_ref().unwrap();
-    let column = Column::new(6, 4, 1.2, [0.3, 0.3]);
-    let (d, state) = rigid(ContactKind::Line, &EXTENTS, 0.5, 1, column, heat);
+    let (d, state) = coarse_line(heat);
     for (made, refused) in [(1e8, false), (1e60, true)] {
         let source = |_: [f64; 2], layer: Layer| match layer {
             Layer::Film(_) => made,
@@ -496,8 +484,7 @@ fn the_inflow_carries_its_heat() {
     let case = heated_case(ContactKind::Line, 6);
     let problem = problem_without_expansion(&case);
     let heat = problem.heat.as_ref().unwrap();
-    let column = Column::new(6, 4, 1.2, [0.3, 0.3]);
-    let (d, state) = rigid(ContactKind::Line, &EXTENTS, 0.5, 1, column, heat);
+    let (d, state) = coarse_line(heat);
     let warmer = 10.0;
     let taken_up = |inlet_temperature: f64| {
         let mut heat = heat.clone();

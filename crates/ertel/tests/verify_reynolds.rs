@@ -279,14 +279,8 @@ fn mesh(kind: ContactKind, size: f64) -> Arc<ContactSurface> {
         body_depth: 2.0,
     };
     let sizes = LevelSizes {
-        hertz: size,
-        constriction: size,
-        rim: size,
-        outlet_rim: size,
-        rim_width: 0.0,
-        edge: size,
-        growth: 1.0,
         depth_growth: 20.0,
+        ..common::uniform(size)
     };
     let rigid = match kind {
         ContactKind::Line | ContactKind::Circular => Elasticity::finite_elements(2, &[]),

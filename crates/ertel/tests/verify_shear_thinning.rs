@@ -3,12 +3,11 @@
 use crate::common;
 
 use approx::assert_relative_eq;
+use common::{near, solved};
 use ertel::case::Case;
 use ertel::contact::ContactKind;
-use ertel::engine::NoObserver;
 use ertel::params::Method;
 use ertel::params::{MeshParams, MeshPreset};
-use ertel::run::solve;
 use ertel::solution::{Centreline, Solution};
 use ertel_rheology::shear::{Carreau, ReeEyring, ShearLaw, ShearThinning};
 
@@ -38,10 +37,6 @@ fn eyring(stress: f64) -> ShearLaw {
     ShearLaw::ReeEyring(ReeEyring::new(stress).unwrap())
 }
 
-fn solved(case: &Case) -> Solution {
-    solve(case, &mut NoObserver).unwrap()
-}
-
 /// Largest difference of the pressures on the centreline, over the Hertz pressure.
 fn pressure_difference(a: &Solution, b: &Solution) -> f64 {
     let pairs = a.centreline.pressure.iter().zip(&b.centreline.pressure);
@@ -68,16 +63,8 @@ fn equal_plateaus_are_newtonian() {
         }
         assert!(pressure_difference(&a, &b) < 1e-8);
         let (a, b) = (&a.traction, &b.traction);
-        assert_relative_eq!(
-            a.coefficient.value,
-            b.coefficient.value,
-            max_relative = 1e-8
-        );
-        assert_relative_eq!(
-            a.friction_power.value,
-            b.friction_power.value,
-            max_relative = 1e-8
-        );
+        near(a.coefficient.value, b.coefficient.value, 1e-8);
+        near(a.friction_power.value, b.friction_power.value, 1e-8);
         // And plateaus that differ do not.
         let thinned = solved(&case(kind, carreau(0.2), 0.3));
         assert!(films(&thinned)[0] < 0.95 * films(&solved(&newtonian))[0]);
@@ -131,10 +118,10 @@ fn rolling_alone_has_the_traction_of_the_pressure_gradient() {
         let solution = solved(&case);
         let t = &solution.traction;
         assert_eq!(t.coefficient.value, 0.0);
-        assert_relative_eq!(
+        near(
             t.coefficient_body_2.value,
             -t.coefficient_body_1.value,
-            max_relative = 1e-12
+            1e-12,
         );
         let line = &solution.centreline;
         let h = &line.film_thickness;
@@ -145,11 +132,7 @@ fn rolling_alone_has_the_traction_of_the_pressure_gradient() {
             force / case.contact.load
         );
         // The profile's points are dense, and its slopes differences of second order. Behind the film the penalty leaves slopes of which streams have a share.
-        assert_relative_eq!(
-            t.coefficient_body_2.value,
-            force / case.contact.load,
-            max_relative = 3e-3
-        );
+        near(t.coefficient_body_2.value, force / case.contact.load, 3e-3);
     }
 }
 

@@ -3,12 +3,9 @@
 use crate::common;
 
 use approx::assert_relative_eq;
-use common::heated;
+use common::{heated, near, solved};
 use ertel::case::Case;
 use ertel::contact::ContactKind;
-use ertel::engine::NoObserver;
-use ertel::run::solve;
-use ertel::solution::Solution;
 use ertel_rheology::ConductivityLaw;
 
 fn case(kind: ContactKind, slide_to_roll_ratio: f64) -> Case {
@@ -17,10 +14,6 @@ fn case(kind: ContactKind, slide_to_roll_ratio: f64) -> Case {
     case.motion.slide_to_roll_ratio = slide_to_roll_ratio;
     case.mesh.target_error = Some(0.01);
     case
-}
-
-fn solved(case: &Case) -> Solution {
-    solve(case, &mut NoObserver).expect("a solution")
 }
 
 /// Where heat flows off without resistance nothing warms up: film and traction are those of the isothermal contact.
@@ -78,15 +71,15 @@ fn bodies_of_one_material() {
             < 1e-6 * rolling.traction.coefficient_body_1.value.abs()
     );
     let (one, other) = (with(0.5), with(-0.5));
-    assert_relative_eq!(
+    near(
         one.traction.coefficient.value,
         -other.traction.coefficient.value,
-        max_relative = 1e-4
+        1e-4,
     );
-    assert_relative_eq!(
+    near(
         one.summary.film_minimum.value,
         other.summary.film_minimum.value,
-        max_relative = 1e-5
+        1e-5,
     );
 }
 

@@ -1,7 +1,6 @@
 //! Solutions that start from the solution of another case are those that start from the dry contact.
 
-use std::path::Path;
-
+use crate::common::text::{LINE, read, with};
 use ertel::case::{Case, Study};
 use ertel::engine::NoObserver;
 use ertel::output::curve_table;
@@ -11,28 +10,14 @@ use ertel::study::journal::Record;
 use ertel::study::plan::Plan;
 use ertel::study::solve_curve;
 use ertel::sweep::{SweepParams, finished_points, sweep_part};
-use ertel_input::Document;
 
-const ROLLER: &str = r#"
-[contact]
-kind = "line"
-radius = "10 mm"
-load = "50 kN/m"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[motion]
-entrainment_speed = "1 m/s"
-slide_to_roll_ratio = 0.0
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "20 1/GPa" }
-"#;
+/// A line contact under 50 kN/m.
+fn roller() -> String {
+    with(LINE, &[["20 kN/m", "50 kN/m"]])
+}
 
 fn case(lines: &str) -> Case {
-    let document = Document::parse("roller.toml", format!("{ROLLER}{lines}")).unwrap();
-    Case::from_document(&document, Path::new("")).unwrap()
+    read(roller() + lines)
 }
 
 fn films(solution: &Solution) -> [Estimate; 2] {
@@ -98,12 +83,11 @@ fn a_start_too_far_away_is_not_taken() {
 #[test]
 fn temperatures_with_heat() {
     let oil = "mu_0 = \"40 mPa.s\", beta = \"0.04 1/K\", reference_temperature = \"40 degC\"";
-    let roller = ROLLER.replace("mu_0 = \"40 mPa.s\"", oil);
+    let roller = roller().replace("mu_0 = \"40 mPa.s\"", oil);
     let lines = "thermal_conductivity = \"0.14 W/(m.K)\"\nheat_capacity = \"2000 J/(kg.K)\"\n\
          [thermal]\nprofiles = []\n\
          [curve]\nquantity = \"lubricant.temperature\"\nvalues = [\"40 degC\", \"50 degC\"]\n";
-    let document = Document::parse("roller.toml", format!("{roller}{lines}")).unwrap();
-    agrees_in(&Case::from_document(&document, Path::new("")).unwrap());
+    agrees_in(&read(format!("{roller}{lines}")));
 }
 
 /// A curve and the study of one axis with the same values: with the same chain of starts equal to the last digit, iterations
@@ -123,7 +107,7 @@ fn a_curve_is_the_study_of_one_axis() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("study.toml");
     let study = format!("case = \"base.toml\"\n[[axis]]\nkey = {key}\n{range}");
-    std::fs::write(folder.path().join("base.toml"), ROLLER).unwrap();
+    std::fs::write(folder.path().join("base.toml"), roller()).unwrap();
     std::fs::write(&file, study).unwrap();
     let study = Study::read(&file).unwrap();
     let run = |plan: &Plan, name: &str| -> Vec<Record> {

@@ -6,8 +6,8 @@ use ertel_rheology::shear::ShearThinning;
 use ertel_rheology::viscosity::ViscosityLaw;
 
 use super::{Conditions, Course, Info, Instant, Params, Speeds, TransientObserver, march};
-use crate::contact::gap::{Body, Form, GapTerm, Relief};
-use crate::contact::{Contact, Hertz, Material, Motion, Pose, Scales, Shape, Turn};
+use crate::contact::gap::{Body, Form};
+use crate::contact::{Contact, Hertz, Material, Motion, Scales, Shape};
 use crate::elastic::Elasticity;
 use crate::engine::{Extents, NoObserver, Observer, Problem};
 use crate::film::FilmFluid;
@@ -181,13 +181,7 @@ fn amplitude_ratio(given: &Given, wavelength: f64) -> (f64, f64) {
         amplitude,
         direction: 0.0,
     };
-    problem.shape.gap.terms.push(GapTerm::Relief(Relief {
-        form,
-        body: Body::Second,
-        place: [-2.0, 0.0],
-        moved: Pose::START,
-        turn: Turn::NONE,
-    }));
+    problem.shape.gap.add(form, Body::Second, [-2.0, 0.0]);
     let end = 2.8 + wavelength;
     let (films, _) = run(problem, &steady(end), &Params::default());
     let last = films.0.iter().filter(|row| row[0] > end - wavelength);
@@ -294,16 +288,14 @@ fn a_dent_passes_through_a_circular_contact() {
     let scales = problem.scales;
     let radius = 0.25;
     problem.plan.largest_cell = 2.4 * radius / 16.0;
-    problem.shape.gap.terms.push(GapTerm::Relief(Relief {
-        form: Form::Round {
+    problem.shape.gap.add(
+        Form::Round {
             radius,
             height: -100e-9 / scales.film,
         },
-        body: Body::First,
-        place: [-1.6, 0.0],
-        moved: Pose::START,
-        turn: Turn::NONE,
-    }));
+        Body::First,
+        [-1.6, 0.0],
+    );
     let params = Params {
         tolerance: 2e-2,
         ..Params::default()

@@ -66,6 +66,16 @@ pub(super) fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
         / scale
 }
 
+/// A mesh with cubic densities, and their potential.
+fn example(dim: usize, mirrored: bool) -> (SimplexMesh, Space, Vec<f64>, Potential) {
+    let mesh = mesh(dim);
+    let space = Space::new(&mesh, 3);
+    let p = density(&space.points);
+    let params = PotentialParams::default();
+    let potential = Potential::new(&mesh, &space, &targets(&space), mirrored, &params);
+    (mesh, space, p, potential)
+}
+
 #[test]
 fn equals_its_dense_twin() {
     for (dim, mirrored, full, krylov) in [
@@ -73,16 +83,7 @@ fn equals_its_dense_twin() {
         (2, true, 1e-7, 2e-5),
         (2, false, 1e-7, 2e-5),
     ] {
-        let mesh = mesh(dim);
-        let space = Space::new(&mesh, 3);
-        let p = density(&space.points);
-        let potential = Potential::new(
-            &mesh,
-            &space,
-            &targets(&space),
-            mirrored,
-            &PotentialParams::default(),
-        );
+        let (mesh, space, p, potential) = example(dim, mirrored);
         let exact = dense(&mesh, &space, mirrored, &p);
         let error = |accuracy| largest_difference(&potential.apply(&p, accuracy), &exact);
         let (state, single) = (error(Accuracy::Full), error(Accuracy::Krylov));
@@ -101,16 +102,7 @@ fn equals_its_dense_twin() {
 #[test]
 fn transpose_is_exact() {
     for (dim, mirrored) in [(1, false), (2, true)] {
-        let mesh = mesh(dim);
-        let space = Space::new(&mesh, 3);
-        let p = density(&space.points);
-        let potential = Potential::new(
-            &mesh,
-            &space,
-            &targets(&space),
-            mirrored,
-            &PotentialParams::default(),
-        );
+        let (_, space, p, potential) = example(dim, mirrored);
         let z: Vec<f64> = (0..space.n_nodes())
             .map(|i| (0.37 * i as f64).sin())
             .collect();

@@ -32,6 +32,8 @@ pub mod geometry;
 pub mod kinematics;
 pub mod life;
 pub mod load;
+#[cfg(test)]
+mod test_data;
 
 use geometry::{BallGeometry, GeometryError, Ring, RollerGeometry, TaperedGeometry};
 use kinematics::Speeds;

@@ -11,7 +11,7 @@ use std::path::Path;
 
 use ertel::case::Case;
 use ertel::contact::{Contact, ContactKind, Hertz};
-use ertel_input::{Document, InputError};
+use ertel_input::InputError;
 use ertel_rheology::database;
 
 /// A case of the map.
@@ -32,10 +32,7 @@ impl MapCase {
     /// # Errors
     /// When the text is no valid case.
     pub fn read(&self) -> Result<Case, InputError> {
-        Case::from_document(
-            &Document::parse(self.name.as_str(), self.text.as_str())?,
-            Path::new(""),
-        )
+        Case::from_text(&self.name, &self.text, Path::new(""))
     }
 }
 

@@ -18,7 +18,6 @@ use ertel::engine::NoObserver;
 use ertel::params::{Method, SensitivityDemand};
 use ertel::run::solve;
 use ertel::solution::{Figure, Solution};
-use ertel_input::Document;
 
 use contacts::Trial;
 
@@ -160,8 +159,8 @@ fn text(contact: &str, motion: &str, alpha: f64, more: &str) -> String {
 
 impl Trial {
     fn case(&self, method: Method, limits: Option<(f64, usize)>) -> Case {
-        let document = Document::parse(self.name.as_str(), self.text.as_str()).expect("TOML");
-        let mut case = Case::from_document(&document, Path::new("")).expect("a valid case");
+        let mut case =
+            Case::from_text(&self.name, &self.text, Path::new("")).expect("a valid case");
         case.solver.method = Some(method);
         case.output.sensitivities = SensitivityDemand::Off;
         if let Some((target, most)) = limits {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use ertel_input::{Document, InputError};
+use ertel_input::InputError;
 
 use super::Case;
 
@@ -25,7 +25,7 @@ fn read(contact: &str, radii: [&str; 2], more: &str) -> Result<Case, InputError>
          body_2 = {{ {STEEL}{} }}\n{more}\n{REST}",
         radii[0], radii[1]
     );
-    Case::from_document(&Document::parse("case.toml", text.as_str())?, Path::new(""))
+    Case::from_text("case.toml", &text, Path::new(""))
 }
 
 const NONE: [&str; 2] = ["", ""];
@@ -123,7 +123,6 @@ fn impossible_ellipses_are_refused() {
     let text = format!(
         "[contact]\nkind = \"elliptical\"\nload = \"100 N\"\n{radii}\n[bodies]\nplane = \"steel\"\nball = \"steel\"\n{body}"
     );
-    let document = Document::parse("case.toml", text.as_str()).unwrap();
-    let error = Case::from_document(&document, Path::new("")).unwrap_err();
+    let error = Case::from_text("case.toml", &text, Path::new("")).unwrap_err();
     assert!(error.to_string().contains("needs half-spaces"), "{error}");
 }

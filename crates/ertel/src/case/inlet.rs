@@ -81,25 +81,15 @@ pub(super) fn read(
 mod tests {
     use std::path::Path;
 
-    use ertel_input::Document;
-
     use super::super::Case;
     use super::*;
 
     fn read(contact: &str, rest: &str) -> Result<Case, InputError> {
         let text = format!(
             "[contact]\n{contact}\n[motion]\nentrainment_speed = \"1 m/s\"\nslide_to_roll_ratio = 0.0\n{rest}\n{}",
-            r#"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "20 1/GPa" }
-"#
+            include_str!("../../tests/common/cases/steel.toml")
         );
-        Case::from_document(&Document::parse("case.toml", text.as_str())?, Path::new(""))
+        Case::from_text("case.toml", &text, Path::new(""))
     }
 
     const BALL: &str = "kind = \"circular\"\nradius = \"16 mm\"\nload = \"100 N\"";

@@ -3,25 +3,17 @@
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use ertel_input::{Document, InputError};
+use ertel_input::InputError;
 
 use super::Case;
 
 const BALL: &str = "kind = \"circular\"\nradius = \"16 mm\"\nload = \"100 N\"";
 const CYLINDER: &str = "kind = \"line\"\nradius = \"16 mm\"\nload = \"50 kN/m\"";
-const REST: &str = r#"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "20 1/GPa" }
-"#;
+const REST: &str = include_str!("../../tests/common/cases/steel.toml");
 
 fn read(contact: &str, motion: &str) -> Result<Case, InputError> {
     let text = format!("[contact]\n{contact}\n[motion]\n{motion}\n{REST}");
-    Case::from_document(&Document::parse("case.toml", text.as_str())?, Path::new(""))
+    Case::from_text("case.toml", &text, Path::new(""))
 }
 
 /// 1 m/s and 1.2 m/s at 30 degrees: mean (1 + 1.2 cos 30°, 1.2 sin 30°)/2 = (1.019615, 0.3), 1.0628336 m/s; difference
@@ -123,8 +115,7 @@ fn impossible_motions_are_refused() {
     let text = format!(
         "[contact]\n{BALL}\n[motion]\n{GIVEN}slide_to_roll_ratio_across = 0.1\n[solver]\nelasticity = \"equivalent\"\n{REST}"
     );
-    let document = Document::parse("case.toml", text.as_str()).unwrap();
-    let message = Case::from_document(&document, Path::new(""))
+    let message = Case::from_text("case.toml", &text, Path::new(""))
         .unwrap_err()
         .to_string();
     assert!(message.contains("across the entrainment"), "{message}");

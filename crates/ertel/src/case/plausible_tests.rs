@@ -5,22 +5,11 @@ use std::path::Path;
 use super::Case;
 use crate::warning::{Warning, WarningKind};
 
-const CASE: &str = r#"
-[contact]
-kind = "circular"
-radius = "10 mm"
-hertz_pressure = "1 GPa"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[motion]
-entrainment_speed = "1 m/s"
-slide_to_roll_ratio = 0.0
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
-"#;
+const CASE: &str = concat!(
+    "[contact]\nkind = \"circular\"\nradius = \"10 mm\"\nhertz_pressure = \"1 GPa\"\n",
+    "[motion]\nentrainment_speed = \"1 m/s\"\nslide_to_roll_ratio = 0.0\n",
+    include_str!("../../tests/common/cases/steel.toml")
+);
 
 const WITH_BETA: &str = r#"viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa", beta = "0.04 1/K", reference_temperature = "40 degC" }"#;
 

@@ -3,31 +3,21 @@
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use ertel_input::{Document, InputError};
+use ertel_input::InputError;
 
 use super::Case;
 use crate::contact::roller::Profile;
 
-const REST: &str = r#"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[motion]
-entrainment_speed = "1 m/s"
-slide_to_roll_ratio = 0.0
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "20 1/GPa" }
-"#;
+const STEEL: &str = include_str!("../../tests/common/cases/steel.toml");
+const MOTION: &str = "[motion]\nentrainment_speed = \"1 m/s\"\nslide_to_roll_ratio = 0.0\n";
 
 const SIZES: &str = "radius = \"5 mm\"\nlength = \"8 mm\"";
 const LOG: &str = "profile = { kind = \"logarithmic\", design_load = \"1.5 kN\" }";
 const CROWN: &str = "profile = { kind = \"crown\", end_drop = \"5 um\" }";
 
 fn read(sizes: &str, load: &str, rest: &str) -> Result<Case, InputError> {
-    let text = format!("[contact]\nkind = \"roller\"\n{sizes}\n{load}\n{rest}\n{REST}");
-    Case::from_document(&Document::parse("case.toml", text.as_str())?, Path::new(""))
+    let text = format!("[contact]\nkind = \"roller\"\n{sizes}\n{load}\n{rest}\n{MOTION}{STEEL}");
+    Case::from_text("case.toml", &text, Path::new(""))
 }
 
 /// Loads per length by hand: 1 kN over 8 mm; the line contact of steel, E' = 230.77 GPa, has b² = 8 · 125e3 · 0.005/(π E') and
@@ -178,9 +168,8 @@ fn the_documented_roller() {
     let (_, section) = text.split_once("### Rollers").unwrap();
     let (_, example) = section.split_once("```toml\n").unwrap();
     let (example, _) = example.split_once("```").unwrap();
-    let text = format!("{example}{REST}");
-    let document = Document::parse("case.toml", text.as_str()).unwrap();
-    let case = Case::from_document(&document, Path::new("")).unwrap();
+    let text = format!("{example}{MOTION}{STEEL}");
+    let case = Case::from_text("case.toml", &text, Path::new("")).unwrap();
     assert_relative_eq!(
         case.contact.roller.unwrap().misalignment,
         0.005_f64.to_radians()
@@ -193,12 +182,9 @@ fn a_roller_of_a_bearing() {
     let machine = "[machine]\nkind = \"roller-bearing\"\nring = \"inner\"\nroller_diameter = \"10 mm\"\n\
                    pitch_diameter = \"50 mm\"\nroller_length = \"12 mm\"\nroller_load = \"2 kN\"\n\
                    inner_ring_speed = \"900 rpm\"\n";
-    let (bodies, rest) = REST.split_once("[motion]").unwrap();
-    let (_, lubricant) = rest.split_once("[lubricant]").unwrap();
     let read = |profile: &str| {
-        let text = format!("{machine}{profile}\n{bodies}\n[lubricant]{lubricant}");
-        let document = Document::parse("case.toml", text.as_str()).unwrap();
-        Case::from_document(&document, Path::new("")).unwrap()
+        let text = format!("{machine}{profile}\n{STEEL}");
+        Case::from_text("case.toml", &text, Path::new("")).unwrap()
     };
     let line = read("");
     let roller = read("profile = { kind = \"iso-16281\", diameter = \"10 mm\" }");
@@ -242,9 +228,10 @@ fn measured_traces_are_made_profiles() {
     std::fs::write(folder.path().join("trace.csv"), csv).unwrap();
     let from_file = "profile = { kind = \"table\", file = \"trace.csv\" }";
     let read = |profile: &str| {
-        let text =
-            format!("[contact]\nkind = \"roller\"\n{SIZES}\nload = \"1 kN\"\n{profile}\n{REST}");
-        Case::from_document(&Document::parse("roller.toml", text)?, folder.path())
+        let text = format!(
+            "[contact]\nkind = \"roller\"\n{SIZES}\nload = \"1 kN\"\n{profile}\n{MOTION}{STEEL}"
+        );
+        Case::from_text("roller.toml", &text, folder.path())
     };
     let lists = read(&profile).unwrap();
     let file = read(from_file).unwrap();

@@ -1,31 +1,18 @@
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use ertel_input::{Document, InputError};
+use ertel_input::InputError;
 
 use super::Case;
 use crate::params::{ElasticModel, Formulation, LinearSolver, MeshPreset, PenaltyScaling};
 
-const STEEL: &str = r#"
-title = "Steel ball on steel disc"
-[contact]
-kind = "circular"
-radius = "16 mm"
-load = "100 N"
-[bodies]
-body_1 = "steel"
-body_2 = { youngs_modulus = "210 GPa", poissons_ratio = 0.3 }
-[motion]
-entrainment_speed = "0.8 m/s"
-slide_to_roll_ratio = 0.0
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
-"#;
+const STEEL: &str = concat!(
+    "\ntitle = \"Steel ball on steel disc\"\n",
+    include_str!("../../tests/common/cases/ball.toml")
+);
 
 fn read(text: &str) -> Result<Case, InputError> {
-    Case::from_document(&Document::parse("steel.toml", text)?, Path::new(""))
+    Case::from_text("steel.toml", text, Path::new(""))
 }
 
 fn with(old: &str, new: &str) -> Result<Case, InputError> {

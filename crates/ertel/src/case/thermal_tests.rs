@@ -3,28 +3,15 @@
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use ertel_input::{Document, InputError};
+use ertel_input::InputError;
 
 use super::Case;
 use crate::params::ThermalParams;
 
-const SQUALANE: &str = r#"
-lubricant = "squalane-pip"
-temperature = "313 K"
-[contact]
-kind = "circular"
-radius = "12.7 mm"
-load = "23 N"
-[bodies]
-body_1 = "glass"
-body_2 = "steel"
-[motion]
-entrainment_speed = "1.47 m/s"
-slide_to_roll_ratio = 0.5
-"#;
+const SQUALANE: &str = include_str!("../../tests/common/cases/squalane.toml");
 
 fn read(text: &str) -> Result<Case, InputError> {
-    Case::from_document(&Document::parse("case.toml", text)?, Path::new(""))
+    Case::from_text("case.toml", text, Path::new(""))
 }
 
 fn thermal(lines: &str) -> Result<Case, InputError> {

@@ -1,28 +1,12 @@
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use ertel_input::Document;
 
 use super::*;
 use crate::contact::Contact;
 use crate::reference::venner_isoviscous_film;
 
-const STEEL: &str = r#"
-[contact]
-kind = "circular"
-radius = "16 mm"
-load = "100 N"
-[bodies]
-body_1 = "steel"
-body_2 = { youngs_modulus = "210 GPa", poissons_ratio = 0.3 }
-[motion]
-entrainment_speed = "0.8 m/s"
-slide_to_roll_ratio = 0.0
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
-"#;
+const STEEL: &str = include_str!("../../tests/common/cases/ball.toml");
 
 /// Steel ball of 12.7 mm on glass, pure rolling, with a fluid of the database.
 fn on_glass(fluid: &str, temperature: &str, load: &str, speed: &str) -> String {
@@ -45,8 +29,7 @@ slide_to_roll_ratio = 0.0
 }
 
 fn of(text: &str) -> CaseEstimate {
-    let document = Document::parse("case.toml", text).unwrap();
-    estimate(&Case::from_document(&document, Path::new("")).unwrap())
+    estimate(&Case::from_text("case.toml", text, Path::new("")).unwrap())
 }
 
 fn film_of<'f>(films: &'f [FormulaFilm], name: &str) -> &'f FormulaFilm {
@@ -226,26 +209,14 @@ fn a_neighbouring_regime_is_named() {
     assert_eq!(e.neighbour, Some(Regime::PiezoviscousElastic));
     let scale = 0.01 * 1e-6;
     let films = e.films;
-    assert_relative_eq!(
-        films.piezoviscous_rigid / scale,
-        4.318_921_617,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        films.piezoviscous_elastic / scale,
-        4.633_073_918,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        films.isoviscous_elastic / scale,
-        1.194_023_052,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        films.isoviscous_rigid / scale,
-        1.041_323_356e-3,
-        max_relative = 1e-9
-    );
+    for (found, expected) in [
+        (films.piezoviscous_rigid / scale, 4.318_921_617),
+        (films.piezoviscous_elastic / scale, 4.633_073_918),
+        (films.isoviscous_elastic / scale, 1.194_023_052),
+        (films.isoviscous_rigid / scale, 1.041_323_356e-3),
+    ] {
+        assert_relative_eq!(found, expected, max_relative = 1e-9);
+    }
     let far = regime(&Contact::circular(0.01, 1.0), &groups_of(9381.37, 8.97869));
     assert_eq!(far.neighbour, None);
 }
@@ -425,7 +396,7 @@ fn the_recommended_factor_is_applied() {
 fn heat_of_the_inlet_by_the_kind_of_oil() {
     let (head, _) = STEEL.split_once("density").unwrap();
     let text = format!("{head}iso_vg = 68\nbase_oil = \"mineral\"\n");
-    let case = Case::from_document(&Document::parse("case.toml", text).unwrap(), Path::new(""));
+    let case = Case::from_text("case.toml", &text, Path::new(""));
     let case = case.unwrap();
     let thermal = estimate(&case).thermal;
     let viscosity = case.lubricant.ambient_viscosity();

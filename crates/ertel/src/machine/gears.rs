@@ -624,7 +624,6 @@ mod tests {
     use std::path::Path;
 
     use approx::assert_relative_eq;
-    use ertel_input::Document;
 
     use super::*;
     use crate::case::Mechanics;
@@ -654,8 +653,7 @@ temperature = "70 degC"
 density = { law = "constant", rho_0 = "870 kg/m^3" }
 viscosity = { law = "roelands", mu_0 = "17 mPa.s", alpha = "20 1/GPa", beta = "0.04 1/K", reference_temperature = "70 degC" }
 "#;
-        let document = Document::parse("gears.toml", text.to_owned()).unwrap();
-        let case = Case::from_document(&document, Path::new("")).unwrap();
+        let case = Case::from_text("gears.toml", text, Path::new("")).unwrap();
         let Mechanics::Gears(gears) = &case.whole.as_ref().unwrap().mechanics else {
             panic!("gears")
         };

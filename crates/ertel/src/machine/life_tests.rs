@@ -1,5 +1,4 @@
 use approx::assert_relative_eq;
-use ertel_input::Document;
 use std::path::Path;
 
 use super::super::unsolved;
@@ -13,8 +12,7 @@ fn figures(machine: &str, steel: &str) -> MachineFigures {
          density = {{ law = \"constant\", rho_0 = \"850 kg/m^3\" }}\n\
          viscosity = {{ law = \"roelands\", mu_0 = \"17 mPa.s\", alpha = \"18 1/GPa\" }}\n"
     );
-    let document = Document::parse("bearing.toml", text).unwrap();
-    let case = Case::from_document(&document, Path::new("")).unwrap();
+    let case = Case::from_text("bearing.toml", &text, Path::new("")).unwrap();
     unsolved(&case).unwrap().1
 }
 
@@ -24,6 +22,13 @@ fn value(figures: &MachineFigures, name: &str) -> f64 {
         .unwrap_or_else(|| panic!("{name}"))
         .estimate
         .value
+}
+
+/// Figures by name, each within a relative tolerance.
+fn assert_figures(figures: &MachineFigures, expected: &[(&str, f64, f64)]) {
+    for (name, expected, tolerance) in expected {
+        assert_relative_eq!(value(figures, name), *expected, max_relative = *tolerance);
+    }
 }
 
 fn relative(figures: &MachineFigures, name: &str) -> f64 {
@@ -43,23 +48,16 @@ fn ratings_of_catalogues() {
         &format!("{own}dynamic_load_rating = \"55.3 kN\"\n"),
         "steel",
     );
-    assert_relative_eq!(
-        value(&given, "basic_rating_life"),
-        169.0,
-        max_relative = 2e-3
-    );
+    assert_figures(&given, &[("basic_rating_life", 169.0, 2e-3)]);
     let hours = value(&given, "basic_rating_life_time") / 3600.0;
     assert_relative_eq!(hours, 940.0, max_relative = 2e-3);
     let found = figures(&own, "steel");
-    assert_relative_eq!(
-        value(&found, "basic_rating_life"),
-        148.877,
-        max_relative = 1e-5
-    );
-    assert_relative_eq!(
-        value(&found, "fatigue_load_limit"),
-        32e3 / 22.0,
-        max_relative = 1e-9
+    assert_figures(
+        &found,
+        &[
+            ("basic_rating_life", 148.877, 1e-5),
+            ("fatigue_load_limit", 32e3 / 22.0, 1e-9),
+        ],
     );
     assert!(
         found
@@ -81,21 +79,13 @@ fn estimated_ratings_have_bars() {
         ),
         "steel",
     );
-    assert_relative_eq!(
-        relative(&found, "dynamic_load_rating"),
-        0.15,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        relative(&found, "static_safety_factor"),
-        0.15,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        relative(&found, "fatigue_load_limit"),
-        0.15,
-        max_relative = 1e-9
-    );
+    for name in [
+        "dynamic_load_rating",
+        "static_safety_factor",
+        "fatigue_load_limit",
+    ] {
+        assert_relative_eq!(relative(&found, name), 0.15, max_relative = 1e-9);
+    }
     for life in [
         "basic_rating_life",
         "reference_rating_life",
@@ -138,15 +128,12 @@ fn wide_grooves_are_rated() {
         ),
         "steel",
     );
-    assert_relative_eq!(
-        value(&found, "dynamic_load_rating"),
-        13_023.0,
-        max_relative = 1e-3
-    );
-    assert_relative_eq!(
-        value(&found, "basic_rating_life"),
-        276.0,
-        max_relative = 3e-3
+    assert_figures(
+        &found,
+        &[
+            ("dynamic_load_rating", 13_023.0, 1e-3),
+            ("basic_rating_life", 276.0, 3e-3),
+        ],
     );
     let source = found.find("dynamic_load_rating").unwrap().source;
     assert!(source.contains("Lundberg and Palmgren"));
@@ -182,8 +169,7 @@ fn the_model_of_skf_ends_in_the_cold() {
              [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
              [lubricant]\ntemperature = \"{temperature}\"\niso_vg = 100\nbase_oil = \"mineral\"\n"
         );
-        let document = Document::parse("bearing.toml", text).unwrap();
-        let case = Case::from_document(&document, Path::new("")).unwrap();
+        let case = Case::from_text("bearing.toml", &text, Path::new("")).unwrap();
         unsolved(&case).unwrap().1
     };
     let [cold, warm] = [at("-25 degC"), at("40 degC")];

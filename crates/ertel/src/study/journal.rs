@@ -368,27 +368,14 @@ impl Journal {
 mod tests {
     use std::path::Path;
 
-    use ertel_input::Document;
-
     use super::*;
     use crate::warning::{Warning, WarningKind};
 
-    const ROLLER: &str = r#"
-        [contact]
-        kind = "line"
-        radius = "10 mm"
-        load = "100 kN/m"
-        [bodies]
-        body_1 = "steel"
-        body_2 = "steel"
-        [motion]
-        entrainment_speed = "2 m/s"
-        slide_to_roll_ratio = 0.0
-        [lubricant]
-        temperature = "40 degC"
-        density = { law = "constant", rho_0 = "870 kg/m^3" }
-        viscosity = { law = "constant", mu_0 = "40 mPa.s" }
-    "#;
+    const ROLLER: &str = concat!(
+        "[contact]\nkind = \"line\"\nradius = \"10 mm\"\nload = \"100 kN/m\"\n",
+        "[motion]\nentrainment_speed = \"2 m/s\"\nslide_to_roll_ratio = 0.0\n",
+        include_str!("../../tests/common/cases/steel.toml")
+    );
 
     /// Whichever byte of a line is changed, it is no record any more; without its sum it is one of a version before.
     #[test]
@@ -418,10 +405,7 @@ mod tests {
     /// Inputs without effect on a solve do not change the key; all others do.
     #[test]
     fn keys_depend_on_the_inputs_of_a_solve() {
-        let read = |text: &str| {
-            let document = Document::parse("roller.toml", text).unwrap();
-            Case::from_document(&document, Path::new("")).unwrap()
-        };
+        let read = |text: &str| Case::from_text("roller.toml", text, Path::new("")).unwrap();
         let case = read(ROLLER);
         let key = PointKey::new(&case);
         let mut other = case.clone();

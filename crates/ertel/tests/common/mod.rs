@@ -2,14 +2,20 @@
 #![allow(dead_code)]
 
 pub mod rigid;
+pub mod text;
 
 use std::f64::consts::PI;
 
+use approx::assert_relative_eq;
 use ertel::case::{Body, Case, Lubricant};
 use ertel::contact::roller::{Profile, Roller};
 use ertel::contact::{Contact, ContactKind, Hertz, Material, Motion, Shape, reduced_modulus};
+use ertel::engine::NoObserver;
+use ertel::machine::{MachineFigures, figures};
 use ertel::params::{MeshParams, MeshPreset, OutputParams, SolverParams, ThermalParams};
+use ertel::solution::Solution;
 use ertel::solve::discretisation::LevelSizes;
+use ertel::study::{MachineSolution, solve_machine};
 use ertel_rheology::density::{DowsonHigginson, ThermalExpansion};
 use ertel_rheology::viscosity::Cheng;
 use ertel_rheology::{ConductivityLaw, DensityLaw, HeatCapacityLaw, ViscosityLaw};
@@ -140,6 +146,43 @@ pub fn moes_case(kind: ContactKind, m: f64, l: f64) -> Case {
 /// Hertz pressure of a case, Pa.
 pub fn hertz_pressure(case: &Case) -> f64 {
     Hertz::new(&case.contact, case.reduced_modulus()).pressure
+}
+
+/// Two numbers within a relative tolerance.
+#[track_caller]
+pub fn near(found: f64, expected: f64, tolerance: f64) {
+    assert_relative_eq!(found, expected, max_relative = tolerance);
+}
+
+/// The solution of a case that converges.
+pub fn solved(case: &Case) -> Solution {
+    ertel::run::solve(case, &mut NoObserver).unwrap_or_else(|e| panic!("{e}\n{}", case.source))
+}
+
+/// The case of a machine, its contacts, all of them solved, and its figures.
+pub fn solved_machine(text: impl AsRef<str>) -> (Case, MachineSolution, MachineFigures) {
+    let case = text::read(text);
+    let solved = solve_machine(case.contacts.as_ref().unwrap(), &mut NoObserver);
+    assert_eq!(solved.n_failed(), 0);
+    let found = figures(&case, &solved);
+    (case, solved, found)
+}
+
+/// The value of a figure of a machine.
+pub fn value(found: &MachineFigures, name: &str) -> f64 {
+    let figure = found.find(name).unwrap_or_else(|| panic!("no {name}"));
+    figure.estimate.value
+}
+
+/// Figures of a machine by name, each within a relative tolerance.
+pub fn assert_figures(found: &MachineFigures, expected: &[(&str, f64, f64)]) {
+    for (name, expected, tolerance) in expected {
+        let value = value(found, name);
+        assert!(
+            (value - expected).abs() <= tolerance * value.abs().max(expected.abs()),
+            "{name}: {value}, expected {expected}"
+        );
+    }
 }
 
 /// Geometry of a line or a circular contact.

@@ -85,6 +85,14 @@ pub fn problem_without_expansion(case: &Case) -> Problem {
     problem(&case)
 }
 
+/// Temperatures across the film at a place of the centreline.
+pub fn across_film(d: &Discretisation, state: &State, x: f64) -> Vec<f64> {
+    let (surface, locator) = (&d.contact.surface, &d.contact.locator);
+    let (cell, xi) = locator.find(surface, [x, 0.0]).unwrap();
+    let space = d.heat.as_ref().unwrap();
+    space.column_in(state, cell, xi)[space.column.film_range()].to_vec()
+}
+
 /// Newton's method to the end.
 pub fn solve(
     d: &Discretisation,

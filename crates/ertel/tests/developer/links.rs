@@ -1,9 +1,9 @@
-//! Files and names that the pages for developers link.
+//! Links of all pages, and the files and names that the pages for developers link.
 
 use std::fs;
 
 use super::pages::{links, read, root};
-use super::source::{defined, rust_files};
+use super::source::{defined, files, rust_files};
 
 /// Pages that are written by hand; each names a function, type or constant as the text of a link to its file.
 const PAGES: [&str; 3] = ["architecture.md", "recipes.md", "debugging.md"];
@@ -105,4 +105,55 @@ fn missing_names_are_noticed() {
     assert!(has("crates/ertel/tests/arrows.rs", "arrows_run_down"));
     assert!(!has("crates/ertel/tests/arrows.rs", "arrows_run_up"));
     assert_eq!(files_named("in `a/b.rs`, not `fn c` or `*.rs`"), ["a/b.rs"]);
+}
+
+/// The name by which a heading is linked.
+fn anchor(heading: &str) -> String {
+    let kept = |c: &char| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_');
+    let words: String = heading.to_lowercase().chars().filter(kept).collect();
+    words.trim().replace(' ', "-")
+}
+
+#[test]
+fn every_page_is_in_the_table_of_contents() {
+    const SUMMARY: &str = "docs/SUMMARY.md";
+    let listed = links(&read(SUMMARY)).into_iter();
+    let listed: Vec<String> = listed.map(|(_, page)| format!("docs/{page}")).collect();
+    for page in files("docs", &["md"]) {
+        let is_listed = page == SUMMARY || listed.contains(&page);
+        assert!(is_listed, "{SUMMARY} does not name {page}");
+    }
+}
+
+#[test]
+fn every_link_leads_somewhere() {
+    let mut pages = files("docs", &["md"]);
+    pages.extend(["README.md", "CONTRIBUTING.md", "CHANGELOG.md"].map(str::to_owned));
+    let mut broken = Vec::new();
+    for page in pages {
+        let own = root().join(&page);
+        for (_, link) in links(&read(&page)) {
+            if link.starts_with("http") || link.starts_with("mailto:") {
+                continue;
+            }
+            let (path, place) = link.split_once('#').unwrap_or((&link, ""));
+            let target = match path {
+                "" => own.clone(),
+                path => own.parent().unwrap().join(path),
+            };
+            if !target.exists() {
+                broken.push(format!("{page}: {link}"));
+            } else if !place.is_empty() && target.extension().is_some_and(|e| e == "md") {
+                let text = fs::read_to_string(&target).unwrap();
+                let headings = text.lines().filter(|l| l.starts_with('#'));
+                let has_place = headings
+                    .map(|l| anchor(l.trim_start_matches('#')))
+                    .any(|name| name == place);
+                if !has_place && !text.contains(&format!("id=\"{place}\"")) {
+                    broken.push(format!("{page}: {link}"));
+                }
+            }
+        }
+    }
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
 }

@@ -53,8 +53,10 @@ pub fn links(text: &str) -> Vec<(String, String)> {
         }
         for (at, _) in line.match_indices("](") {
             let (before, after) = (&line[..at], &line[at + 2..]);
-            if let (Some(start), Some(end)) = (before.rfind('['), after.find(')')) {
-                found.push((before[start + 1..].to_owned(), after[..end].to_owned()));
+            // The text may begin on the line before.
+            let start = before.rfind('[').map_or(0, |start| start + 1);
+            if let Some(end) = after.find(')') {
+                found.push((before[start..].to_owned(), after[..end].to_owned()));
             }
         }
     }

@@ -2,11 +2,9 @@
 //! elements.
 
 use std::f64::consts::PI;
-use std::path::Path;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
-use ertel::case::Case;
 use ertel::engine::friction::friction;
 use ertel::engine::{Film, Point, PointFields, PointTable};
 use ertel::problem::problem;
@@ -15,14 +13,13 @@ use ertel::solve::points::Evaluated;
 use ertel::solve::sequence::Problem;
 use ertel::solve::system::State;
 use ertel_fem::linear::NEVER;
-use ertel_input::Document;
+
+use super::{BALL, COARSE, case};
 
 const EDGES: &str = "inlet = -5\noutlet = 5\nside = 5\n";
 
 fn problem_with(motion: &str) -> Problem {
-    let text = format!("{}{EDGES}", super::CASE).replace("slide_to_roll_ratio = 0.0", motion);
-    let document = Document::parse("case.toml", &text).unwrap();
-    problem(&Case::from_document(&document, Path::new("")).unwrap())
+    problem(&case(BALL, motion, &format!("{COARSE}{EDGES}")))
 }
 
 /// Rows of the table are the fields at their places; H is H_0 + ½r² + δ there; areas come to that of the contact area, and to the half disc

@@ -6,22 +6,49 @@ mod shear;
 mod sides;
 mod stages;
 
-/// A circular contact on a coarse mesh.
-const CASE: &str = r#"
-    [contact]
-    kind = "circular"
-    radius = "10 mm"
-    load = "20 N"
-    [bodies]
-    body_1 = "steel"
-    body_2 = "steel"
-    [motion]
-    entrainment_speed = "1 m/s"
-    slide_to_roll_ratio = 0.0
-    [lubricant]
-    temperature = "40 degC"
-    density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-    viscosity = { law = "barus", mu_0 = "40 mPa.s", alpha = "10 1/GPa" }
-    [mesh]
-    preset = "coarse"
-"#;
+use std::sync::Arc;
+
+use ertel::case::Case;
+use ertel::problem::problem;
+use ertel::solve::discretisation::{ContactSurface, Discretisation};
+use ertel::solve::sequence::{Problem, Stage};
+use ertel_fem::linear::NEVER;
+
+use crate::common::text::{STEEL_AND_OIL, read, with};
+
+const BALL: &str = "kind = \"circular\"\nradius = \"10 mm\"\nload = \"20 N\"";
+const ROLLING: &str = "slide_to_roll_ratio = 0.0";
+const COARSE: &str = "[mesh]\npreset = \"coarse\"\n";
+
+/// A case of steel at 1 m/s in an oil after Barus, by the lines of its contact, its motion and after its lubricant.
+fn case(contact: &str, motion: &str, rest: &str) -> Case {
+    let oil = with(
+        STEEL_AND_OIL,
+        &[["roelands", "barus"], ["22 1/GPa", "10 1/GPa"]],
+    );
+    read(format!(
+        "[contact]\n{contact}\n[motion]\nentrainment_speed = \"1 m/s\"\n{motion}\n{oil}{rest}"
+    ))
+}
+
+/// A ball that rolls, on a coarse mesh.
+fn ball() -> Problem {
+    problem(&case(BALL, ROLLING, COARSE))
+}
+
+/// The contact area of a stage.
+fn surface(problem: &Problem, stage: &Stage) -> ContactSurface {
+    ContactSurface::new(
+        &problem.shape,
+        &problem.extents,
+        &stage.sizes,
+        &problem.elasticity,
+        NEVER,
+    )
+    .unwrap()
+}
+
+/// A stage on its mesh.
+fn discretisation(problem: &Problem, stage: &Stage) -> Discretisation {
+    Discretisation::new(&Arc::new(surface(problem, stage)), stage.pressure_order)
+}

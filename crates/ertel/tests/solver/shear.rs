@@ -1,8 +1,6 @@
 //! Sums of the shear over films that are written down, against closed forms and an independent quadrature.
 
 use std::f64::consts::PI;
-use std::path::Path;
-use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use ertel::case::Case;
@@ -10,40 +8,16 @@ use ertel::contact::Planar;
 use ertel::engine::friction::{Frictions, friction};
 use ertel::engine::region::Region;
 use ertel::problem::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation};
+use ertel::solve::discretisation::Discretisation;
 use ertel::solve::points::Evaluated;
 use ertel::solve::region::Elements;
 use ertel::solve::sequence::Problem;
 use ertel::solve::system::State;
-use ertel_fem::linear::NEVER;
-use ertel_input::Document;
 
-/// A ball that turns on the spot and slides both ways; spin of both bodies, slide-to-roll ratios.
-fn case(kind: &str, motion: &str, rest: &str) -> Case {
-    let load = if kind == "line" { "50 kN/m" } else { "20 N" };
-    let text = format!(
-        r#"
-        [contact]
-        kind = "{kind}"
-        radius = "10 mm"
-        load = "{load}"
-        [bodies]
-        body_1 = "steel"
-        body_2 = "steel"
-        [motion]
-        entrainment_speed = "1 m/s"
-        {motion}
-        [lubricant]
-        temperature = "40 degC"
-        density = {{ law = "dowson-higginson", rho_0 = "870 kg/m^3" }}
-        viscosity = {{ law = "barus", mu_0 = "40 mPa.s", alpha = "10 1/GPa" }}
-        {rest}
-        "#
-    );
-    let document = Document::parse("case.toml", &text).unwrap();
-    Case::from_document(&document, Path::new("")).unwrap()
-}
+use super::{BALL, COARSE, case, discretisation};
+use crate::common::text::read;
 
+const LINE: &str = "kind = \"line\"\nradius = \"10 mm\"\nload = \"50 kN/m\"";
 const MESH: &str = "[mesh]\npreset = \"coarse\"\ninlet = -5\noutlet = 5\nside = 5\n";
 const LINE_MESH: &str = "[mesh]\npreset = \"coarse\"\ninlet = -5\noutlet = 5\n";
 
@@ -59,14 +33,7 @@ impl Film {
         let mut problem = problem(case);
         problem.shape.ends = ends;
         let stage = problem.plan.stages.last().unwrap();
-        let contact = ContactSurface::new(
-            &problem.shape,
-            &problem.extents,
-            &stage.sizes,
-            &problem.elasticity,
-            NEVER,
-        );
-        let d = Discretisation::new(&Arc::new(contact.unwrap()), stage.pressure_order);
+        let d = discretisation(&problem, stage);
         let state = State {
             pressure: (d.pressure.points.iter())
                 .map(|p| pressure([p[0], p[1]]))
@@ -102,7 +69,7 @@ impl Film {
 fn a_paraboloid_that_spins() {
     let motion =
         "slide_to_roll_ratio = 0.1\nbody_1_spin = \"-400 rad/s\"\nbody_2_spin = \"500 rad/s\"";
-    let case = case("circular", motion, MESH);
+    let case = case(BALL, motion, MESH);
     let (h, end) = (0.5, 3.0);
     let film = Film::new(&case, [end; 2], h, |_| 0.0);
     let (a, radius) = (film.problem.scales.length, 0.01);
@@ -137,7 +104,7 @@ fn a_paraboloid_that_spins() {
 fn sums_agree_with_a_separate_quadrature() {
     let motion = "slide_to_roll_ratio = 0.1\nslide_to_roll_ratio_across = -0.05\n\
                   body_1_spin = \"-400 rad/s\"\nbody_2_spin = \"500 rad/s\"";
-    let case = case("circular", motion, MESH);
+    let case = case(BALL, motion, MESH);
     let (h_0, c, ends) = (0.5, 0.01, [3.0, 2.0]);
     let pressure = |[x, y]: [f64; 2]| c * (1.0 + 0.1 * x * y + 0.05 * x);
     let film = Film::new(&case, ends, h_0, pressure);
@@ -209,7 +176,7 @@ fn sums_agree_with_a_separate_quadrature() {
 #[test]
 fn oil_that_does_not_fill_the_gap() {
     let layer = format!("[inlet]\noil_layer = \"1 um\"\n{LINE_MESH}");
-    let case = case("line", "slide_to_roll_ratio = 0.1", &layer);
+    let case = case(LINE, "slide_to_roll_ratio = 0.1", &layer);
     let film = Film::new(&case, [3.0, f64::INFINITY], 0.2, |_| 0.0);
     let scales = film.problem.scales;
     let oil = 1e-6 / scales.film;
@@ -234,7 +201,7 @@ fn oil_that_does_not_fill_the_gap() {
 fn shares_beyond_the_limit_include_the_walls() {
     let thinning = "shear_thinning = { law = \"ree-eyring\", tau_0 = \"5 MPa\" }";
     let rest = format!("{thinning}\n{MESH}");
-    let case = case("circular", "slide_to_roll_ratio = 0.0", &rest);
+    let case = case(BALL, "slide_to_roll_ratio = 0.0", &rest);
     let fluid = problem(&case).fluid;
     let limit = fluid.newtonian_limits(0.0)[0].unwrap();
     let slope = 2.0 * limit / (0.75 * fluid.stress_scale());
@@ -251,11 +218,7 @@ fn shares_beyond_the_limit_include_the_walls() {
 fn power_balances_up_to_the_end_of_the_bodies() {
     use ertel::engine::NoObserver;
     use ertel::solve::sequence::solve_stages;
-    let mut case = case(
-        "line",
-        "slide_to_roll_ratio = 0.02",
-        "[mesh]\npreset = \"coarse\"",
-    );
+    let mut case = case(LINE, "slide_to_roll_ratio = 0.02", COARSE);
     case.mesh.target_error = None;
     let mut problem = problem(&case);
     let (solution, _) = solve_stages(&problem, &mut NoObserver).unwrap();
@@ -292,32 +255,18 @@ fn power_balances_up_to_the_end_of_the_bodies() {
 /// are not described.
 #[test]
 fn bodies_end_with_their_own_radii() {
-    let text = r#"
-        lubricant = "squalane-pip"
-        temperature = "313 K"
-        [machine]
-        kind = "ball-bearing"
-        ring = "inner"
-        ball_diameter = "7.144 mm"
-        pitch_diameter = "54 mm"
-        inner_groove_curvature = 0.54
-        contact_angle = "15 deg"
-        inner_ring_speed = "30000 rpm"
-        ball_load = "40 N"
-        [bodies]
-        body_1 = "steel"
-        body_2 = "steel"
-    "#;
+    let text = "lubricant = \"squalane-pip\"\ntemperature = \"313 K\"\n\
+         [machine]\nkind = \"ball-bearing\"\nring = \"inner\"\nball_diameter = \"7.144 mm\"\npitch_diameter = \"54 mm\"\ninner_groove_curvature = 0.54\ncontact_angle = \"15 deg\"\ninner_ring_speed = \"30000 rpm\"\nball_load = \"40 N\"\n\
+         [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n";
     let ends = |text: &str| {
-        let document = Document::parse("case.toml", text).unwrap();
-        let case = Case::from_document(&document, Path::new("")).unwrap();
+        let case = read(text);
         let problem = problem(&case);
         problem.shape.ends.map(|end| end * problem.scales.length)
     };
     let [x, y] = ends(text);
     assert_relative_eq!(x, 3.572e-3, max_relative = 1e-12);
     assert_relative_eq!(y, 3.572e-3, max_relative = 1e-12);
-    let plain = problem(&case("circular", "slide_to_roll_ratio = 0.0", ""));
+    let plain = problem(&case(BALL, "slide_to_roll_ratio = 0.0", ""));
     let [x, y] = plain.shape.ends.map(|end| end * plain.scales.length);
     assert_relative_eq!(x, 0.01, max_relative = 1e-12);
     assert_relative_eq!(y, 0.01, max_relative = 1e-12);

@@ -1,32 +1,17 @@
 //! Sides of sets of elements, by Gauss's theorem.
 
-use std::path::Path;
-
-use ertel::case::Case;
-use ertel::problem::problem;
-use ertel::solve::discretisation::ContactSurface;
 use ertel::solve::heat::sides::{SideRule, outer_sides};
-use ertel_fem::linear::NEVER;
-use ertel_input::Document;
 
-use super::CASE;
+use super::{ball, surface};
 
 /// Gauss's theorem, with fields that are known on each side: through the sides round a set of elements, ∮ x n_x dl = ∮ y n_y dl = A and
 /// ∮ xy² n_x dl = ∫ y² dA, on all of half a contact and within its Hertz zone. A side that is another's, or that
 /// points inward, adds something else. On the plane y = 0 of the half all of them vanish.
 #[test]
 fn side_flow_equals_the_divergence_inside() {
-    let document = Document::parse("case.toml", CASE).unwrap();
-    let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
+    let problem = ball();
     let stage = problem.plan.stages[0];
-    let contact = ContactSurface::new(
-        &problem.shape,
-        &problem.extents,
-        &stage.sizes,
-        &problem.elasticity,
-        NEVER,
-    )
-    .unwrap();
+    let contact = surface(&problem, &stage);
     let third = 1.0 / 3.0;
     let inside = |c: usize| {
         let [x, y] = contact.point(c, [third, third, 0.0]);

@@ -1,34 +1,23 @@
 //! Start and measurements of a stage.
 
-use std::path::Path;
-use std::sync::Arc;
-
-use ertel::case::Case;
 use ertel::problem::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation};
 use ertel::solve::evaluate::{central_film, minimum_film};
 use ertel::solve::newton::NewtonStats;
+use ertel::solve::sequence::Stage;
 use ertel::solve::sequence::stage_run::{Finish, StageRun};
 use ertel::solve::sequence::start::cold_start;
-use ertel::solve::sequence::{Problem, Stage};
 use ertel::solve::system::{FilmConstants, State, System};
-use ertel_fem::linear::NEVER;
-use ertel_input::Document;
 
-use super::CASE;
+use super::{BALL, COARSE, ROLLING, ball, case, discretisation};
 
 /// The dry contact with oil in it lacks the entrained flow and little else, in circles and along the longer axis of an ellipse ten
 /// times as long as wide: 38 times the entrained flow with a stabilisation that has no regard for how long its cells are.
 #[test]
 fn cold_starts_lack_the_entrained_flow() {
-    let slender = CASE.replace(
-        "kind = \"circular\"\n    radius = \"10 mm\"",
-        "kind = \"elliptical\"\n    radius_x = \"730 mm\"\n    radius_y = \"20 mm\"",
-    );
-    assert_ne!(slender, CASE);
-    for text in [CASE, &slender] {
-        let document = Document::parse("case.toml", text).unwrap();
-        let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
+    let slender =
+        "kind = \"elliptical\"\nradius_x = \"730 mm\"\nradius_y = \"20 mm\"\nload = \"20 N\"";
+    for contact in [BALL, slender] {
+        let problem = problem(&case(contact, ROLLING, COARSE));
         let d = discretisation(&problem, &problem.plan.stages[0]);
         let run = StageRun::new(&problem, &problem.plan.stages[0], 0, &d);
         let (model, state) = (run.model(1.0), cold_start(&problem, &d));
@@ -39,22 +28,10 @@ fn cold_starts_lack_the_entrained_flow() {
     }
 }
 
-fn discretisation(problem: &Problem, stage: &Stage) -> Discretisation {
-    let contact = ContactSurface::new(
-        &problem.shape,
-        &problem.extents,
-        &stage.sizes,
-        &problem.elasticity,
-        NEVER,
-    );
-    Discretisation::new(&Arc::new(contact.unwrap()), stage.pressure_order)
-}
-
 /// Effect of the diffusion at a ridge on both films by the adjoints, against solves without it.
 #[test]
 fn the_effect_of_diffusion_at_a_ridge_is_reported() {
-    let document = Document::parse("case.toml", CASE).unwrap();
-    let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
+    let problem = ball();
     let mut stage = *problem.plan.stages.last().unwrap();
     let mut d = discretisation(&problem, &stage);
     d.at_ridge = vec![1.0; d.contact.n_elements()];
@@ -101,8 +78,7 @@ fn the_effect_of_diffusion_at_a_ridge_is_reported() {
 /// A film below zero has errors as one above has: shares of negative sign would indicate nothing to refine.
 #[test]
 fn films_below_zero_have_errors() {
-    let document = Document::parse("case.toml", CASE).unwrap();
-    let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
+    let problem = ball();
     let stage = problem.plan.stages[0];
     let d = discretisation(&problem, &stage);
     let mut state = cold_start(&problem, &d);

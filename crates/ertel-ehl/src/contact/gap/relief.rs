@@ -1,6 +1,8 @@
 //! Bumps and dents of a surface that move with its body.
 
 use super::{Body, Form, Height};
+#[cfg(test)]
+use super::{Gap, GapTerm};
 use crate::contact::{Pose, Turn};
 
 /// A relief of one of the bodies, along and across the motion.
@@ -50,6 +52,20 @@ impl Relief {
     /// Whether the halves y < 0 and y > 0 are alike.
     pub fn is_symmetric(&self) -> bool {
         self.form.is_symmetric(self.place)
+    }
+}
+
+#[cfg(test)]
+impl Gap {
+    /// Adds a form on a body at a place, at the start of the motion.
+    pub fn add(&mut self, form: Form, body: Body, place: [f64; 2]) {
+        self.terms.push(GapTerm::Relief(Relief {
+            form,
+            body,
+            place,
+            moved: Pose::START,
+            turn: Turn::NONE,
+        }));
     }
 }
 

@@ -10,6 +10,7 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use super::*;
+use crate::contact::Pose;
 use crate::transient::levels::{Levels, Zones};
 use crate::transient::present::Present;
 use crate::volumes::deflection::Deflection;
@@ -74,14 +75,12 @@ impl<'a> Manufactured<'a> {
             amplitude: 0.03,
             direction: 0.0,
         };
-        problem.shape.gap.terms.push(GapTerm::Relief(Relief {
-            form: waves,
-            body: Body::Second,
+        problem.shape.gap.add(
+            waves,
+            Body::Second,
             // Its first crest, before which waves fade out with a kink of their curvature, has left the grid.
-            place: [2.5, 0.0],
-            moved: Pose::START,
-            turn: Turn::NONE,
-        }));
+            [2.5, 0.0],
+        );
         // The residual of Newton's method is negligible next to the error of the steps.
         problem.plan.newton.krylov_tolerance = 1e-4;
         problem.plan.newton.ends = Ends {

@@ -3,8 +3,8 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::{Given, Params, line, ramp, steady};
-use crate::contact::gap::{Body, Form, GapTerm, Relief};
-use crate::contact::{Contact, Pose, Turn};
+use crate::contact::Contact;
+use crate::contact::gap::{Body, Form};
 use crate::engine::{NoObserver, Observer, Problem};
 use crate::solution::Measured;
 use crate::transient::{
@@ -95,13 +95,7 @@ fn assert_goes_on(problem: &dyn Fn() -> Problem<Plan>, conditions: &Conditions) 
 fn with_relief(form: Form, place: f64) -> Problem<Plan> {
     let mut problem = line().problem();
     problem.plan.largest_cell = form.finest() / 16.0;
-    problem.shape.gap.terms.push(GapTerm::Relief(Relief {
-        form,
-        body: Body::Second,
-        place: [place, 0.0],
-        moved: Pose::START,
-        turn: Turn::NONE,
-    }));
+    problem.shape.gap.add(form, Body::Second, [place, 0.0]);
     problem
 }
 

@@ -4,8 +4,8 @@ use approx::assert_relative_eq;
 use ertel_rheology::shear::{ReeEyring, ShearLaw, ShearThinning};
 
 use super::{Films, Given, Params, ball_on_glass, line, mass_error, run, steady};
-use crate::contact::gap::{Body, Form, GapTerm, Relief};
-use crate::contact::{Contact, Pose, Turn};
+use crate::contact::Contact;
+use crate::contact::gap::{Body, Form};
 use crate::transient::{Conditions, Course};
 
 /// ω of body 1 and body 2, and S_⊥.
@@ -71,16 +71,14 @@ fn a_dent_moves_on_the_circle_of_its_body() {
     let mut problem = ball_on_glass().problem();
     let radius = 0.25;
     problem.plan.largest_cell = 2.4 * radius / 16.0;
-    problem.shape.gap.terms.push(GapTerm::Relief(Relief {
-        form: Form::Round {
+    problem.shape.gap.add(
+        Form::Round {
             radius,
             height: -100e-9 / problem.scales.film,
         },
-        body: Body::Second,
-        place: [-angle.sin() / omega, (1.0 - angle.cos()) / omega],
-        moved: Pose::START,
-        turn: Turn::NONE,
-    }));
+        Body::Second,
+        [-angle.sin() / omega, (1.0 - angle.cos()) / omega],
+    );
     let conditions = Conditions {
         spin: [omega; 2].map(Course::Constant),
         ..steady(1.8)

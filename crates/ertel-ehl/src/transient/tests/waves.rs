@@ -80,17 +80,15 @@ fn waves_under_sliding_have_companions_at_the_speed_of_the_film() {
         let mut problem = given.problem();
         problem.plan.largest_cell = wavelength / 32.0;
         if let Some(amplitude) = waves {
-            problem.shape.gap.terms.push(GapTerm::Relief(Relief {
-                form: Form::Waves {
+            problem.shape.gap.add(
+                Form::Waves {
                     wavelength,
                     amplitude,
                     direction: 0.0,
                 },
-                body: Body::First,
-                place: [-1.75, 0.0],
-                moved: Pose::START,
-                turn: Turn::NONE,
-            }));
+                Body::First,
+                [-1.75, 0.0],
+            );
         }
         let (fluid, scales) = (problem.fluid.clone(), problem.scales);
         let mut lines = Lines::default();

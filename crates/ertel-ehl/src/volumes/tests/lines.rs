@@ -3,8 +3,8 @@
 use approx::assert_relative_eq;
 
 use super::*;
-use crate::contact::gap::{Body, Form, GapTerm, Relief};
-use crate::contact::{Inlet, OilLayer, Pose};
+use crate::contact::gap::{Body, Form};
+use crate::contact::{Inlet, OilLayer};
 use crate::volumes::behind::Edges;
 
 /// A system on a row of nodes at some state that is no solution.
@@ -163,18 +163,12 @@ fn standing_waves_under_sliding_are_those_of_hooke() {
         let mut problem = problem_of(&contact, &Motion::straight(0.8, 2.0), 1e-3);
         problem.plan.largest_cell = 0.25 / 32.0;
         if let Some([wavelength, amplitude]) = waves {
-            let form = Form::Waves {
+            let waves = Form::Waves {
                 wavelength,
                 amplitude,
                 direction: 0.0,
             };
-            problem.shape.gap.terms.push(GapTerm::Relief(Relief {
-                form,
-                body: Body::First,
-                place: [1.25, 0.0],
-                moved: Pose::START,
-                turn: Turn::NONE,
-            }));
+            problem.shape.gap.add(waves, Body::First, [1.25, 0.0]);
         }
         let found = solved(&problem);
         (problem, found)

@@ -113,20 +113,10 @@ impl TaperedGeometry {
 }
 
 #[cfg(test)]
-pub(crate) mod tests {
+mod tests {
     use super::*;
+    use crate::bearing::test_data::tapered;
     use approx::assert_relative_eq;
-
-    pub(crate) fn tapered() -> TaperedGeometry {
-        TaperedGeometry {
-            roller_diameter: 8e-3,
-            length: 11e-3,
-            pitch_diameter: 46e-3,
-            number: 16,
-            cup_angle: 14_f64.to_radians(),
-            profile: RollerProfile::Logarithmic,
-        }
-    }
 
     /// By hand: tan ν = (8/46) sin(14° − ν) at ν = 2.0579°: 0.035933 and 0.173913 · sin 11.9421° = 0.173913 · 0.206922 = 0.035986; at ν =
     /// 2.0605° 0.0359782 and 0.173913 · 0.2068777 = 0.0359787. The middle of the roller then lies at 23/sin 11.9395° = 111.178 mm from the

@@ -84,17 +84,14 @@ mod tests {
         ball_rating, ball_rating_factor, fatigue_limit, fatigue_limit_of_contact,
     };
     use crate::bearing::load::{CurvatureAngle, Loads, Params};
+    use crate::bearing::test_data::rows;
     use crate::bearing::{Bearing, Geometry, Material};
     use approx::assert_relative_eq;
 
     /// Every row of data/ball_life.csv, with the loads of this crate's own solution.
     #[test]
     fn lives_of_an_independent_program() {
-        let rows = include_str!("data/ball_life.csv").lines();
-        let rows: Vec<Vec<&str>> = rows
-            .filter(|row| !row.starts_with(['#', 'n']))
-            .map(|row| row.split(',').collect())
-            .collect();
+        let rows = rows(include_str!("data/ball_life.csv"));
         assert_eq!(rows.len(), 9);
         for row in rows {
             let v = |i: usize| row[i].parse::<f64>().unwrap();

@@ -1,10 +1,9 @@
 use std::f64::consts::PI;
 
 use super::*;
-use crate::bearing::geometry::{
-    BallGeometry, Play, RollerGeometry, RollerProfile, TaperedGeometry,
-};
+use crate::bearing::geometry::{BallGeometry, Play, RollerGeometry, RollerProfile};
 use crate::bearing::kinematics::Speeds;
+use crate::bearing::test_data::{rows, tapered};
 use crate::bearing::{Bearing, Geometry, Material};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use ertel_ehl::contact::Ellipse;
@@ -37,17 +36,6 @@ fn cylindrical(clearance: f64) -> RollerGeometry {
     }
 }
 
-fn tapered() -> TaperedGeometry {
-    TaperedGeometry {
-        roller_diameter: 8e-3,
-        length: 11e-3,
-        pitch_diameter: 46e-3,
-        number: 16,
-        cup_angle: 14_f64.to_radians(),
-        profile: RollerProfile::Logarithmic,
-    }
-}
-
 fn at_rest(geometry: Geometry, loads: &Loads, params: &Params) -> Distribution {
     let found = Bearing::steel(geometry).solve(loads, Speeds::default(), params);
     found.unwrap_or_else(|error| panic!("{error}: {geometry:?} {loads:?}"))
@@ -56,11 +44,7 @@ fn at_rest(geometry: Geometry, loads: &Loads, params: &Params) -> Distribution {
 /// Every row of data/ball_loads.csv.
 #[test]
 fn loads_of_an_independent_program() {
-    let rows = include_str!("data/ball_loads.csv").lines();
-    let rows: Vec<Vec<&str>> = rows
-        .filter(|row| !row.starts_with(['#', 'n']))
-        .map(|row| row.split(',').collect())
-        .collect();
+    let rows = rows(include_str!("data/ball_loads.csv"));
     assert_eq!(rows.len(), 9);
     for row in rows {
         let v = |i: usize| row[i].parse::<f64>().unwrap();

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use ertel_input::{Document, InputError};
+use ertel_input::InputError;
 
 use crate::case::Case;
 
@@ -14,73 +14,28 @@ mod path;
 mod turn;
 use bad::refused;
 
-const REST: &str = r#"
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
-"#;
+const REST: &str = include_str!("../../../tests/common/cases/steel.toml");
 
-const DISC: &str = r#"
-kind = "ball-on-disc"
-ball_diameter = "19.05 mm"
-load = "30 N"
-ball_speed = "1.1 m/s"
-disc_speed = "0.9 m/s"
-"#;
+const DISC: &str = include_str!("tests/data/ball_on_disc.toml");
 
 /// Approximate dimensions of a deep-groove bearing 6206.
-const BALL: &str = r#"
-kind = "ball-bearing"
-ring = "inner"
-ball_diameter = "9.525 mm"
-pitch_diameter = "46 mm"
-inner_groove_curvature = 0.52
-outer_groove_curvature = 0.53
-contact_angle = "0 deg"
-inner_ring_speed = "3000 rpm"
-ball_load = "500 N"
-"#;
+const BALL: &str = include_str!("tests/data/ball_bearing.toml");
 
-const ROLLER: &str = r#"
-kind = "roller-bearing"
-ring = "inner"
-roller_diameter = "10 mm"
-roller_length = "12 mm"
-pitch_diameter = "50 mm"
-inner_ring_speed = "1500 rpm"
-roller_load = "2 kN"
-"#;
+const ROLLER: &str = include_str!("tests/data/roller_bearing.toml");
 
-const GEAR: &str = r#"
-kind = "spur-gear"
-module = "4 mm"
-pinion_teeth = 20
-wheel_teeth = 40
-pressure_angle = "20 deg"
-face_width = "20 mm"
-pinion_torque = "100 N.m"
-pinion_speed = "1500 rpm"
-position = "pitch point"
-load_share = 1
-"#;
+const GEAR: &str = include_str!("tests/data/spur_gear.toml");
 
-const CAM: &str = r#"
-kind = "cam-and-flat-tappet"
-base_radius = "15 mm"
-lift = "2 mm"
-lift_acceleration = "3 mm"
-cam_speed = "100 rad/s"
-width = "12 mm"
-load = "500 N"
-"#;
+const CAM: &str = include_str!("tests/data/cam_and_flat_tappet.toml");
 
 fn read(machine: &str) -> Result<Case, InputError> {
-    let text = format!("[machine]{machine}{REST}");
-    Case::from_document(&Document::parse("machine.toml", text)?, Path::new(""))
+    read_with(machine, "\"steel\"", "")
+}
+
+/// With bodies of another steel, and more tables.
+fn read_with(machine: &str, steel: &str, more: &str) -> Result<Case, InputError> {
+    let rest = REST.replace("\"steel\"", steel);
+    let text = format!("[machine]\n{machine}{rest}{more}");
+    Case::from_text("machine.toml", &text, Path::new(""))
 }
 
 fn with(machine: &str, old: &str, new: &str) -> Result<Case, InputError> {
@@ -147,9 +102,7 @@ fn machines_have_curves() {
         ),
     ] {
         let curve = format!("[curve]\nquantity = \"{quantity}\"\nvalues = {given:?}\n");
-        let text = format!("[machine]{machine}{REST}{curve}");
-        let document = Document::parse("machine.toml", text).unwrap();
-        let case = Case::from_document(&document, Path::new(""));
+        let case = read_with(machine, "\"steel\"", &curve);
         let case = case.unwrap_or_else(|error| panic!("{quantity}: {error}"));
         let found = values(&case, of);
         assert_relative_eq!(found[1] / found[0], ratio, max_relative = 1e-9);
@@ -163,14 +116,9 @@ fn machines_have_curves() {
         ("entrainment_speed", "[\"1 m/s\", \"2 m/s\"]"),
         ("slide_to_roll_ratio", "[0.1, 0.2]"),
     ] {
-        let text = format!(
-            "[machine]{disc}{REST}[curve]\nquantity = \"machine.{quantity}\"\nvalues = {given}\n"
-        );
-        let document = Document::parse("machine.toml", text).unwrap();
-        assert!(
-            Case::from_document(&document, Path::new("")).is_ok(),
-            "{quantity}"
-        );
+        let curve = format!("[curve]\nquantity = \"machine.{quantity}\"\nvalues = {given}\n");
+        let case = read_with(&disc, "\"steel\"", &curve);
+        assert!(case.is_ok(), "{quantity}");
     }
 }
 

@@ -2,30 +2,13 @@
 
 use std::path::Path;
 
-use ertel_input::{Document, InputError};
+use ertel_input::InputError;
 use tempfile::TempDir;
 
 use super::{AxisValue, Study};
 use crate::case::Case;
 
-const BASE: &str = r#"[contact]
-kind = "line"
-radius = "10 mm"
-load = "20 kN/m"
-
-[bodies]
-body_1 = "steel"
-body_2 = "steel"
-
-[motion]
-entrainment_speed = "1 m/s"
-slide_to_roll_ratio = 0.0
-
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "20 1/GPa" }
-"#;
+const BASE: &str = include_str!("../../../tests/common/cases/line.toml");
 
 fn workspace(study: &str, points: &str) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
@@ -170,8 +153,7 @@ fn the_text_of_a_point_reads_as_its_case() {
     )
     .unwrap();
     let case = study.whole_point(0).unwrap().case;
-    let document = Document::parse("point.toml", case.source.clone()).unwrap();
-    let again = Case::from_document(&document, Path::new("")).unwrap();
+    let again = Case::from_text("point.toml", &case.source, Path::new("")).unwrap();
     assert_eq!(again.given, case.given);
     assert_eq!(again.echo().mesh, case.echo().mesh);
 }

@@ -2,8 +2,6 @@
 
 use std::path::Path;
 
-use ertel_input::Document;
-
 use super::{BALL, CAM, DISC, GEAR, REST, ROLLER, read, with};
 use crate::case::Case;
 use crate::warning::WarningKind;
@@ -240,7 +238,7 @@ fn a_machine_stands_alone() {
             "{error}"
         );
     }
-    let nothing = Case::from_document(&Document::parse("case.toml", REST).unwrap(), Path::new(""));
+    let nothing = Case::from_text("case.toml", REST, Path::new(""));
     let message = nothing.unwrap_err().to_string();
     assert!(
         message.contains("or [machine] instead of both"),

@@ -5,18 +5,7 @@ use approx::assert_relative_eq;
 use super::bad::refused;
 use super::{GEAR, check, read, row, with};
 
-const HELICAL: &str = r#"
-kind = "helical-gear"
-normal_module = "4 mm"
-pinion_teeth = 20
-wheel_teeth = 40
-normal_pressure_angle = "20 deg"
-helix_angle = "25 deg"
-face_width = "40 mm"
-pinion_torque = "100 N.m"
-pinion_speed = "1500 rpm"
-position = "5 mm"
-"#;
+const HELICAL: &str = include_str!("data/helical_gear.toml");
 
 type Vector = [f64; 3];
 
@@ -262,14 +251,18 @@ fn contact_lines_carry_the_torque() {
 /// Without a helix the pair is the spur gear, to the last bit; and without a share of the load, the mean of the pairs in mesh carries.
 #[test]
 fn straight_teeth_are_a_spur_gear() {
-    for place in ["pitch point", "5 mm", "-3.3 mm"] {
-        let spur = GEAR.replace("pitch point", place);
+    let alike = |spur: &str| {
         let helical = spur
             .replace("spur-gear", "helical-gear\"\nhelix_angle = \"0 deg")
             .replace("module", "normal_module")
             .replace("pressure_angle", "normal_pressure_angle");
-        let [a, b] = [&spur, &helical].map(|text| read(text).unwrap());
+        let [a, b] = [spur, &helical].map(|text| read(text).unwrap());
         assert_eq!(a.contact, b.contact);
+        (helical, a, b)
+    };
+    for place in ["pitch point", "5 mm", "-3.3 mm"] {
+        let spur = GEAR.replace("pitch point", place);
+        let (helical, a, b) = alike(&spur);
         assert_eq!(a.motion, b.motion);
         let mean = with(&helical, "load_share = 1\n", "").unwrap();
         assert_relative_eq!(
@@ -280,12 +273,7 @@ fn straight_teeth_are_a_spur_gear() {
     }
     for angle in [14.5, 17.3, 22.5, 25.0] {
         let spur = GEAR.replace("20 deg", &format!("{angle} deg"));
-        let helical = spur
-            .replace("spur-gear", "helical-gear\"\nhelix_angle = \"0 deg")
-            .replace("module", "normal_module")
-            .replace("pressure_angle", "normal_pressure_angle");
-        let [a, b] = [&spur, &helical].map(|text| read(text).unwrap());
-        assert_eq!(a.contact, b.contact);
+        alike(&spur);
     }
 }
 

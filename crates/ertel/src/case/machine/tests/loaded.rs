@@ -1,55 +1,22 @@
 //! Bearings under their loads.
 
 use approx::assert_relative_eq;
-use ertel_input::Document;
-use std::path::Path;
 
-use super::REST;
 use super::bad::refused;
+use super::read_with;
 use crate::case::{Case, Mechanics};
 
 /// 6206 as in the table of loads: E = 206 GPa, no clearance to speak of, hardly any speed.
-const LOADED: &str = r#"
-kind = "ball-bearing"
-ball_diameter = "9.525 mm"
-pitch_diameter = "46 mm"
-balls = 9
-inner_groove_curvature = 0.515
-outer_groove_curvature = 0.525
-radial_clearance = "0.001 um"
-inner_ring_speed = "1 rpm"
-radial_load = "2 kN"
-"#;
+const LOADED: &str = include_str!("data/6206_by_dimensions.toml");
 
-const NAMED: &str = r#"
-kind = "ball-bearing"
-designation = "6206"
-inner_ring_speed = "3000 rpm"
-radial_load = "2 kN"
-"#;
+const NAMED: &str = include_str!("data/6206.toml");
 
 /// 40 degrees, one shoulder.
-const ANGULAR: &str = r#"
-designation = "7210 B"
-inner_ring_speed = "3000 rpm"
-radial_load = "2 kN"
-axial_load = "3 kN"
-"#;
+const ANGULAR: &str = include_str!("data/7210b.toml");
 
-const ROLLERS: &str = r#"
-kind = "roller-bearing"
-designation = "NU 206 E"
-inner_ring_speed = "3000 rpm"
-radial_load = "5 kN"
-"#;
+const ROLLERS: &str = include_str!("data/nu206e.toml");
 
-const TAPERED: &str = r#"
-kind = "roller-bearing"
-designation = "30206"
-inner_ring_speed = "3000 rpm"
-radial_load = "5 kN"
-axial_load = "2 kN"
-"#;
+const TAPERED: &str = include_str!("data/30206.toml");
 
 fn read(machine: &str) -> Case {
     read_of(machine, ", density = \"7850 kg/m^3\"")
@@ -58,13 +25,7 @@ fn read(machine: &str) -> Case {
 /// With elements of some density, or of none that is known.
 fn read_of(machine: &str, density: &str) -> Case {
     let steel = &format!("{{ youngs_modulus = \"206 GPa\", poissons_ratio = 0.3{density} }}");
-    let rest = REST.replace("\"steel\"", steel);
-    let text = format!("[machine]{machine}{rest}");
-    Case::from_document(
-        &Document::parse("machine.toml", text).unwrap(),
-        Path::new(""),
-    )
-    .unwrap()
+    read_with(machine, steel, "").unwrap()
 }
 
 /// The induced axial force holds the rings of a single-row angular contact bearing together. A preload does so without any axial load, and bearings with two shoulders need none.

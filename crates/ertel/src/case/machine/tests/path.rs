@@ -3,37 +3,20 @@
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use ertel_input::{Document, InputError};
+use ertel_input::InputError;
 
 use super::bad::refused;
-use super::{GEAR, read, row, with};
+use super::{GEAR, read, read_with, row, with};
 use crate::case::{Case, MachineAxis, MachineContact, Mechanics, WholeMachine};
 use crate::warning::WarningKind;
 
 /// FZG gears, at 94.1 N m.
-const FZG: &str = r#"
-kind = "spur-gear"
-template = "FZG-C"
-pinion_torque = "94.1 N.m"
-pinion_speed = "2250 rpm"
-position = "path"
-points = 5
-load_sharing = "thirds"
-"#;
+const FZG: &str = include_str!("data/fzg_c.toml");
 
-const REST: &str = r#"
-[bodies]
-body_1 = { youngs_modulus = "206 GPa", poissons_ratio = 0.3 }
-body_2 = { youngs_modulus = "206 GPa", poissons_ratio = 0.3 }
-[lubricant]
-temperature = "40 degC"
-density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
-"#;
+const STEEL: &str = "{ youngs_modulus = \"206 GPa\", poissons_ratio = 0.3 }";
 
 fn fzg(machine: &str) -> Result<Case, InputError> {
-    let text = format!("[machine]{machine}{REST}");
-    Case::from_document(&Document::parse("machine.toml", text)?, Path::new(""))
+    read_with(machine, STEEL, "")
 }
 
 fn whole(case: &Case) -> &WholeMachine {
@@ -343,13 +326,9 @@ fn teeth_have_their_temperature() {
         let of = |thermal: &str| {
             let heat =
                 "thermal_conductivity = \"0.14 W/(m.K)\"\nheat_capacity = \"2000 J/(kg.K)\"\n";
-            let rest = REST.replace("poissons_ratio = 0.3 }", "poissons_ratio = 0.3, density = \"7850 kg/m^3\", thermal_conductivity = \"46 W/(m.K)\", heat_capacity = \"470 J/(kg.K)\" }");
-            let text = format!("[machine]{machine}{rest}{heat}[thermal]\n{thermal}");
-            let document = Document::parse("machine.toml", text).unwrap();
-            let thermal = Case::from_document(&document, Path::new(""))
-                .unwrap()
-                .thermal
-                .unwrap();
+            let steel = STEEL.replace(" }", ", density = \"7850 kg/m^3\", thermal_conductivity = \"46 W/(m.K)\", heat_capacity = \"470 J/(kg.K)\" }");
+            let more = format!("{heat}[thermal]\n{thermal}");
+            let thermal = read_with(&machine, &steel, &more).unwrap().thermal.unwrap();
             [thermal.body_1_temperature, thermal.body_2_temperature]
         };
         assert_eq!(of(""), [Some(363.15); 2]);
@@ -374,10 +353,9 @@ fn films_are_those_at_the_temperature_of_the_teeth() {
                 .replace("\"path\"", "\"pitch point\"");
         }
         let text = format!(
-            "[machine]{machine}\n[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n[lubricant]\ntemperature = \"{oil}\"\niso_vg = 100\nbase_oil = \"mineral\"\n{heat}"
+            "[machine]\n{machine}\n[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n[lubricant]\ntemperature = \"{oil}\"\niso_vg = 100\nbase_oil = \"mineral\"\n{heat}"
         );
-        let document = Document::parse("machine.toml", text).unwrap();
-        Case::from_document(&document, Path::new("")).unwrap()
+        Case::from_text("machine.toml", &text, Path::new("")).unwrap()
     };
     let bulk = "bulk_temperature = \"110 degC\"\n";
     for (position, heat) in [
@@ -416,7 +394,7 @@ fn temperatures_of_oil_and_teeth_without_effect_are_reported() {
             || warned(&case.warnings, "depends on temperature")
     );
     let text = format!(
-        "[machine]{with_bulk}\n[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n[lubricant]\ntemperature = \"90 degC\"\niso_vg = 100\nbase_oil = \"mineral\"\n"
+        "[machine]\n{with_bulk}\n[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n[lubricant]\ntemperature = \"90 degC\"\niso_vg = 100\nbase_oil = \"mineral\"\n"
     );
     let set = ["lubricant.temperature=70 degC".to_owned()];
     let case = Case::from_text_with("machine.toml", &text, Path::new(""), &set).unwrap();

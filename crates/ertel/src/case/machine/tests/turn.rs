@@ -1,27 +1,14 @@
 //! Cams over a turn, against a separate program and figures worked out by hand.
 
 use approx::assert_relative_eq;
-use ertel_input::{Document, InputError};
+use ertel_input::InputError;
 
 use super::bad::refused;
 use super::{REST, read, row};
 use crate::case::{Case, MachineAxis, Mechanics, WholeMachine};
 
 /// Two lobes of 4 mm on a base circle of 18 mm, at 2000 1/min.
-const CAM: &str = r#"
-kind = "cam"
-follower = "flat"
-base_radius = "18 mm"
-lift = "4 mm"
-lobes = 2
-cam_speed = "2000 rpm"
-width = "12 mm"
-preload = "250 N"
-spring_rate = "30 N/mm"
-moving_mass = "100 g"
-angle = "turn"
-points = 36
-"#;
+const CAM: &str = include_str!("data/cam.toml");
 
 fn whole(case: &Case) -> &WholeMachine {
     case.whole.as_ref().unwrap()
@@ -199,8 +186,8 @@ fn tables_of_lifts() {
                 &format!("lift_table = \"{file}\""),
             )
             .replace("\"turn\"", "\"40 deg\"");
-        let text = format!("[machine]{text}{REST}");
-        Case::from_document(&Document::parse("machine.toml", text)?, &folder)
+        let text = format!("[machine]\n{text}{REST}");
+        Case::from_text("machine.toml", &text, &folder)
     };
     let case = read_with("cam.csv").unwrap();
     assert_relative_eq!(case.contact.radius, 21.041_889_07e-3, max_relative = 1e-5);
@@ -240,9 +227,8 @@ fn tables_rounded_on_paper() {
         let text = CAM
             .replace("lift = \"4 mm\"\nlobes = 2", "lift_table = \"cam.csv\"")
             .replace("points = 12", "points = 36");
-        let text = format!("[machine]{text}{REST}");
-        let document = Document::parse("machine.toml", text).unwrap();
-        let case = Case::from_document(&document, &folder).unwrap();
+        let text = format!("[machine]\n{text}{REST}");
+        let case = Case::from_text("machine.toml", &text, &folder).unwrap();
         let Mechanics::Cam(cam) = &case.whole.as_ref().unwrap().mechanics else {
             panic!("a cam")
         };
@@ -267,8 +253,8 @@ fn tables_rounded_on_paper() {
     let crank = "Crank angle [deg];lift [mm]\n0;0\n1;1\n";
     std::fs::write(folder.join("cam.csv"), crank).unwrap();
     let text = CAM.replace("lift = \"4 mm\"\nlobes = 2", "lift_table = \"cam.csv\"");
-    let document = Document::parse("machine.toml", format!("[machine]{text}{REST}")).unwrap();
-    let error = Case::from_document(&document, &folder).unwrap_err();
+    let text = format!("[machine]\n{text}{REST}");
+    let error = Case::from_text("machine.toml", &text, &folder).unwrap_err();
     assert!(error.to_string().contains("crank"), "{error}");
     std::fs::remove_dir_all(&folder).unwrap();
 }
