@@ -136,6 +136,56 @@ impl SymmetricMatrix {
     }
 }
 
+/// Unknowns of a node that are not constrained.
+fn active(dofs: &DofMap, node: usize) -> impl Iterator<Item = usize> + '_ {
+    let own = dofs.of_node(node).iter().filter(|d| **d != CONSTRAINED);
+    own.map(|d| *d as usize)
+}
+
+/// Where columns start, and where the block of each neighbour starts in a column: the blocks of all neighbours a < b, then the node's own upper
+/// triangle.
+fn columns(graph: &NodeGraph, dofs: &DofMap) -> (Vec<usize>, Vec<u32>) {
+    let mut col_ptr = vec![0usize; dofs.n_dofs + 1];
+    let mut block_start = vec![0u32; graph.neighbours.len()];
+    for b in 0..graph.n_nodes() {
+        let mut height = 0;
+        for k in graph.offsets[b]..graph.offsets[b + 1] {
+            let a = graph.neighbours[k] as usize;
+            block_start[k] = height as u32;
+            if a < b {
+                height += active(dofs, a).count();
+            }
+        }
+        for (own, d) in active(dofs, b).enumerate() {
+            col_ptr[d + 1] = height + own + 1;
+        }
+    }
+    for j in 0..dofs.n_dofs {
+        col_ptr[j + 1] += col_ptr[j];
+    }
+    (col_ptr, block_start)
+}
+
+/// Rows of the entries, column by column.
+fn rows(graph: &NodeGraph, dofs: &DofMap, col_ptr: &[usize]) -> Vec<usize> {
+    let mut row_idx = vec![0; col_ptr[dofs.n_dofs]];
+    for b in 0..graph.n_nodes() {
+        for d in active(dofs, b) {
+            let mut k = col_ptr[d];
+            let end = col_ptr[d + 1];
+            for a in graph.of(b).iter().take_while(|a| **a as usize <= b) {
+                for e in active(dofs, *a as usize) {
+                    if k < end {
+                        row_idx[k] = e;
+                        k += 1;
+                    }
+                }
+            }
+        }
+    }
+    row_idx
+}
+
 /// Sums element matrices over all elements.
 ///
 /// `element_matrix(cell, out)` fills a row-major square matrix whose index is
@@ -148,56 +198,8 @@ pub fn assemble_symmetric(
 ) -> SymmetricMatrix {
     let nc = dofs.n_components;
     let n_local = space.element.n_nodes();
-    let active = |node: usize| {
-        dofs.of_node(node)
-            .iter()
-            .filter(|d| **d != CONSTRAINED)
-            .count()
-    };
-
-    // Column layout: the blocks of all neighbours a < b, then the node's own upper triangle.
-    let mut col_ptr = vec![0usize; dofs.n_dofs + 1];
-    let mut block_start = vec![0u32; graph.neighbours.len()];
-    for b in 0..graph.n_nodes() {
-        let mut height = 0;
-        for k in graph.offsets[b]..graph.offsets[b + 1] {
-            let a = graph.neighbours[k] as usize;
-            block_start[k] = height as u32;
-            if a < b {
-                height += active(a);
-            }
-        }
-        for (own, d) in dofs
-            .of_node(b)
-            .iter()
-            .filter(|d| **d != CONSTRAINED)
-            .enumerate()
-        {
-            col_ptr[*d as usize + 1] = height + own + 1;
-        }
-    }
-    for j in 0..dofs.n_dofs {
-        col_ptr[j + 1] += col_ptr[j];
-    }
-    let mut row_idx = vec![0usize; col_ptr[dofs.n_dofs]];
-    for b in 0..graph.n_nodes() {
-        for d in dofs.of_node(b).iter().filter(|d| **d != CONSTRAINED) {
-            let mut k = col_ptr[*d as usize];
-            let end = col_ptr[*d as usize + 1];
-            for a in graph.of(b).iter().take_while(|a| **a as usize <= b) {
-                for e in dofs
-                    .of_node(*a as usize)
-                    .iter()
-                    .filter(|e| **e != CONSTRAINED)
-                {
-                    if k < end {
-                        row_idx[k] = *e as usize;
-                        k += 1;
-                    }
-                }
-            }
-        }
-    }
+    let (col_ptr, block_start) = columns(graph, dofs);
+    let row_idx = rows(graph, dofs, &col_ptr);
 
     // Element matrices in parallel, scatter in order: the sum does not depend on threads.
     let size = n_local * nc;

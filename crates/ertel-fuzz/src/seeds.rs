@@ -49,6 +49,44 @@ struct Seed {
     is_bad: bool,
 }
 
+/// Adds the case files, good and bad, as inputs of all targets that they suit.
+fn add_cases(root: &Path, inputs: &mut Vec<Input>) -> io::Result<()> {
+    let mut cases = Vec::new();
+    for folder in CASES {
+        for path in files(&root.join(folder), "toml")? {
+            let content = fs::read(&path)?;
+            cases.push((path, content));
+        }
+    }
+    let bad = root.join("crates/ertel-cli/tests/bad");
+    for case in bad_cases(&fs::read_to_string(bad.join("cases.txt"))?) {
+        cases.push((bad.join(case.name), case.text.into_bytes()));
+    }
+    for (path, content) in cases {
+        let text = String::from_utf8_lossy(&content).into_owned();
+        if text.contains("[[axis]]") || text.contains("\npoints = \"") {
+            inputs.push(study(&path, content, &text)?);
+        } else if !path.ends_with("reference.toml") {
+            if text.contains("\"line\"") {
+                inputs.push(of_main(Target::Solve, content.clone()));
+            }
+            for (target, words) in [
+                (Target::Machine, "[machine"),
+                (Target::Settings, "[contact"),
+                (Target::Web, ""),
+            ] {
+                if text.contains(words) {
+                    let mut input = of_main(target, Vec::new());
+                    input.set("case.toml", content.clone());
+                    inputs.push(input);
+                }
+            }
+            inputs.push(of_main(Target::Case, content));
+        }
+    }
+    Ok(())
+}
+
 impl Seeds {
     /// Reads them from a checkout.
     ///
@@ -56,39 +94,7 @@ impl Seeds {
     /// Files that cannot be read.
     pub fn read(root: &Path) -> io::Result<Seeds> {
         let mut inputs = Vec::new();
-        let mut cases = Vec::new();
-        for folder in CASES {
-            for path in files(&root.join(folder), "toml")? {
-                let content = fs::read(&path)?;
-                cases.push((path, content));
-            }
-        }
-        let bad = root.join("crates/ertel-cli/tests/bad");
-        for case in bad_cases(&fs::read_to_string(bad.join("cases.txt"))?) {
-            cases.push((bad.join(case.name), case.text.into_bytes()));
-        }
-        for (path, content) in cases {
-            let text = String::from_utf8_lossy(&content).into_owned();
-            if text.contains("[[axis]]") || text.contains("\npoints = \"") {
-                inputs.push(study(&path, content, &text)?);
-            } else if !path.ends_with("reference.toml") {
-                if text.contains("\"line\"") {
-                    inputs.push(of_main(Target::Solve, content.clone()));
-                }
-                for (target, words) in [
-                    (Target::Machine, "[machine"),
-                    (Target::Settings, "[contact"),
-                    (Target::Web, ""),
-                ] {
-                    if text.contains(words) {
-                        let mut input = of_main(target, Vec::new());
-                        input.set("case.toml", content.clone());
-                        inputs.push(input);
-                    }
-                }
-                inputs.push(of_main(Target::Case, content));
-            }
-        }
+        add_cases(root, &mut inputs)?;
         for (target, folder) in [
             (Target::Table, "crates/ertel-rheology/data/fluids"),
             (Target::FitViscosity, "validation/appendix-c"),

@@ -23,7 +23,7 @@ use std::ops::Range;
 use super::excerpt;
 use super::shown::message;
 use ertel_quantity::{Dimension, Unit};
-use header::NoHead;
+use header::{Head, NoHead};
 use names::Match;
 use number::Marks;
 pub use number::{Decimal, is_missing};
@@ -34,6 +34,11 @@ use title::{NamedUnit, Title};
 
 /// Bytes of a line at most, some thousand columns: the search for the titles keeps the cells of some hundred lines.
 const LONGEST_LINE: usize = 32_768;
+
+/// Line, column and words of an error.
+type Problem = (usize, usize, String);
+
+const OPEN_QUOTE: &str = "the quote that begins here is not closed on its line";
 
 /// Error in a table, with its place.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -139,7 +144,6 @@ impl CsvTable {
             );
             return Err(at(i + 1, 1, &problem));
         }
-        const OPEN_QUOTE: &str = "the quote that begins here is not closed on its line";
         let head = header::find(text, header::start_of(text), vocabulary, params).map_err(
             |none| match none {
                 NoHead::Empty => at(1, 1, "the file is empty"),
@@ -152,11 +156,33 @@ impl CsvTable {
                 }
             },
         )?;
-        let header = head.row;
-        let n_columns = header.cells.len();
+        let (titles, rows) = Self::read_rows(text, &head)
+            .map_err(|(line, column, problem)| at(line, column, &problem))?;
         let mut marks = Marks::new(params.decimal);
-        let mut rows: Vec<Row> = Vec::new();
+        for row in &rows {
+            row.cells.iter().for_each(|cell| marks.see(cell));
+        }
+        let mut table = Self {
+            file: file.to_owned(),
+            separator: head.separator,
+            is_ignored: vec![false; head.row.cells.len()],
+            header: head.row,
+            titles,
+            rows,
+            marks,
+            notes: Vec::new(),
+        };
+        table.apply(params, vocabulary)?;
+        table.check_untitled()?;
+        Ok(table)
+    }
+
+    /// The titles of the columns, with the units of a separate line, and the rows below.
+    fn read_rows(text: &str, head: &Head) -> Result<(Vec<String>, Vec<Row>), Problem> {
+        let header = &head.row;
+        let n_columns = header.cells.len();
         let mut titles = header.cells.clone();
+        let mut rows: Vec<Row> = Vec::new();
         // A line of units is looked at together with the one below it.
         let mut first: Option<Row> = None;
         for record in Records::new(text, head.rest.0, head.rest.1, head.separator) {
@@ -166,7 +192,7 @@ impl CsvTable {
             let line = record.line;
             let cells = record
                 .cells
-                .map_err(|place| at(line, place + 1, OPEN_QUOTE))?;
+                .map_err(|place| (line, place + 1, OPEN_QUOTE.to_owned()))?;
             let mut cells: Vec<String> = cells
                 .into_iter()
                 .map(|(_, cell)| cell.into_owned())
@@ -175,11 +201,8 @@ impl CsvTable {
                 continue;
             }
             if let Some(extra) = (n_columns..cells.len()).find(|i| !cells[*i].is_empty()) {
-                return Err(at(
-                    line,
-                    extra + 1,
-                    &too_many(&cells, n_columns, head.separator),
-                ));
+                let problem = too_many(&cells, n_columns, head.separator);
+                return Err((line, extra + 1, problem));
             }
             cells.truncate(n_columns);
             let row = Row {
@@ -200,22 +223,7 @@ impl CsvTable {
             rows.push(row);
         }
         rows.extend(first);
-        for row in &rows {
-            row.cells.iter().for_each(|cell| marks.see(cell));
-        }
-        let mut table = Self {
-            file: file.to_owned(),
-            separator: head.separator,
-            is_ignored: vec![false; n_columns],
-            header,
-            titles,
-            rows,
-            marks,
-            notes: Vec::new(),
-        };
-        table.apply(params, vocabulary)?;
-        table.check_untitled()?;
-        Ok(table)
+        Ok((titles, rows))
     }
 
     /// Numbers without a title are those of a column that was forgotten, or the decimals of the one before. The first column may
@@ -389,6 +397,30 @@ impl CsvTable {
         // A longer name may be that of another column.
         let is_near = |title: &Title| title.is_exact || title.name == Match::Name;
         self.without_unit(name, dimension, &[], &is_near)
+    }
+
+    /// The column of pressures, and whether they are absolute; `None` if there is none.
+    ///
+    /// # Errors
+    ///
+    /// As [`CsvTable::find_with_unit`]; columns of both kinds.
+    pub fn find_pressure(&self) -> Result<Option<(Column, bool)>, CsvError> {
+        let (gauge, absolute) = ("pressure", "absolute pressure");
+        // By its unit first: a pressure without one may be the absolute one.
+        let Some(second) = self.find(absolute, Dimension::PRESSURE)? else {
+            if let Some(column) = self.find_with_unit(gauge, Dimension::PRESSURE)? {
+                return Ok(Some((column, false)));
+            }
+            let column = self.find_with_unit(absolute, Dimension::PRESSURE)?;
+            return Ok(column.map(|column| (column, true)));
+        };
+        match self.find(gauge, Dimension::PRESSURE)? {
+            Some(_) => {
+                let problem = "give `pressure` or `absolute pressure`, not both".to_owned();
+                Err(self.error(&self.header, second.index, problem))
+            }
+            None => Ok(Some((second, true))),
+        }
     }
 
     /// The column `name`, without some others; one that has this name and no more, but no unit or another's unit, is an error.

@@ -136,13 +136,13 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    /// Notes a quantity; returns the value to read in its place, if there is one.
+    /// Notes a quantity, which nobody gave if `estimated`; returns the value that replaces it, if there is one.
     pub(super) fn read(
         &self,
         key: &str,
-        value: f64,
-        dimension: Dimension,
+        (value, dimension): (f64, Dimension),
         uncertainty: Option<Uncertainty>,
+        estimated: bool,
     ) -> Option<f64> {
         let key = self.path(key);
         let replaced = self.inputs.replaced.get(&key).copied();
@@ -151,29 +151,8 @@ impl<'a> Recorder<'a> {
             value,
             dimension,
             uncertainty,
-            written: self.written,
-            estimated: false,
-        });
-        replaced
-    }
-
-    /// As [`Recorder::read`] of a quantity that nobody gave.
-    pub(super) fn estimated(
-        &self,
-        key: &str,
-        value: f64,
-        dimension: Dimension,
-        uncertainty: Uncertainty,
-    ) -> Option<f64> {
-        let key = self.path(key);
-        let replaced = self.inputs.replaced.get(&key).copied();
-        self.inputs.note(Input {
-            key,
-            value,
-            dimension,
-            uncertainty: Some(uncertainty),
-            written: false,
-            estimated: true,
+            written: self.written && !estimated,
+            estimated,
         });
         replaced
     }

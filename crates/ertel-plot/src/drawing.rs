@@ -108,6 +108,20 @@ pub(crate) struct Text {
     pub turn: f64,
 }
 
+impl Text {
+    /// Its runs, and the distance from its anchor to its start, negative to the left.
+    pub fn runs(&self) -> (Vec<font::Run>, f64) {
+        let runs = font::runs(&self.text, self.size);
+        let width: f64 = runs.iter().map(font::Run::width).sum();
+        let start = match self.anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => -0.5 * width,
+            Anchor::End => -width,
+        };
+        (runs, start)
+    }
+}
+
 /// Why a picture cannot be drawn in a format.
 #[derive(Debug, thiserror::Error)]
 pub enum DrawingError {

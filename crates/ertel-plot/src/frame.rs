@@ -96,15 +96,16 @@ pub(crate) fn draw_x_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, top:
     } else {
         (frame.top + frame.height, -1.0)
     };
-    let mut d = String::new();
-    let mut tick = |value: f64, length: f64| {
+    draw_ticks(drawing, axis, |value, length| {
         let (x, y) = (number(frame.x(axis, value)), number(edge));
-        let _ = write!(d, "M{x} {y}v{}", number(inwards * length));
-    };
-    axis.ticks().iter().for_each(|t| tick(t.0, TICK));
-    axis.minor_ticks()
-        .into_iter()
-        .for_each(|v| tick(v, MINOR_TICK));
+        format!("M{x} {y}v{}", number(inwards * length))
+    });
+}
+
+fn draw_ticks(drawing: &mut Drawing, axis: &Axis, tick: impl Fn(f64, f64) -> String) {
+    let major = axis.ticks().into_iter().map(|(value, _)| tick(value, TICK));
+    let minor = axis.minor_ticks().into_iter();
+    let d: String = major.chain(minor.map(|v| tick(v, MINOR_TICK))).collect();
     drawing.stroke(&d, Stroke::solid(INK, 0.8));
 }
 
@@ -132,16 +133,10 @@ pub(crate) fn draw_y_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, side
         Side::Left => (frame.left, 1.0),
         Side::Right => (frame.left + frame.width, -1.0),
     };
-    let mut d = String::new();
-    let mut tick = |value: f64, length: f64| {
+    draw_ticks(drawing, axis, |value, length| {
         let (x, y) = (number(edge), number(frame.y(axis, value)));
-        let _ = write!(d, "M{x} {y}h{}", number(inwards * length));
-    };
-    axis.ticks().iter().for_each(|t| tick(t.0, TICK));
-    axis.minor_ticks()
-        .into_iter()
-        .for_each(|v| tick(v, MINOR_TICK));
-    drawing.stroke(&d, Stroke::solid(INK, 0.8));
+        format!("M{x} {y}h{}", number(inwards * length))
+    });
 }
 
 /// Tick labels and axis label next to the frame.

@@ -7,8 +7,8 @@ use pdf_writer::types::{CidFontType, FontFlags, LineJoinStyle, SystemInfo, Unico
 use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref, Str, TextStr};
 use subsetter::GlyphRemapper;
 
-use super::drawing::{Anchor, Drawing, DrawingError, Element, Line, Raster, Text, rgb};
-use super::font::{Run, Style, runs};
+use super::drawing::{Drawing, DrawingError, Element, Line, Raster, Text, rgb};
+use super::font::Style;
 use super::path::{self, Step};
 
 /// Points per px, which is 1/96 inch.
@@ -162,13 +162,7 @@ impl<'a> Page<'a> {
     }
 
     fn text(&mut self, text: &Text) {
-        let runs = runs(&text.text, text.size);
-        let width: f64 = runs.iter().map(Run::width).sum();
-        let mut along = match text.anchor {
-            Anchor::Start => 0.0,
-            Anchor::Middle => -0.5 * width,
-            Anchor::End => -width,
-        };
+        let (runs, mut along) = text.runs();
         let (s, c) = text.turn.to_radians().sin_cos();
         self.colour(&text.colour);
         self.content.begin_text();
@@ -339,7 +333,14 @@ mod tests {
         drawing.ellipse([200.0, 100.0], [50.0, 20.0], 30.0, line);
         let label = "Film thickness *h*_{c} (µm), λ";
         let ink = drawing::INK;
-        drawing.turned_text([20.0, 100.0], label, 13.5, Anchor::Middle, ink, -90.0);
+        drawing.turned_text(
+            [20.0, 100.0],
+            label,
+            13.5,
+            drawing::Anchor::Middle,
+            ink,
+            -90.0,
+        );
         drawing
     }
 

@@ -6,8 +6,7 @@ use tiny_skia::{
 };
 use ttf_parser::OutlineBuilder;
 
-use super::drawing::{Anchor, Drawing, DrawingError, Element, Line, Raster, Text, rgb};
-use super::font::{Run, runs};
+use super::drawing::{Drawing, DrawingError, Element, Line, Raster, Text, rgb};
 use super::path::{self, Step};
 
 /// Pixels per px: 300 dots per inch where a px is 1/96 inch.
@@ -197,13 +196,7 @@ impl Canvas {
     }
 
     fn text(&mut self, text: &Text) {
-        let runs = runs(&text.text, text.size);
-        let width: f64 = runs.iter().map(Run::width).sum();
-        let mut along = match text.anchor {
-            Anchor::Start => 0.0,
-            Anchor::Middle => -0.5 * width,
-            Anchor::End => -width,
-        };
+        let (runs, mut along) = text.runs();
         let mut outline = Outline {
             path: PathBuilder::new(),
             origin: [0.0; 2],
@@ -359,7 +352,7 @@ mod tests {
             drawing::Stroke::solid("#0000ff", 1.0),
         );
         let ink = drawing::INK;
-        drawing.text([48.0, 44.0], "*h* (nm)", 12.0, Anchor::Middle, ink);
+        drawing.text([48.0, 44.0], "*h* (nm)", 12.0, drawing::Anchor::Middle, ink);
         let bytes = drawing.png().unwrap();
         let decoder = png_image::Decoder::new(std::io::Cursor::new(bytes));
         let mut reader = decoder.read_info().unwrap();

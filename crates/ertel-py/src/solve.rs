@@ -83,6 +83,22 @@ pub fn without_gil<T: Send>(
     result.map_err(|_| PyRuntimeError::new_err("internal error of ertel; the message is above"))
 }
 
+/// As [`without_gil`], with an observer that sends each iteration where there is a `progress`.
+fn observed<T: Send>(
+    py: Python<'_>,
+    progress: Option<&Py<PyAny>>,
+    work: impl FnOnce(&mut Messages) -> T + Send,
+) -> PyResult<T> {
+    let wanted = progress.is_some();
+    without_gil(py, progress, |sender, cancel| {
+        work(&mut Messages {
+            sender,
+            wanted,
+            cancel,
+        })
+    })
+}
+
 /// Sends each iteration as JSON.
 struct Messages {
     sender: Sender<String>,
@@ -156,14 +172,8 @@ pub fn solve(
 ) -> PyResult<NativeSolution> {
     let single = case.single();
     let start = start.and_then(NativeSolution::start);
-    let wanted = progress.is_some();
-    let solved = without_gil(py, progress.as_ref(), |sender, cancel| {
-        let mut messages = Messages {
-            sender,
-            wanted,
-            cancel,
-        };
-        run::solve_from(&single, start.as_deref(), &[], &mut messages)
+    let solved = observed(py, progress.as_ref(), |messages| {
+        run::solve_from(&single, start.as_deref(), &[], messages)
     })?;
     let (solution, start) = solved.map_err(errors::solve)?;
     Ok(NativeSolution::new(&single, solution, Some(start)))
@@ -180,15 +190,7 @@ pub fn solve_curve(
     let Some(curve) = &case.case.curve else {
         return Err(errors::CaseError::new_err("the case has no [curve]"));
     };
-    let wanted = progress.is_some();
-    let solution = without_gil(py, progress.as_ref(), |sender, cancel| {
-        let mut messages = Messages {
-            sender,
-            wanted,
-            cancel,
-        };
-        run_curve(curve, &mut messages)
-    })?;
+    let solution = observed(py, progress.as_ref(), |messages| run_curve(curve, messages))?;
     let document = ertel::output::curve_json(&case.case.echo(), &solution);
     let document = json(&document.map_err(crate::case::unwritable)?)?;
     Ok(NativeCurve::new(&case.case, curve, solution, document))
@@ -205,14 +207,8 @@ pub fn solve_transient(
     if case.case.transient.is_none() {
         return Err(errors::CaseError::new_err("the case has no [transient]"));
     }
-    let wanted = progress.is_some();
-    let found = without_gil(py, progress.as_ref(), |sender, cancel| {
-        let mut messages = Messages {
-            sender,
-            wanted,
-            cancel,
-        };
-        run::transient::solve(&case.case, &mut messages)
+    let found = observed(py, progress.as_ref(), |messages| {
+        run::transient::solve(&case.case, messages)
     })?;
     if let (Some(failure), true) = (&found.failure, found.instants.is_empty()) {
         return Err(errors::ConvergenceError::new_err(failure.to_string()));
@@ -231,14 +227,8 @@ pub fn solve_machine(
     if case.case.contacts.is_none() {
         return Err(errors::CaseError::new_err("the case is no whole machine"));
     }
-    let wanted = progress.is_some();
-    let solved = without_gil(py, progress.as_ref(), |sender, cancel| {
-        let mut messages = Messages {
-            sender,
-            wanted,
-            cancel,
-        };
-        solve_in_balance(&case.case, &mut messages)
+    let solved = observed(py, progress.as_ref(), |messages| {
+        solve_in_balance(&case.case, messages)
     })?;
     let solved = solved.map_err(errors::input)?;
     match solved {

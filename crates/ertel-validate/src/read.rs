@@ -178,26 +178,7 @@ fn read_run(mut table: Table<'_>, folder: &Path) -> Result<(Run, Vec<PathBuf>), 
         let thermal = read_thermal(thermal, &case.contact)?;
         change(&mut case, |case| case.thermal = Some(thermal.clone()));
     }
-    let mesh_table = table.optional_table("mesh")?;
-    let mesh = if let Some(mesh) = &mesh_table {
-        Some(read_mesh(
-            mesh.clone(),
-            &case.contact,
-            case.solver.error_estimate,
-        )?)
-    } else if case.given.get("mesh").is_none() {
-        // Reference values are compared on a mesh that stays as it is.
-        Some(MeshParams::preset(MeshPreset::Normal, case.contact.kind))
-    } else {
-        None
-    };
-    if let Some(mesh) = mesh {
-        change(&mut case, |case| case.mesh = mesh.clone());
-    }
-    case.output.body_field = false;
-    if let Some(table) = &mesh_table {
-        case.warnings.extend(check_mesh_of_bodies(&case, table)?);
-    }
+    set_mesh(&mut case, table.optional_table("mesh")?)?;
     let iterations = table.optional_integer("newton_iterations", 1..=10_000)?;
     let run = Run {
         name,
@@ -208,6 +189,29 @@ fn read_run(mut table: Table<'_>, folder: &Path) -> Result<(Run, Vec<PathBuf>), 
     };
     table.finish()?;
     Ok((run, files))
+}
+
+/// Sets the mesh to that of a run; without one, reference values are compared on a mesh that stays as it is.
+fn set_mesh(case: &mut Case, table: Option<Table<'_>>) -> Result<(), InputError> {
+    let mesh = match &table {
+        Some(table) => {
+            let error_estimate = case.solver.error_estimate;
+            Some(read_mesh(table.clone(), &case.contact, error_estimate)?)
+        }
+        None if case.given.get("mesh").is_none() => {
+            Some(MeshParams::preset(MeshPreset::Normal, case.contact.kind))
+        }
+        None => None,
+    };
+    if let Some(mesh) = mesh {
+        change(case, |case| case.mesh = mesh.clone());
+    }
+    case.output.body_field = false;
+    if let Some(table) = &table {
+        let warnings = check_mesh_of_bodies(case, table)?;
+        case.warnings.extend(warnings);
+    }
+    Ok(())
 }
 
 /// Changes a case and the points of its curve.

@@ -59,16 +59,8 @@ enum Zone {
 fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
     let contact = case.contact.along_motion();
     let hertz = Hertz::new(&contact, case.reduced_modulus());
-    let lubricant = &case.lubricant;
     let mut scales = scales(case, &contact, &hertz);
-    let shape = Shape::new(&contact, &hertz, &case.motion).with_inlet(match case.supply {
-        Supply::Flooded => Inlet::Flooded,
-        Supply::Meniscus { .. } => Inlet::Meniscus,
-        Supply::OilLayer { thickness } => Inlet::Layer(OilLayer {
-            thickness: thickness / scales.film,
-            lambda: scales.lambda,
-        }),
-    });
+    let shape = Shape::new(&contact, &hertz, &case.motion).with_inlet(inlet(case, &scales));
     let shape = reliefs::with_reliefs(shape, case.standing_reliefs(), &mut scales);
     let flooded_film = predicted_film(case) / scales.film;
     let start_film = starved_film(
@@ -79,40 +71,13 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
         scales.film,
     );
     let mesh_film = thinning::film_of_mesh(case, start_film * scales.film) / scales.film;
-    let materials = [&case.body_1, &case.body_2].map(|body| body.elasticity);
-    let bodies = match case.elastic_model() {
-        ElasticModel::Equivalent => vec![equivalent_body(materials[0], materials[1])],
-        ElasticModel::TwoBodies | ElasticModel::HalfSpace => materials.to_vec(),
-    };
-    let bodies: Vec<Material> = (bodies.into_iter())
-        .map(|body| body.over(scales.elastic_stress))
-        .collect();
-    let elasticity = match case.elastic_model() {
-        ElasticModel::HalfSpace => {
-            let order = case.mesh.elastic_order.unwrap_or(1);
-            Elasticity::half_space(order.max(case.mesh.pressure_order), &bodies)
-        }
-        _ => Elasticity::finite_elements(case.mesh.elastic_order.unwrap_or(2).min(2), &bodies),
-    };
+    let elasticity = elasticity(case, &scales);
     let shape = match (zone, elasticity.model) {
         (Zone::Dry, BodyModel::HalfSpace) => with_dry_zone(shape, &elasticity, scales.load),
         _ => shape,
     };
     let (heat, heat_plan) = heat(case, &scales).unzip();
-    let sliding = case.motion.sliding(scales.length);
-    let (density, viscosity) = (&lubricant.density, &lubricant.viscosity);
-    let (temperature, thinning) = (lubricant.temperature, case.shear_thinning());
-    let mut fluid = match own {
-        Some(own) => own.nearby(density, viscosity, temperature, thinning, &sliding, &scales),
-        None => FilmFluid::new(density, viscosity, temperature, &scales)
-            .with_shear(thinning, &sliding, &scales),
-    };
-    if let Some(plan) = &heat_plan {
-        fluid = fluid.with_nodes(plan.column.film.clone());
-    }
-    let friction = (case.friction_thinning())
-        .filter(|_| thinning.is_none())
-        .map(|law| fluid.clone().with_shear(Some(law), &sliding, &scales));
+    let (fluid, friction) = fluids(case, own, &scales, heat_plan.as_ref());
     let reach = area::reach(
         contact.kind.family(),
         case.elastic_model(),
@@ -123,19 +88,9 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
     if let Supply::Meniscus { distance } = case.supply {
         extents.inlet = -distance / scales.length;
     }
-    let constants = FilmConstants {
-        lambda: scales.lambda,
-        entrainment: case.motion.entrainment(scales.length),
-        formulation: case.solver.formulation,
-        isotropic_diffusion: case.solver.isotropic_diffusion,
-        ridge_diffusion: 0.0,
-        elastic_stabilisation: case.solver.elastic_stabilisation,
-        penalty: case.solver.penalty,
-        penalty_scaling: case.solver.penalty_scaling,
-        film_scale: start_film,
-        far_outlet: matches!(shape.outline(), Outline::Ellipse)
-            && outlet::is_far(extents.outlet, flooded_film),
-    };
+    let far_outlet =
+        matches!(shape.outline(), Outline::Ellipse) && outlet::is_far(extents.outlet, flooded_film);
+    let constants = film_constants(case, &scales, start_film, far_outlet);
     let plan = Plan {
         stages: stages(
             (&case.mesh, rim_finesse(case)),
@@ -159,24 +114,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
         linear: case.solver.linear,
         error_estimate: case.solver.error_estimate,
         ridge_diffusion: ridge_diffusion(case),
-        adapt: (case.mesh.target_error).map(|target| {
-            let most = match case.elastic_model() {
-                ElasticModel::HalfSpace => DEFAULT_MAX_UNKNOWNS,
-                _ => DEFAULT_MAX_UNKNOWNS_OF_BODIES,
-            };
-            // Where both halves are solved, each counts.
-            let parts = (2.0 / shape.symmetry.multiplicity()) as usize;
-            let parts = if shape.is_line() { 1 } else { parts };
-            let most = case.mesh.max_unknowns.unwrap_or(parts * most);
-            let adapt = AdaptParams::new(target, case.mesh.pressure_error, most);
-            match case.mesh.max_unknowns {
-                Some(_) => adapt,
-                None => AdaptParams {
-                    max_unknowns_for_pressure: most.min(parts * DEFAULT_MAX_UNKNOWNS_FOR_PRESSURE),
-                    ..adapt
-                },
-            }
-        }),
+        adapt: refinement(case, &shape),
         heat: heat_plan,
     };
     Problem {
@@ -193,6 +131,107 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
         plan,
         shape,
     }
+}
+
+fn inlet(case: &Case, scales: &Scales) -> Inlet {
+    match case.supply {
+        Supply::Flooded => Inlet::Flooded,
+        Supply::Meniscus { .. } => Inlet::Meniscus,
+        Supply::OilLayer { thickness } => Inlet::Layer(OilLayer {
+            thickness: thickness / scales.film,
+            lambda: scales.lambda,
+        }),
+    }
+}
+
+/// Elastic response of the bodies.
+fn elasticity(case: &Case, scales: &Scales) -> Elasticity {
+    let materials = [&case.body_1, &case.body_2].map(|body| body.elasticity);
+    let model = case.elastic_model();
+    let bodies = match model {
+        ElasticModel::Equivalent => vec![equivalent_body(materials[0], materials[1])],
+        ElasticModel::TwoBodies | ElasticModel::HalfSpace => materials.to_vec(),
+    };
+    let bodies: Vec<Material> = (bodies.into_iter())
+        .map(|body| body.over(scales.elastic_stress))
+        .collect();
+    let order = case.mesh.elastic_order;
+    match model {
+        ElasticModel::HalfSpace => {
+            Elasticity::half_space(order.unwrap_or(1).max(case.mesh.pressure_order), &bodies)
+        }
+        _ => Elasticity::finite_elements(order.unwrap_or(2).min(2), &bodies),
+    }
+}
+
+/// The fluid of the film, close to `own` if given, and that of friction where it follows another law.
+fn fluids(
+    case: &Case,
+    own: Option<&FilmFluid>,
+    scales: &Scales,
+    heat: Option<&HeatPlan>,
+) -> (FilmFluid, Option<FilmFluid>) {
+    let lubricant = &case.lubricant;
+    let sliding = case.motion.sliding(scales.length);
+    let (density, viscosity) = (&lubricant.density, &lubricant.viscosity);
+    let (temperature, thinning) = (lubricant.temperature, case.shear_thinning());
+    let mut fluid = match own {
+        Some(own) => own.nearby(density, viscosity, temperature, thinning, &sliding, scales),
+        None => FilmFluid::new(density, viscosity, temperature, scales)
+            .with_shear(thinning, &sliding, scales),
+    };
+    if let Some(plan) = heat {
+        fluid = fluid.with_nodes(plan.column.film.clone());
+    }
+    let friction = (case.friction_thinning())
+        .filter(|_| thinning.is_none())
+        .map(|law| fluid.clone().with_shear(Some(law), &sliding, scales));
+    (fluid, friction)
+}
+
+/// Constants of the film equation; `start_film` over the scale of films.
+fn film_constants(
+    case: &Case,
+    scales: &Scales,
+    start_film: f64,
+    far_outlet: bool,
+) -> FilmConstants {
+    let solver = &case.solver;
+    FilmConstants {
+        lambda: scales.lambda,
+        entrainment: case.motion.entrainment(scales.length),
+        formulation: solver.formulation,
+        isotropic_diffusion: solver.isotropic_diffusion,
+        ridge_diffusion: 0.0,
+        elastic_stabilisation: solver.elastic_stabilisation,
+        penalty: solver.penalty,
+        penalty_scaling: solver.penalty_scaling,
+        film_scale: start_film,
+        far_outlet,
+    }
+}
+
+/// Refinement of the mesh to the target of the case, if it has one.
+fn refinement(case: &Case, shape: &Shape) -> Option<AdaptParams> {
+    let target = case.mesh.target_error?;
+    let most = match case.elastic_model() {
+        ElasticModel::HalfSpace => DEFAULT_MAX_UNKNOWNS,
+        _ => DEFAULT_MAX_UNKNOWNS_OF_BODIES,
+    };
+    // Where both halves are solved, each counts.
+    let parts = match shape.is_line() {
+        true => 1,
+        false => (2.0 / shape.symmetry.multiplicity()) as usize,
+    };
+    let most = case.mesh.max_unknowns.unwrap_or(parts * most);
+    let adapt = AdaptParams::new(target, case.mesh.pressure_error, most);
+    Some(match case.mesh.max_unknowns {
+        Some(_) => adapt,
+        None => AdaptParams {
+            max_unknowns_for_pressure: most.min(parts * DEFAULT_MAX_UNKNOWNS_FOR_PRESSURE),
+            ..adapt
+        },
+    })
 }
 
 /// ρ_r where the case does not set it: the thesis's method has none, a line contact's mesh resolves its spike for little.
@@ -329,18 +368,8 @@ pub fn estimated_film(case: &Case) -> f64 {
     predicted_film(case) / case.relative_density()
 }
 
-/// A diffusive quadratic start on the coarse mesh, then the case's own discretisation on the
-/// coarse mesh (for the error estimate) and on the fine one. A fluid that stress thins starts as if it did
-/// not, and its Newtonian film on the coarse mesh is kept for comparison.
-fn stages(
-    (mesh, rim_finesse): (&MeshParams, f64),
-    film: f64,
-    constants: FilmConstants,
-    error_estimate: bool,
-    thins: bool,
-    heats: bool,
-    continuation_is_known: bool,
-) -> Vec<Stage> {
+/// Cells of the fine mesh and of the coarse one, twice as large.
+fn sizes(mesh: &MeshParams, rim_finesse: f64, film: f64) -> [LevelSizes; 2] {
     // A film thicker than the dry contact is flat sets the length √H over which pressure varies.
     let stretch = film.sqrt().max(1.0);
     // Outside its Hertz zone a dry contact gapes as the power 3/2 of the distance: within this
@@ -374,6 +403,22 @@ fn stages(
         growth: doubled(fine.growth),
         depth_growth: doubled(fine.depth_growth),
     };
+    [fine, coarse]
+}
+
+/// A diffusive quadratic start on the coarse mesh, then the case's own discretisation on the
+/// coarse mesh (for the error estimate) and on the fine one. A fluid that stress thins starts as if it did
+/// not, and its Newtonian film on the coarse mesh is kept for comparison.
+fn stages(
+    (mesh, rim_finesse): (&MeshParams, f64),
+    film: f64,
+    constants: FilmConstants,
+    error_estimate: bool,
+    thins: bool,
+    heats: bool,
+    continuation_is_known: bool,
+) -> Vec<Stage> {
+    let [fine, coarse] = sizes(mesh, rim_finesse, film);
     let start = FilmConstants {
         formulation: Formulation::Gls,
         isotropic_diffusion: constants.isotropic_diffusion.max(START_DIFFUSION),

@@ -45,6 +45,22 @@ fn why_not(key: &str, reason: &str) -> String {
     }
 }
 
+fn left_out(input: &Input, reason: String) -> LeftOut {
+    LeftOut {
+        key: input.key.clone(),
+        reason,
+    }
+}
+
+fn described(input: &Input) -> SensitivityInput {
+    SensitivityInput {
+        key: input.key.clone(),
+        value: input.value,
+        unit: input.dimension.si_unit(),
+        uncertainty: input.uncertainty,
+    }
+}
+
 /// Derivatives of those figures that are `resolved` where heat counts: for each input two solves on the mesh of `start`, for `only_uncertain`
 /// inputs or all of them.
 ///
@@ -85,10 +101,7 @@ pub fn by_differences(
     });
     for input in asked {
         if let Some(reason) = no_temperature(case, input) {
-            sensitivities.left_out.push(LeftOut {
-                key: input.key.clone(),
-                reason,
-            });
+            sensitivities.left_out.push(left_out(input, reason));
             continue;
         }
         let step = (input.uncertainty).map_or(STEP_OF_SOLVES * input.value.abs(), |u| u.standard());
@@ -121,17 +134,12 @@ pub fn by_differences(
                     let [below, above] = [below[*i], above[*i]].map(|v| v.unwrap_or(f64::NAN));
                     figure.derivatives.push((above - below) / distance);
                 }
-                sensitivities.inputs.push(SensitivityInput {
-                    key: input.key.clone(),
-                    value: input.value,
-                    unit: input.dimension.si_unit(),
-                    uncertainty: input.uncertainty,
-                });
+                sensitivities.inputs.push(described(input));
             }
-            [Err(reason), _] | [_, Err(reason)] => sensitivities.left_out.push(LeftOut {
-                key: input.key.clone(),
-                reason: why_not(&input.key, reason),
-            }),
+            [Err(reason), _] | [_, Err(reason)] => {
+                let reason = why_not(&input.key, reason);
+                sensitivities.left_out.push(left_out(input, reason));
+            }
         }
     }
     Ok(sensitivities)
@@ -168,45 +176,10 @@ pub fn by_derivatives(
     by: SensitivityMethod,
 ) -> Sensitivities {
     let modulus = ByModulus::of(case);
-    let mut left_out = Vec::new();
-    let mut asked: Vec<(&Input, Perturbed<Plan>)> = Vec::new();
+    let mut missing = Vec::new();
     let follows = |input: &Input| modulus.as_ref().is_some_and(|m| m.follows(input));
     let inputs: Vec<&Input> = case.inputs().iter().filter(|i| !follows(i)).collect();
-    let both_sides: Vec<_> = (inputs.par_iter())
-        .map(|input| sides(case, problem, input, by))
-        .collect();
-    for (input, sides) in inputs.into_iter().zip(both_sides) {
-        if let Some(reason) = no_temperature(case, input) {
-            left_out.push(LeftOut {
-                key: input.key.clone(),
-                reason,
-            });
-            continue;
-        }
-        match sides {
-            Some(Ok(sides))
-                if is_costly(case, input)
-                    && sides
-                        .problems
-                        .iter()
-                        .any(|p| !problem.shape.is_like(&p.shape)) =>
-            {
-                left_out.push(LeftOut {
-                    key: input.key.clone(),
-                    reason: "it changes the length of the roller in half-widths; [output] sensitivities = true makes two more \
-                             meshes for it"
-                        .to_owned(),
-                });
-            }
-            Some(Ok(sides)) => asked.push((input, sides)),
-            Some(Err(reason)) if input.written || input.estimated => left_out.push(LeftOut {
-                key: input.key.clone(),
-                reason,
-            }),
-            // Of no effect, or at the end of what a law of the database allows.
-            _ => {}
-        }
-    }
+    let asked = perturbed(case, problem, inputs, by, &mut missing);
     let (inputs, sides): (Vec<&Input>, Vec<Perturbed<Plan>>) = asked.into_iter().unzip();
     let mut figures: Vec<FigureSensitivity> = (solution.figures().into_iter())
         .map(|figure| FigureSensitivity {
@@ -220,12 +193,7 @@ pub fn by_derivatives(
         for (figure, by) in figures.iter_mut().zip(derivatives) {
             figure.derivatives.push(*by);
         }
-        known.push(SensitivityInput {
-            key: input.key.clone(),
-            value: input.value,
-            unit: input.dimension.si_unit(),
-            uncertainty: input.uncertainty,
-        });
+        known.push(described(input));
     };
     for (input, derivatives) in inputs.into_iter().zip(solution.derivatives(&sides)) {
         match derivatives {
@@ -243,10 +211,7 @@ pub fn by_derivatives(
             Err(reason) => {
                 let others = modulus.iter().flat_map(|modulus| modulus.others(input));
                 for input in [input].into_iter().chain(others.map(|(other, _)| other)) {
-                    left_out.push(LeftOut {
-                        key: input.key.clone(),
-                        reason: reason.to_string(),
-                    });
+                    missing.push(left_out(input, reason.to_string()));
                 }
             }
         }
@@ -255,8 +220,44 @@ pub fn by_derivatives(
         by,
         inputs: known,
         figures,
-        left_out,
+        left_out: missing,
     }
+}
+
+/// The inputs that have a derivative, with the problems on either side of each; those that have none are added to `missing`.
+fn perturbed<'a>(
+    case: &Case,
+    problem: &Problem,
+    inputs: Vec<&'a Input>,
+    by: SensitivityMethod,
+    missing: &mut Vec<LeftOut>,
+) -> Vec<(&'a Input, Perturbed<Plan>)> {
+    let both_sides: Vec<_> = (inputs.par_iter())
+        .map(|input| sides(case, problem, input, by))
+        .collect();
+    let mut asked = Vec::new();
+    for (input, sides) in inputs.into_iter().zip(both_sides) {
+        if let Some(reason) = no_temperature(case, input) {
+            missing.push(left_out(input, reason));
+            continue;
+        }
+        match sides {
+            Some(Ok(sides))
+                if is_costly(case, input)
+                    && (sides.problems.iter()).any(|p| !problem.shape.is_like(&p.shape)) =>
+            {
+                let reason = "it changes the length of the roller in half-widths; [output] sensitivities = true makes two more meshes for it";
+                missing.push(left_out(input, reason.to_owned()));
+            }
+            Some(Ok(sides)) => asked.push((input, sides)),
+            Some(Err(reason)) if input.written || input.estimated => {
+                missing.push(left_out(input, reason));
+            }
+            // Of no effect, or at the end of what a law of the database allows.
+            _ => {}
+        }
+    }
+    asked
 }
 
 /// Reason why a derivative by the temperature of the lubricant would be a meaningless zero: a law is missing.

@@ -336,6 +336,19 @@ fn amalgamate(nodes: &mut [Node]) {
     }
 }
 
+/// Finds the places of boundaries in the fronts of their parents.
+fn place_in_parents(fronts: &mut [Front]) {
+    for p in 0..fronts.len() {
+        for c in fronts[p].children.clone() {
+            let map = fronts[c]
+                .boundary
+                .iter()
+                .map(|s| fronts[p].index_of(*s as usize) as u32);
+            fronts[c].in_parent = map.collect();
+        }
+    }
+}
+
 /// Numbers fronts and unknowns in postorder.
 fn number(nodes: &[Node], blocks: &Blocks, order: &[usize]) -> Fronts {
     let n = blocks.n_inner;
@@ -386,11 +399,9 @@ fn number(nodes: &[Node], blocks: &Blocks, order: &[usize]) -> Fronts {
             in_parent: Vec::new(),
         });
     }
-    for (k, node) in nodes.iter().enumerate() {
-        if node.groups.is_empty() {
-            continue;
-        }
-        let boundary = &mut fronts[new_index[k]].boundary;
+    let boundaries = nodes.iter().zip(&new_index);
+    for (node, index) in boundaries.filter(|(node, _)| !node.groups.is_empty()) {
+        let boundary = &mut fronts[*index].boundary;
         for r in &node.boundary {
             let r = *r as usize;
             let size = blocks.unknowns[if r < n { order[r] } else { r }].len();
@@ -398,15 +409,7 @@ fn number(nodes: &[Node], blocks: &Blocks, order: &[usize]) -> Fronts {
         }
         boundary.sort_unstable();
     }
-    for p in 0..fronts.len() {
-        for c in fronts[p].children.clone() {
-            let map = fronts[c]
-                .boundary
-                .iter()
-                .map(|s| fronts[p].index_of(*s as usize) as u32);
-            fronts[c].in_parent = map.collect();
-        }
-    }
+    place_in_parents(&mut fronts);
     let mut position = vec![0; unknowns.len()];
     for (k, u) in unknowns.iter().enumerate() {
         position[*u as usize] = k as u32;

@@ -13,6 +13,23 @@ pub struct GmresParams {
     pub twice: bool,
 }
 
+impl GmresParams {
+    /// How an iteration that stopped at a relative residual ended.
+    pub(super) fn end(&self, iterations: usize, residual: f64) -> Result<GmresInfo, GmresError> {
+        if residual <= self.tolerance {
+            Ok(GmresInfo {
+                iterations,
+                residual,
+            })
+        } else {
+            Err(GmresError {
+                iterations,
+                residual,
+            })
+        }
+    }
+}
+
 impl Default for GmresParams {
     fn default() -> Self {
         GmresParams {
@@ -59,10 +76,7 @@ pub fn gmres(
     let norm_b = norm(b);
     x.fill(0.0);
     if norm_b == 0.0 {
-        return Ok(GmresInfo {
-            iterations: 0,
-            residual: 0.0,
-        });
+        return params.end(0, 0.0);
     }
     let mut basis: Vec<Vec<f64>> = vec![b.iter().map(|v| v / norm_b).collect()];
     let mut columns: Vec<Vec<f64>> = Vec::new(); // R of the QR factorisation of H
@@ -127,17 +141,7 @@ pub fn gmres(
     for (yi, z) in y.iter().zip(&preconditioned) {
         add(x, *yi, z);
     }
-    if residual <= params.tolerance {
-        Ok(GmresInfo {
-            iterations: m,
-            residual,
-        })
-    } else {
-        Err(GmresError {
-            iterations: m,
-            residual,
-        })
-    }
+    params.end(m, residual)
 }
 
 /// Numbers of a vector that a thread takes at a time; the same on every machine, so that sums are too. Shorter vectors are not worth a second thread.

@@ -70,16 +70,7 @@ impl Recycled {
             self.columns.push(column);
         };
         self.combine(shares, x);
-        match residual <= params.tolerance {
-            true => Ok(GmresInfo {
-                iterations,
-                residual,
-            }),
-            false => Err(GmresError {
-                iterations,
-                residual,
-            }),
-        }
+        params.end(iterations, residual)
     }
 
     /// Shares of the directions in the last solution, in the order in which they were multiplied by A.

@@ -23,7 +23,7 @@ use expansion::Basis;
 use far::{Direction, Ends, FarField, Links};
 use integrals::ElementIntegrals;
 use near::NearField;
-use tree::{Link, Tree};
+use tree::{Cell, Link, Tree};
 
 pub use kernel::Kernel;
 
@@ -231,81 +231,77 @@ impl<'a> Sources<'a> {
 
     /// Operators from nodal densities to moments of the leaves.
     fn ends(&self, tree: &Tree, basis: &Basis) -> Ends<f64> {
-        use rayon::prelude::*;
         let per_element = self.per_element();
-        let leaves: Vec<(Vec<u32>, Vec<f64>)> = (0..tree.cells.len())
-            .into_par_iter()
-            .map(|c| {
-                let cell = &tree.cells[c];
-                if !cell.is_leaf() {
-                    return (Vec::new(), Vec::new());
+        ends_of_leaves(tree, |cell, centre, half| {
+            let own = &tree.source_order[cell.sources.clone()];
+            let element = |s: &u32| *s as usize / per_element;
+            let mut nodes: Vec<u32> = Vec::new();
+            let mut last = usize::MAX;
+            for s in own {
+                if element(s) != last {
+                    last = element(s);
+                    nodes.extend(self.space.nodes_of(last));
                 }
-                let own = &tree.source_order[cell.sources.clone()];
-                let element = |s: &u32| *s as usize / per_element;
-                let mut nodes: Vec<u32> = Vec::new();
-                let mut last = usize::MAX;
-                for s in own {
-                    if element(s) != last {
-                        last = element(s);
-                        nodes.extend(self.space.nodes_of(last));
-                    }
+            }
+            nodes.sort_unstable();
+            nodes.dedup();
+            let mut columns = vec![0.0; nodes.len() * basis.len()];
+            let (mut values, mut weights) = (Vec::new(), Vec::new());
+            for own in own.chunk_by(|s, t| element(s) == element(t)) {
+                let e = element(&own[0]);
+                values.resize(own.len() * basis.len(), 0.0);
+                for (s, values) in own.iter().zip(values.chunks_exact_mut(basis.len())) {
+                    let y = self.points[*s as usize];
+                    let y = [0, 1].map(|a: usize| (y[a] - centre[a]) / half);
+                    basis.values(y, values);
                 }
-                nodes.sort_unstable();
-                nodes.dedup();
-                let (centre, half) = tree.frame(c);
-                let mut columns = vec![0.0; nodes.len() * basis.len()];
-                let (mut values, mut weights) = (Vec::new(), Vec::new());
-                for own in own.chunk_by(|s, t| element(s) == element(t)) {
-                    let e = element(&own[0]);
-                    values.resize(own.len() * basis.len(), 0.0);
-                    for (s, values) in own.iter().zip(values.chunks_exact_mut(basis.len())) {
-                        let y = self.points[*s as usize];
-                        let y = [0, 1].map(|a: usize| (y[a] - centre[a]) / half);
-                        basis.values(y, values);
-                    }
-                    for (j, node) in self.space.nodes_of(e).iter().enumerate() {
-                        let at = nodes.binary_search(node).expect("listed above") * basis.len();
-                        let column = &mut columns[at..at + basis.len()];
-                        weights.clear();
-                        weights.extend(own.iter().map(|s| {
-                            let q = *s as usize % per_element;
-                            self.weight(e, q) * self.shapes(q)[j]
-                        }));
-                        vectorised(|| add_product(&values, &weights, column));
-                    }
+                for (j, node) in self.space.nodes_of(e).iter().enumerate() {
+                    let at = nodes.binary_search(node).expect("listed above") * basis.len();
+                    let column = &mut columns[at..at + basis.len()];
+                    weights.clear();
+                    weights.extend(own.iter().map(|s| {
+                        let q = *s as usize % per_element;
+                        self.weight(e, q) * self.shapes(q)[j]
+                    }));
+                    vectorised(|| add_product(&values, &weights, column));
                 }
-                (nodes, columns)
-            })
-            .collect();
-        collect_ends(leaves)
+            }
+            (nodes, columns)
+        })
     }
+}
+
+/// Places and operators of all leaves; `of_leaf` has the cell, its centre and its half-width.
+fn ends_of_leaves(
+    tree: &Tree,
+    of_leaf: impl Fn(&Cell, [f64; 2], f64) -> (Vec<u32>, Vec<f64>) + Sync,
+) -> Ends<f64> {
+    use rayon::prelude::*;
+    let of_cell = |c: usize| match &tree.cells[c] {
+        cell if cell.is_leaf() => {
+            let (centre, half) = tree.frame(c);
+            of_leaf(cell, centre, half)
+        }
+        _ => (Vec::new(), Vec::new()),
+    };
+    collect_ends((0..tree.cells.len()).into_par_iter().map(of_cell).collect())
 }
 
 /// Operators from local expansions to the targets of the leaves.
 fn target_ends(tree: &Tree, targets: &[[f64; 2]], basis: &Basis) -> Ends<f64> {
-    use rayon::prelude::*;
-    let leaves: Vec<(Vec<u32>, Vec<f64>)> = (0..tree.cells.len())
-        .into_par_iter()
-        .map(|c| {
-            let cell = &tree.cells[c];
-            if !cell.is_leaf() {
-                return (Vec::new(), Vec::new());
-            }
-            let (centre, half) = tree.frame(c);
-            let own = cell.targets.clone();
-            let mut columns = vec![0.0; own.len() * basis.len()];
-            for (target, column) in tree.target_order[own.clone()]
-                .iter()
-                .zip(columns.chunks_exact_mut(basis.len()))
-            {
-                let x = targets[*target as usize];
-                basis.values([0, 1].map(|a: usize| (x[a] - centre[a]) / half), column);
-            }
-            // by place in the order of the tree
-            (own.map(|t| t as u32).collect(), columns)
-        })
-        .collect();
-    collect_ends(leaves)
+    ends_of_leaves(tree, |cell, centre, half| {
+        let own = cell.targets.clone();
+        let mut columns = vec![0.0; own.len() * basis.len()];
+        for (target, column) in tree.target_order[own.clone()]
+            .iter()
+            .zip(columns.chunks_exact_mut(basis.len()))
+        {
+            let x = targets[*target as usize];
+            basis.values([0, 1].map(|a: usize| (x[a] - centre[a]) / half), column);
+        }
+        // by place in the order of the tree
+        (own.map(|t| t as u32).collect(), columns)
+    })
 }
 
 fn collect_ends(leaves: Vec<(Vec<u32>, Vec<f64>)>) -> Ends<f64> {

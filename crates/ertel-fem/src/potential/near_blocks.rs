@@ -162,9 +162,7 @@ impl<'a> Builder<'a> {
         points.iter_mut().for_each(Vec::clear);
         for k in 0..n {
             let [x, y] = self.targets[targets[k.min(targets.len() - 1)] as usize];
-            points[0].push(x);
-            points[1].push(y);
-            points[2].push(-y);
+            (points.iter_mut().zip([x, y, -y])).for_each(|(points, v)| points.push(v));
         }
         entries.resize(sources.space.element.n_nodes() * n, 0.0);
         columns.clear();

@@ -204,19 +204,11 @@ impl CsvTable {
                 return Err(self.error(&self.header, place, problem));
             }
             mapped.push((place, name.clone()));
-            let cell = self.header.cell(place);
-            let own_unit = || {
-                let units = readings(cell).into_iter();
-                units
-                    .filter(|r| !r.unit.is_empty() && unit_of(&r.unit).is_some())
-                    .map(|r| r.unit.into_owned())
-                    .next()
-            };
-            let title = match unit.map(str::to_owned).or_else(own_unit) {
+            let unit = unit.map(str::to_owned);
+            self.titles[place] = match unit.or_else(|| own_unit(self.header.cell(place))) {
                 Some(unit) => format!("{name} [{unit}]"),
                 None => name,
             };
-            self.titles[place] = title;
             // A column of that name in the table is another one.
             let Some(own) = own else { continue };
             for other in 0..self.titles.len() {
@@ -235,6 +227,13 @@ impl CsvTable {
         self.titles[place] = String::new();
         self.is_ignored[place] = true;
     }
+}
+
+/// The unit in a title.
+fn own_unit(title: &str) -> Option<String> {
+    (readings(title).into_iter())
+        .find(|reading| !reading.unit.is_empty() && unit_of(&reading.unit).is_some())
+        .map(|reading| reading.unit.into_owned())
 }
 
 impl Vocabulary<'_> {

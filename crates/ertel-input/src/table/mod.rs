@@ -10,9 +10,9 @@ pub(crate) use errors::nearest;
 
 use std::ops::Range;
 
-use super::Source;
 use super::inputs::Recorder;
 use super::tree::{Entry, Node, Value};
+use super::{InputError, Source};
 
 /// A TOML table being read.
 ///
@@ -108,6 +108,21 @@ impl<'a> Table<'a> {
             self.known.push(key.to_owned());
         }
         self.entries.iter().find(|entry| entry.key == key)
+    }
+
+    /// The elements of an array; `wanted` describes it.
+    fn optional_array(
+        &mut self,
+        key: &str,
+        wanted: &str,
+    ) -> Result<Option<&'a [Node]>, InputError> {
+        match self.entry(key) {
+            None => Ok(None),
+            Some(entry) => match &entry.node.value {
+                Value::Array(nodes) => Ok(Some(nodes)),
+                _ => Err(self.wrong_kind(entry, wanted)),
+            },
+        }
     }
 
     fn child(&self, node: &'a Node, key: &str) -> Table<'a> {

@@ -42,7 +42,7 @@ impl Table<'_> {
             return Ok(Some(value));
         };
         let path = self.path_of(key);
-        match inputs.read(&path, value, dimension, uncertainty) {
+        match inputs.read(&path, (value, dimension), uncertainty, false) {
             Some(other) if bounds.contains(other) => Ok(Some(other)),
             Some(_) => Err(self.out_of(&entry.node, key, dimension, bounds)),
             None => Ok(Some(value)),
@@ -60,9 +60,9 @@ impl Table<'_> {
     ) -> f64 {
         let path = self.path_of(key);
         let inputs = self.inputs.as_ref();
-        let other =
-            inputs.and_then(|inputs| inputs.estimated(&path, value, dimension, uncertainty));
-        other.unwrap_or(value)
+        inputs
+            .and_then(|inputs| inputs.read(&path, (value, dimension), Some(uncertainty), true))
+            .unwrap_or(value)
     }
 
     /// A pure number: `0.3`, or a text such as `"30 %"`.
@@ -113,11 +113,8 @@ impl Table<'_> {
         dimension: Dimension,
         bounds: Bounds,
     ) -> Result<Option<Vec<f64>>, InputError> {
-        let Some(entry) = self.entry(key) else {
+        let Some(nodes) = self.optional_array(key, "an array")? else {
             return Ok(None);
-        };
-        let Value::Array(nodes) = &entry.node.value else {
-            return Err(self.wrong_kind(entry, "an array"));
         };
         nodes
             .iter()
@@ -158,11 +155,8 @@ impl Table<'_> {
         key: &str,
         bounds: Bounds,
     ) -> Result<Option<Vec<[f64; 2]>>, InputError> {
-        let Some(entry) = self.entry(key) else {
+        let Some(nodes) = self.optional_array(key, "an array of points [x, y]")? else {
             return Ok(None);
-        };
-        let Value::Array(nodes) = &entry.node.value else {
-            return Err(self.wrong_kind(entry, "an array of points [x, y]"));
         };
         let number = |node| self.quantity_of(node, key, Dimension::DIMENSIONLESS, bounds);
         nodes

@@ -65,11 +65,8 @@ impl<'a> Table<'a> {
     ///
     /// A value that is no array, or has an element that is no table.
     pub fn tables(&mut self, key: &str) -> Result<Vec<Table<'a>>, InputError> {
-        let Some(entry) = self.entry(key) else {
+        let Some(nodes) = self.optional_array(key, "an array of tables")? else {
             return Ok(Vec::new());
-        };
-        let Value::Array(nodes) = &entry.node.value else {
-            return Err(self.wrong_kind(entry, "an array of tables"));
         };
         nodes
             .iter()

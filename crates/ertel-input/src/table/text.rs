@@ -35,11 +35,8 @@ impl<'a> Table<'a> {
     ///
     /// A value that is no array, or has an element that is no string.
     pub fn optional_strs(&mut self, key: &str) -> Result<Option<Vec<&'a str>>, InputError> {
-        let Some(entry) = self.entry(key) else {
+        let Some(nodes) = self.optional_array(key, "an array of strings")? else {
             return Ok(None);
-        };
-        let Value::Array(nodes) = &entry.node.value else {
-            return Err(self.wrong_kind(entry, "an array of strings"));
         };
         nodes
             .iter()

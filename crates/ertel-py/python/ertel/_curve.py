@@ -42,10 +42,6 @@ class Curve(Tabulated):
         curve.failures = shaped(path, lambda: [(i, point["reason"]) for i, point in enumerate(points) if not point["converged"]])
         return curve
 
-    def to_dict(self) -> dict[str, Any]:
-        """Content of ``curve.json``."""
-        return self._document
-
     def plot(self, figure: str = "film_central") -> Figure:
         """Draw a figure over the quantity of the curve, in the colours of the program.
 
@@ -74,12 +70,6 @@ class Curve(Tabulated):
 
     def __len__(self) -> int:
         return len(self._document["points"])
-
-    def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_native": None}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
 
     def __repr__(self) -> str:
         failed = f", {len(self.failures)} failed" if self.failures else ""

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _ertel
 from ._quantity import _FIGURE_NAMES, Quantity, _read
-from ._stored import Tabulated, document, shaped
+from ._stored import Tabulated, Warned, document, shaped
 
 if TYPE_CHECKING:
     from ._case import Case
@@ -102,7 +102,7 @@ class MachineContact:
         raise AttributeError(f"a contact of a machine has no attribute `{name}`")
 
 
-class MachineSolution(Tabulated):
+class MachineSolution(Warned, Tabulated):
     """The solution of a whole machine. Numbers in SI.
 
     Figures of the machine are attributes (``machine.friction_torque``), and items of :attr:`figures`. Those that are sums over the contacts are
@@ -156,20 +156,6 @@ class MachineSolution(Tabulated):
         }
         self.contacts = _contacts(content["contacts"], self.place_name)
 
-    def to_dict(self) -> dict[str, Any]:
-        """Content of ``machine.json``."""
-        return self._document
-
-    @property
-    def warnings(self) -> list[str]:
-        """Warnings about the result, one sentence each; failed contacts first."""
-        return self._document["warnings"]
-
-    @property
-    def warning_codes(self) -> list[str]:
-        """The codes of :attr:`warnings`, one each; :func:`ertel.explain` explains them. Empty for results of older versions."""
-        return list(self._document.get("warning_codes", []))
-
     @property
     def failures(self) -> list[tuple[int, str]]:
         """Place and reason of the contacts without solution; those that are alike once."""
@@ -221,12 +207,6 @@ class MachineSolution(Tabulated):
 
     def __len__(self) -> int:
         return len(self.contacts)
-
-    def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_native": None}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
 
     def __repr__(self) -> str:
         failed = f", {len(self.failures)} failed" if self.failed else ""

@@ -29,16 +29,26 @@ _SECTIONS = (
 
 
 class _MachineCase(Case):
-    def __init__(self, folder: str | os.PathLike[str], machine: Mapping[str, Any], keys: Mapping[str, Any]) -> None:
+    def __init__(
+        self,
+        *,
+        kind: str | None,
+        designation: str | None = None,
+        bodies: str | Mapping[str, Any] | None = None,
+        lubricant: str | Mapping[str, Any] | None = None,
+        temperature: Any = None,
+        folder: str | os.PathLike[str] = "",
+        **keys: Any,
+    ) -> None:
+        keys.update(bodies=bodies, lubricant=lubricant, temperature=temperature)
         sections = {key: keys[key] for key in _SECTIONS if keys.get(key) is not None}
         if isinstance(sections.get("bodies"), str):
             sections["bodies"] = {"body_1": sections["bodies"], "body_2": sections["bodies"]}
-        lubricant = sections.get("lubricant")
         # A separate temperature is for a lubricant by name; in a table it is a key.
         if isinstance(lubricant, Mapping) and "temperature" not in lubricant and "temperature" in sections:
             sections["lubricant"] = {**lubricant, "temperature": sections.pop("temperature")}
         others = {key: value for key, value in keys.items() if key not in _SECTIONS}
-        super().__init__(folder=folder, machine={**machine, **others}, **sections)
+        super().__init__(folder=folder, machine={"kind": kind, "designation": designation, **others}, **sections)
 
 
 class Bearing(_MachineCase):
@@ -86,21 +96,10 @@ class Bearing(_MachineCase):
     True
     """
 
-    def __init__(
-        self,
-        designation: str | None = None,
-        *,
-        kind: str | None = None,
-        bodies: str | Mapping[str, Any] | None = None,
-        lubricant: str | Mapping[str, Any] | None = None,
-        temperature: Any = None,
-        folder: str | os.PathLike[str] = "",
-        **keys: Any,
-    ) -> None:
+    def __init__(self, designation: str | None = None, *, kind: str | None = None, **keys: Any) -> None:
         if kind is None and designation is None:
             kind = "roller-bearing" if any(key.startswith("roller") for key in keys) else "ball-bearing"
-        keys.update(bodies=bodies, lubricant=lubricant, temperature=temperature)
-        super().__init__(folder, {"kind": kind, "designation": designation}, keys)
+        super().__init__(kind=kind, designation=designation, **keys)
 
 
 class GearPair(_MachineCase):
@@ -124,18 +123,8 @@ class GearPair(_MachineCase):
         For an unknown or missing key, a wrong unit, an impossible value.
     """
 
-    def __init__(
-        self,
-        *,
-        kind: str = "spur-gear",
-        bodies: str | Mapping[str, Any] | None = None,
-        lubricant: str | Mapping[str, Any] | None = None,
-        temperature: Any = None,
-        folder: str | os.PathLike[str] = "",
-        **keys: Any,
-    ) -> None:
-        keys.update(bodies=bodies, lubricant=lubricant, temperature=temperature)
-        super().__init__(folder, {"kind": kind}, keys)
+    def __init__(self, *, kind: str = "spur-gear", **keys: Any) -> None:
+        super().__init__(kind=kind, **keys)
 
 
 class Cam(_MachineCase):
@@ -160,15 +149,5 @@ class Cam(_MachineCase):
         For an unknown or missing key, a wrong unit, an impossible value.
     """
 
-    def __init__(
-        self,
-        *,
-        kind: str = "cam",
-        bodies: str | Mapping[str, Any] | None = None,
-        lubricant: str | Mapping[str, Any] | None = None,
-        temperature: Any = None,
-        folder: str | os.PathLike[str] = "",
-        **keys: Any,
-    ) -> None:
-        keys.update(bodies=bodies, lubricant=lubricant, temperature=temperature)
-        super().__init__(folder, {"kind": kind}, keys)
+    def __init__(self, *, kind: str = "cam", **keys: Any) -> None:
+        super().__init__(kind=kind, **keys)

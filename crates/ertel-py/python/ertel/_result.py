@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from . import _ertel
 from ._ertel import CaseError, OutputError
 from ._quantity import _FIELD_NAMES, _FIGURE_NAMES, Quantity, _read
-from ._stored import Stored, columns, document, shaped, surface
+from ._stored import Stored, Warned, columns, document, shaped, surface
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -58,7 +58,7 @@ def _grid(n_points: int, extent: _Extent | None) -> tuple[int, _Extent | None]:
     return n, (x_low, x_high, y_low, y_high)
 
 
-class Result(Stored):
+class Result(Warned, Stored):
     """The solution of a case. Numbers in SI, x along the motion, z normal to the contact, body 1 the plane.
 
     Every field of the contact is an attribute with its values at :attr:`points`: ``pressure`` (Pa), ``film_thickness`` (m),
@@ -87,20 +87,6 @@ class Result(Stored):
         return result
 
     # Figures
-
-    def to_dict(self) -> dict[str, Any]:
-        """All figures, inputs and statistics, as ``result.json`` has them."""
-        return self._document
-
-    @property
-    def warnings(self) -> list[str]:
-        """Warnings about the result, one sentence each."""
-        return self._document["warnings"]
-
-    @property
-    def warning_codes(self) -> list[str]:
-        """The codes of :attr:`warnings`, one each; :func:`ertel.explain` explains them. Empty for results of older versions."""
-        return list(self._document.get("warning_codes", []))
 
     @property
     def film_central(self) -> Quantity:
@@ -396,10 +382,7 @@ class Result(Stored):
     def __getstate__(self) -> dict[str, Any]:
         self._fields()
         _ = self.centreline
-        return {**self.__dict__, "_native": None}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
+        return super().__getstate__()
 
     def __repr__(self) -> str:
         return f"<ertel.Result: h_c {self.film_central}, h_min {self.film_minimum}, p_c {self.pressure_central}>"

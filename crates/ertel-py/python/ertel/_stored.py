@@ -80,6 +80,13 @@ class Stored:
         """Title of the case, empty if there is none."""
         return self._document["title"]
 
+    def to_dict(self) -> dict[str, Any]:
+        """Content of the JSON document, such as ``result.json``: figures, inputs and statistics in SI."""
+        return self._document
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_native": None}
+
     def _stored(self, what: str) -> Path:
         if self._folder is None:
             raise self._refuse(what)
@@ -92,6 +99,22 @@ class Stored:
         if self._folder is not None:
             return OutputError(f"{what}: this was read from {self._folder}, which has the files already; solve its case again: .case.solve()")
         return RuntimeError(f"{what}: only in the process that solved the case; this result was pickled")
+
+
+class Warned:
+    """Warnings of a result."""
+
+    _document: dict[str, Any]
+
+    @property
+    def warnings(self) -> list[str]:
+        """Warnings about the result, one sentence each; those of failed contacts first."""
+        return list(self._document["warnings"])
+
+    @property
+    def warning_codes(self) -> list[str]:
+        """The codes of :attr:`warnings`, one each; :func:`ertel.explain` explains them. Empty for results of older versions."""
+        return list(self._document.get("warning_codes", []))
 
 
 class Tabulated(Stored):

@@ -201,10 +201,6 @@ class Comparison(Stored):
         needed = ("title", "n_rows", "n_unsolved", "statistics", "rows")
         return cls(folder, inputs, document(folder / "comparison.json", "ertel-comparison", needed))
 
-    def to_dict(self) -> dict[str, Any]:
-        """Content of ``comparison.json``."""
-        return self._document
-
     @property
     def statistics(self) -> dict[str, Any]:
         """Bias, rms and so on of each figure, by its name."""

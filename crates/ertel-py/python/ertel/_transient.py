@@ -13,7 +13,7 @@ import numpy as np
 from . import _ertel
 from ._ertel import OutputError
 from ._quantity import Quantity
-from ._stored import Floats, Tabulated, collection, document, shaped, surface
+from ._stored import Floats, Tabulated, Warned, collection, document, shaped, surface
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -153,7 +153,7 @@ class Instant:
         return f"<ertel.Instant: {self.time:.4e} s, central film {self.film_central.value:.4e} m>"
 
 
-class Transient(Tabulated):
+class Transient(Warned, Tabulated):
     """A case with ``[transient]`` from its start on.
 
     Iteration runs over its instants; ``len`` counts them.
@@ -228,16 +228,6 @@ class Transient(Tabulated):
         return self._document.get("over_time", {})
 
     @property
-    def warnings(self) -> list[str]:
-        """Warnings about the result, one sentence each."""
-        return list(self._document["warnings"])
-
-    @property
-    def warning_codes(self) -> list[str]:
-        """The codes of :attr:`warnings`, one each; :func:`ertel.explain` explains them. Empty for results of older versions."""
-        return list(self._document.get("warning_codes", []))
-
-    @property
     def time(self) -> Floats:
         """Times of the instants, s."""
         return np.array([instant.time for instant in self._instants])
@@ -254,10 +244,6 @@ class Transient(Tabulated):
         """The centreline at the output times: ``time`` (s), arrays ``x`` (m), ``pressure`` (Pa) and ``film_thickness`` (m)."""
         arrays = ("x", "pressure", "film_thickness")
         return [{"time": p["time"], **{key: np.array(p[key]) for key in arrays}} for p in self._document["profiles"]]
-
-    def to_dict(self) -> dict[str, Any]:
-        """Content of ``transient.json``."""
-        return self._document
 
     @property
     def outputs(self) -> list[Instant]:
@@ -335,9 +321,6 @@ class Transient(Tabulated):
 
     def __getitem__(self, index: int) -> Instant:
         return self._instants[index]
-
-    def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_native": None}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)

@@ -100,8 +100,6 @@ impl BaseOil {
                 return Estimate::midway(
                     &Self::Mineral.pressure_viscosity(nu),
                     &Self::Pao.pressure_viscosity(nu),
-                    "none, midway between mineral oil and polyalphaolefin",
-                    "no measured slope of a Group III oil was found: the range covers those of mineral oils and of polyalphaolefins",
                 );
             }
         };
@@ -142,55 +140,51 @@ impl BaseOil {
 
     /// Share of the density at 15 degC that an oil loses for each kelvin (1/K); of Group III midway between mineral oil and PAO.
     pub fn expansion(self) -> Estimate {
-        Estimate {
-            value: match self {
-                Self::Mineral | Self::Naphthenic => 5.8e-4,
-                Self::Pao => 5.5e-4,
-                Self::GroupIII => 5.65e-4,
-                Self::Ester => 8.1e-4,
-                Self::Pag => 7.1e-4,
-            },
-            below: 0.2,
-            above: 0.2,
-            spread: Spread::Even,
-            source: "feup_gear, one gear oil of each kind",
-            basis: "the oils of one kind there differ by up to 20 %",
-        }
+        let value = match self {
+            Self::Mineral | Self::Naphthenic => 5.8e-4,
+            Self::Pao => 5.5e-4,
+            Self::GroupIII => 5.65e-4,
+            Self::Ester => 8.1e-4,
+            Self::Pag => 7.1e-4,
+        };
+        Estimate::even(
+            value,
+            [0.2, 0.2],
+            "feup_gear, one gear oil of each kind",
+            "the oils of one kind there differ by up to 20 %",
+        )
     }
 
     /// Density at 15 degC (kg/m³); of Group III midway between mineral oil and PAO.
     pub fn density_at_15(self) -> Estimate {
-        Estimate {
-            value: match self {
-                Self::Mineral | Self::Naphthenic => 902.0,
-                Self::Pao => 859.0,
-                Self::GroupIII => 880.0,
-                Self::Ester => 915.0,
-                Self::Pag => 1059.0,
-            },
-            below: 0.05,
-            above: 0.05,
-            spread: Spread::Even,
-            source: "feup_gear, one gear oil of each kind",
-            basis: "the oils of one kind there differ by up to 5 %",
-        }
+        let value = match self {
+            Self::Mineral | Self::Naphthenic => 902.0,
+            Self::Pao => 859.0,
+            Self::GroupIII => 880.0,
+            Self::Ester => 915.0,
+            Self::Pag => 1059.0,
+        };
+        Estimate::even(
+            value,
+            [0.05, 0.05],
+            "feup_gear, one gear oil of each kind",
+            "the oils of one kind there differ by up to 5 %",
+        )
     }
 
     /// Viscosity index; `None` for kinds whose oils differ too much.
     pub fn viscosity_index(self) -> Option<Estimate> {
-        let typical = |value, below, above, basis| {
-            Some(Estimate {
+        let typical = |value, range, basis| {
+            Some(Estimate::even(
                 value,
-                below,
-                above,
-                spread: Spread::Even,
-                source: "gearpie, grades 32 to 680",
+                range,
+                "gearpie, grades 32 to 680",
                 basis,
-            })
+            ))
         };
         match self {
-            Self::Mineral => typical(95.0, 0.1, 0.1, "grades there have 86 to 103"),
-            Self::Pao => typical(150.0, 0.06, 0.27, "grades there have 141 to 190"),
+            Self::Mineral => typical(95.0, [0.1, 0.1], "grades there have 86 to 103"),
+            Self::Pao => typical(150.0, [0.06, 0.27], "grades there have 141 to 190"),
             Self::Ester | Self::Pag | Self::Naphthenic | Self::GroupIII => None,
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! Theory: Heat and shear of a kind of oil.
 
-use super::{BaseOil, Estimate, Spread};
+use super::{BaseOil, Estimate};
 
 /// Estimated thermal properties of an oil: the constants of the laws of Larsson and Andersson
 /// ([`crate::conductivity::LarssonAndersson`], [`crate::heat_capacity::LarssonAndersson`]).
@@ -33,22 +33,6 @@ pub struct HeatEstimate {
 /// Temperature at which the synthetic oils' heat capacities hold (K).
 const CELSIUS_40: f64 = 313.15;
 
-fn estimate(
-    value: f64,
-    [below, above]: [f64; 2],
-    source: &'static str,
-    basis: &'static str,
-) -> Estimate {
-    Estimate {
-        value,
-        below,
-        above,
-        source,
-        spread: Spread::Even,
-        basis,
-    }
-}
-
 impl BaseOil {
     /// Conductivity and heat capacity per volume of an oil of this kind, with how both change with pressure and temperature:
     ///
@@ -65,7 +49,7 @@ impl BaseOil {
     #[must_use]
     pub fn heat(self) -> HeatEstimate {
         let as_pao = HeatEstimate {
-            conductivity: estimate(
+            conductivity: Estimate::even(
                 0.157,
                 [0.11, 0.11],
                 "kreuz_pao, PAO 4, 10, 40, 100; everitt_ehl, PAO B",
@@ -73,7 +57,7 @@ impl BaseOil {
             ),
             d_1: 1.40e-9,
             d_2: 0.34e-9,
-            volumetric_heat: estimate(
+            volumetric_heat: Estimate::even(
                 1.725e6,
                 [0.1, 0.15],
                 "kreuz_pao, PAO 4, 10, 40, 100; everitt_ehl, PAO B; larsson_andersson2000 for pressure and temperature",
@@ -89,7 +73,7 @@ impl BaseOil {
         match self {
             Self::Pao => as_pao,
             Self::Mineral | Self::Naphthenic => HeatEstimate {
-                conductivity: estimate(
+                conductivity: Estimate::even(
                     0.137,
                     [0.3, 0.12],
                     "larsson_andersson2000, paraffinic mineral oil",
@@ -97,7 +81,7 @@ impl BaseOil {
                 ),
                 d_1: 1.72e-9,
                 d_2: 0.54e-9,
-                volumetric_heat: estimate(
+                volumetric_heat: Estimate::even(
                     1.71e6,
                     [0.11, 0.16],
                     "larsson_andersson2000, paraffinic mineral oil",
@@ -111,14 +95,14 @@ impl BaseOil {
                 k_2: 0.81e-9,
             },
             Self::Ester => HeatEstimate {
-                conductivity: estimate(
+                conductivity: Estimate::even(
                     0.153,
                     [0.13, 0.12],
                     "baomaokuan_bearing, MIL-L-7808 and MIL-L-23699",
                     "both ester turbine oils there have 0.145 and 0.161 W/(m.K) at 40 degC, feup_gear uses 0.134; pressure as \
                      for a PAO",
                 ),
-                volumetric_heat: estimate(
+                volumetric_heat: Estimate::even(
                     1.90e6,
                     [0.1, 0.1],
                     "baomaokuan_bearing, MIL-L-7808 and MIL-L-23699; feup_gear",
@@ -128,14 +112,14 @@ impl BaseOil {
                 ..as_pao
             },
             Self::Pag => HeatEstimate {
-                conductivity: estimate(
+                conductivity: Estimate::even(
                     0.145,
                     [0.3, 0.3],
                     "none, midway of the other kinds",
                     "no measured conductivity of a polyalkylene glycol was found; the range covers the 0.115 W/(m.K) that feup_gear \
                      uses",
                 ),
-                volumetric_heat: estimate(
+                volumetric_heat: Estimate::even(
                     2.08e6,
                     [0.2, 0.2],
                     "none, 2000 J/(kg.K), as of other oils, times the density of a polyalkylene glycol",
@@ -153,18 +137,9 @@ impl BaseOil {
                         * (1.0 + pao.beta_0 * (mineral.reference_temperature - CELSIUS_40)),
                     ..pao.volumetric_heat
                 };
-                let midway = |a: &Estimate, b: &Estimate| {
-                    Estimate::midway(
-                        a,
-                        b,
-                        "none, midway between mineral oil and polyalphaolefin",
-                        "no measured heat of a Group III oil was found: the range covers those of mineral oils and of \
-                         polyalphaolefins",
-                    )
-                };
                 HeatEstimate {
-                    conductivity: midway(&mineral.conductivity, &pao.conductivity),
-                    volumetric_heat: midway(&mineral.volumetric_heat, &warmed),
+                    conductivity: Estimate::midway(&mineral.conductivity, &pao.conductivity),
+                    volumetric_heat: Estimate::midway(&mineral.volumetric_heat, &warmed),
                     ..mineral
                 }
             }

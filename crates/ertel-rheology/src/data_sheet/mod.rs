@@ -61,19 +61,37 @@ pub enum Spread {
 }
 
 impl Estimate {
-    /// Midway between two estimates, with a range that holds both of theirs.
-    fn midway(a: &Self, b: &Self, source: &'static str, basis: &'static str) -> Self {
-        let value = 0.5 * (a.value + b.value);
-        let lowest = |e: &Self| e.value * (1.0 - e.below);
-        let highest = |e: &Self| e.value * (1.0 + e.above);
+    /// A number with its truth spread evenly over a range.
+    fn even(
+        value: f64,
+        [below, above]: [f64; 2],
+        source: &'static str,
+        basis: &'static str,
+    ) -> Self {
         Self {
             value,
-            below: 1.0 - lowest(a).min(lowest(b)) / value,
-            above: highest(a).max(highest(b)) / value - 1.0,
+            below,
+            above,
             source,
             spread: Spread::Even,
             basis,
         }
+    }
+
+    /// Of a Group III oil: midway between the estimates of a mineral oil and of a polyalphaolefin, with a range that holds both of theirs.
+    fn midway(a: &Self, b: &Self) -> Self {
+        let value = 0.5 * (a.value + b.value);
+        let lowest = |e: &Self| e.value * (1.0 - e.below);
+        let highest = |e: &Self| e.value * (1.0 + e.above);
+        Self::even(
+            value,
+            [
+                1.0 - lowest(a).min(lowest(b)) / value,
+                highest(a).max(highest(b)) / value - 1.0,
+            ],
+            "none, midway between mineral oil and polyalphaolefin",
+            "no measured figure of a Group III oil was found: the range covers those of mineral oils and of polyalphaolefins",
+        )
     }
 
     /// The range as an uncertainty of the number, SI; where the range has two arms, with their mean to either side.

@@ -2,7 +2,7 @@
 //!
 //! Theory: Heat and shear of a kind of oil.
 
-use super::{BaseOil, Estimate, Spread};
+use super::{BaseOil, Estimate};
 
 /// Estimated shear-thinning constants of an oil: `τ₀` of the law of Ree and Eyring, and `Λ` of its limit `τ_L = τ₀ + Λ p`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,26 +27,18 @@ impl BaseOil {
     /// Theory: Heat and shear of a kind of oil.
     #[must_use]
     pub fn shear(self) -> ShearEstimate {
-        let stress = |value: f64| Estimate {
-            value,
-            below: 0.6,
-            above: 1.0,
-            source: "johnson_tevaarwerk1977, Eyring stresses of a few MPa",
-            spread: Spread::Even,
-            basis: "traction programs use 2 to 10 MPa, typically 5 for a mineral oil; kreuz_pao has 4 MPa for polyalphaolefins",
-        };
-        let limit = |value, [below, above]: [f64; 2], source, basis| Estimate {
-            value,
-            below,
-            above,
-            source,
-            spread: Spread::Even,
-            basis,
+        let stress = |value: f64| {
+            Estimate::even(
+                value,
+                [0.6, 1.0],
+                "johnson_tevaarwerk1977, Eyring stresses of a few MPa",
+                "traction programs use 2 to 10 MPa, typically 5 for a mineral oil; kreuz_pao has 4 MPa for polyalphaolefins",
+            )
         };
         match self {
             Self::Mineral | Self::Naphthenic => ShearEstimate {
                 eyring_stress: stress(5e6),
-                pressure_coefficient: limit(
+                pressure_coefficient: Estimate::even(
                     0.056,
                     [0.3, 0.5],
                     "feup_gear, full film of a thrust ball bearing in mineral oil",
@@ -58,7 +50,7 @@ impl BaseOil {
                     source: "kreuz_pao, for the family",
                     ..stress(4e6)
                 },
-                pressure_coefficient: limit(
+                pressure_coefficient: Estimate::even(
                     0.042,
                     [0.3, 0.3],
                     "kreuz_pao, mean of 0.0395 and of 0.044 of feup_gear, full film of a thrust ball bearing",
@@ -67,7 +59,7 @@ impl BaseOil {
             },
             Self::Ester => ShearEstimate {
                 eyring_stress: stress(5e6),
-                pressure_coefficient: limit(
+                pressure_coefficient: Estimate::even(
                     0.043,
                     [0.4, 0.4],
                     "feup_gear, full film of a thrust ball bearing in an ester",
@@ -76,7 +68,7 @@ impl BaseOil {
             },
             Self::Pag => ShearEstimate {
                 eyring_stress: stress(5e6),
-                pressure_coefficient: limit(
+                pressure_coefficient: Estimate::even(
                     0.041,
                     [0.5, 0.3],
                     "feup_gear, mean of 0.044, full film of a thrust ball bearing, and 0.039 by the factor for the friction of gears",
@@ -85,18 +77,9 @@ impl BaseOil {
             },
             Self::GroupIII => {
                 let [mineral, pao] = [Self::Mineral.shear(), Self::Pao.shear()];
-                let midway = |a: &Estimate, b: &Estimate| {
-                    Estimate::midway(
-                        a,
-                        b,
-                        "none, midway between mineral oil and polyalphaolefin",
-                        "no measured figure of a Group III oil was found: the range covers those of mineral oils and of \
-                         polyalphaolefins",
-                    )
-                };
                 ShearEstimate {
-                    eyring_stress: midway(&mineral.eyring_stress, &pao.eyring_stress),
-                    pressure_coefficient: midway(
+                    eyring_stress: Estimate::midway(&mineral.eyring_stress, &pao.eyring_stress),
+                    pressure_coefficient: Estimate::midway(
                         &mineral.pressure_coefficient,
                         &pao.pressure_coefficient,
                     ),

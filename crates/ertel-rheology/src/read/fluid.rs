@@ -2,7 +2,7 @@
 
 use super::{Files, Material, data_sheet, estimates};
 use crate::data_sheet::BaseOil;
-use crate::provenance::{Datum, Status, ValidityRange};
+use crate::provenance::{Datum, ValidityRange};
 use crate::{ConductivityLaw, DensityLaw, Fluid, HeatCapacityLaw, ShearThinning, ViscosityLaw};
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
@@ -96,16 +96,7 @@ impl Fluid {
             let datum = data_sheet::given(table, "base_oil", name, "");
             fluid.provenance.push(datum);
         }
-        fluid.read_numbers(table)?;
-        fluid.read_thermal(table, files)?;
-        let estimates = fluid.read_shear_thinning(table)?;
-        table.read_correlations()?;
-        for key in Self::KEYS {
-            if table.contains(key) {
-                fluid.record_override(table, key);
-            }
-        }
-        fluid.provenance.extend(estimates);
+        fluid.read_others(table, files)?;
         Ok(fluid)
     }
 
@@ -154,6 +145,11 @@ impl Fluid {
         if let Some(viscosity) = table.optional_table("viscosity")? {
             self.viscosity = ViscosityLaw::from_table(viscosity, self.density.as_ref(), files)?;
         }
+        self.read_others(table, files)
+    }
+
+    /// Reads what refers to density and viscosity, and notes which keys come from the user.
+    fn read_others(&mut self, table: &mut Table<'_>, files: Files<'_>) -> Result<(), InputError> {
         self.read_numbers(table)?;
         self.read_thermal(table, files)?;
         let estimates = self.read_shear_thinning(table)?;
@@ -288,23 +284,12 @@ impl Fluid {
             },
             _ => return,
         };
-        let source = if table.path().is_empty() {
-            "given".to_owned()
-        } else {
-            format!("given in [{}]", table.path())
+        let key = match unit {
+            "" => format!("{key}.law"),
+            _ => key.to_owned(),
         };
-        self.provenance.push(Datum {
-            key: if unit.is_empty() {
-                format!("{key}.law")
-            } else {
-                key.to_owned()
-            },
-            value,
-            unit: unit.to_owned(),
-            source,
-            status: Status::User,
-            note: None,
-        });
+        self.provenance
+            .push(data_sheet::given(table, &key, value, unit));
     }
 }
 

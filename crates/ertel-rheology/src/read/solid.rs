@@ -72,25 +72,22 @@ impl Solid {
         }
         let key = "thermal_conductivity";
         if let Some(law) = ConductivityLaw::read(table, key, Material::Solid, None, files)? {
-            match law.constant_value() {
-                Some(value) => self.record(key, value.to_string(), "W/(m.K)"),
-                None => self.record_law(key, law.name()),
-            }
+            self.record_law(key, law.constant_value(), law.name(), "W/(m.K)");
             self.thermal_conductivity = Some(law);
         }
         let key = "heat_capacity";
         if let Some(law) = HeatCapacityLaw::read(table, key, Material::Solid, None, files)? {
-            match law.constant_value() {
-                Some(value) => self.record(key, value.to_string(), "J/(kg.K)"),
-                None => self.record_law(key, law.name()),
-            }
+            self.record_law(key, law.constant_value(), law.name(), "J/(kg.K)");
             self.heat_capacity = Some(law);
         }
         Ok(())
     }
 
     /// Notes that the law at `key` comes from the user, a law that is more than a number by its name.
-    fn record_law(&mut self, key: &str, name: &str) {
+    fn record_law(&mut self, key: &str, constant: Option<f64>, name: &str, unit: &str) {
+        if let Some(value) = constant {
+            return self.record(key, value.to_string(), unit);
+        }
         self.record(key, name.to_owned(), "");
         if let Some(datum) = self.provenance.last_mut() {
             datum.key += ".law";

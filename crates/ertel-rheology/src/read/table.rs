@@ -193,25 +193,15 @@ impl Header {
             })
         };
         let find = |title, dimension| table.find_with_unit(title, dimension);
-        let absolute = table.find("absolute pressure", Dimension::PRESSURE)?;
-        let gauge = match absolute {
-            Some(_) => table.find("pressure", Dimension::PRESSURE)?,
-            None => find("pressure", Dimension::PRESSURE)?,
-        };
-        let (pressure, absolute) = match (gauge, absolute) {
-            (Some(_), Some(second)) => {
-                let problem = "give `pressure` or `absolute pressure`, not both";
-                return Err(table.error(table.header(), second.index, problem));
-            }
-            (None, Some(column)) => (Some(column), true),
-            (None, None) if pressures == Pressures::Optional => (None, false),
-            (found, None) => (Some(need(found, "pressure")?), false),
-        };
+        let (pressure, absolute) = table.find_pressure()?.unzip();
+        if pressure.is_none() && pressures == Pressures::Required {
+            need(None, "pressure")?;
+        }
         let temperature = find("temperature", Dimension::TEMPERATURE)?;
         Ok(Self {
             temperature: need(temperature, "temperature")?,
             pressure,
-            absolute,
+            absolute: absolute.unwrap_or(false),
             value: need(find(name, dimension)?, name)?,
         })
     }

@@ -290,27 +290,9 @@ pub(super) fn read(
         };
         return Err(table.error("isothermal", reason));
     }
-    if base.transient.is_some() && (newtonian || isothermal) {
+    if newtonian || isothermal {
         let key = if newtonian { "newtonian" } else { "isothermal" };
-        return Err(table
-            .error(
-                key,
-                format!(
-                    "`{key}` adds a steady contact to each point, but this case changes in time"
-                ),
-            )
-            .with_help(format!("use a study with an [[axis]] over `solver.{key}`")));
-    }
-    if base.whole.is_some() && (newtonian || isothermal) {
-        let key = if newtonian { "newtonian" } else { "isothermal" };
-        return Err(table
-            .error(
-                key,
-                format!(
-                    "`{key}` adds a single contact to each point, but this case is a whole machine"
-                ),
-            )
-            .with_help("choose one of its contacts in [machine], or make two curves of it"));
+        check_second_contact(&table, key, base)?;
     }
     table.finish()?;
     let points = values
@@ -324,6 +306,21 @@ pub(super) fn read(
         newtonian,
         isothermal,
     }))
+}
+
+/// Refuses the second contact that `key` adds to each point of a case in time or of a machine.
+fn check_second_contact(table: &Table<'_>, key: &str, base: &Case) -> Result<(), InputError> {
+    let (contact, case, help) = if base.transient.is_some() {
+        let help = format!("use a study with an [[axis]] over `solver.{key}`");
+        ("a steady contact", "changes in time", help)
+    } else if base.whole.is_some() {
+        let help = "choose one of its contacts in [machine], or make two curves of it";
+        ("a single contact", "is a whole machine", help.to_owned())
+    } else {
+        return Ok(());
+    };
+    let text = format!("`{key}` adds {contact} to each point, but this case {case}");
+    Err(table.error(key, text).with_help(help))
 }
 
 fn read_quantity(

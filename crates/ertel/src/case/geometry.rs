@@ -5,7 +5,7 @@ use std::path::Path;
 use ertel_input::{InputError, Table};
 
 use super::bodies::Shapes;
-use super::machine::{self, Machine, Steel};
+use super::machine::{self, Steel};
 use super::{check, contact, motion, sections};
 use crate::case::{MachineEcho, WholeMachine};
 use crate::contact::motion::ROUNDING;
@@ -78,30 +78,24 @@ impl<'t> Tables<'t> {
         let reduced_modulus = steel.reduced_modulus;
         let mut warnings = Vec::new();
         let (mut whole, mut bulk_temperature) = (None, None);
-        let (contact, motion, machine, hertz, body_radii) = match &mut self {
+        let (mut machine, mut body_radii) = (
+            None,
+            shapes.map_or([f64::INFINITY; 2], Shapes::smallest_radii),
+        );
+        let (mut load_key, mut kind_key) = ("load", "kind");
+        let (contact, motion) = match &mut self {
             Tables::Plain(table, motion_table) => {
                 let contact = contact::read_contact(table, reduced_modulus, shapes, folder)?;
                 let found = root.required_table("motion");
                 let found = found.map_err(|error| sections::missing(root, "motion", error))?;
-                let motion_table = motion_table.insert(found);
-                let motion = motion::read_motion(
-                    motion_table,
-                    [
-                        ["body_1_speed", "plane_speed"],
-                        ["body_2_speed", "ball_speed"],
-                    ],
-                )?;
-                let hertz = check::hertz(table, "load", &contact, reduced_modulus)?;
-                motion::check_spin(
-                    motion_table,
-                    &motion,
-                    !contact.kind.is_line(),
-                    reach(&contact, &hertz),
-                )?;
-                super::roller::check(table, &contact, &hertz, reduced_modulus)?;
-                let body_radii = shapes.map_or([f64::INFINITY; 2], Shapes::smallest_radii);
-                check::body_size(table, "kind", &hertz, body_radii)?;
-                (contact, motion, None, hertz, body_radii)
+                let keys = [
+                    ["body_1_speed", "plane_speed"],
+                    ["body_2_speed", "ball_speed"],
+                ];
+                (
+                    contact,
+                    motion::read_motion(motion_table.insert(found), keys)?,
+                )
             }
             Tables::Machine(table) => {
                 if shapes.is_some() {
@@ -109,32 +103,27 @@ impl<'t> Tables<'t> {
                         "the radii follow from [machine], but [bodies] gives some, too",
                     ));
                 }
-                let Machine {
-                    contact,
-                    motion,
-                    load_key,
-                    body_radii,
-                    warnings: own,
-                    echo,
-                    whole: all,
-                    bulk_temperature: bulk,
-                } = machine::read(table, steel, folder)?;
-                warnings = own;
-                (whole, bulk_temperature) = (all, bulk);
-                let hertz = check::hertz(table, load_key, &contact, reduced_modulus)
-                    .map_err(|error| error.with_help(computed(&contact)))?;
-                motion::check_spin(
-                    table,
-                    &motion,
-                    !contact.kind.is_line(),
-                    reach(&contact, &hertz),
-                )?;
-                super::roller::check(table, &contact, &hertz, reduced_modulus)?;
-                check::body_size(table, load_key, &hertz, body_radii)
-                    .map_err(|error| error.with_help(computed(&contact)))?;
-                (contact, motion, Some(echo), hertz, body_radii)
+                let own = machine::read(table, steel, folder)?;
+                (warnings, machine, body_radii) = (own.warnings, Some(own.echo), own.body_radii);
+                (whole, bulk_temperature) = (own.whole, own.bulk_temperature);
+                (load_key, kind_key) = (own.load_key, own.load_key);
+                (own.contact, own.motion)
             }
         };
+        let main = self.main();
+        let advised = |error: InputError| match self {
+            Tables::Plain(..) => error,
+            Tables::Machine(_) => error.with_help(computed(&contact)),
+        };
+        let hertz = check::hertz(main, load_key, &contact, reduced_modulus).map_err(advised)?;
+        let moving = match &self {
+            Tables::Plain(_, Some(motion)) => motion,
+            _ => main,
+        };
+        let can_spin = !contact.kind.is_line();
+        motion::check_spin(moving, &motion, can_spin, reach(&contact, &hertz))?;
+        super::roller::check(main, &contact, &hertz, reduced_modulus)?;
+        check::body_size(main, kind_key, &hertz, body_radii).map_err(advised)?;
         Ok(Geometry {
             contact: without_rounding(contact),
             motion: motion.without_rounding(),

@@ -138,11 +138,6 @@ impl Lubricant {
         );
         Some(Warning::new(WarningKind::TemperatureIgnored, text))
     }
-
-    /// The narrowest range of the data that does not contain `temperature`, K.
-    pub fn range_left(&self, temperature: f64) -> Option<&TemperatureRange> {
-        TemperatureRange::left(&self.temperature_ranges, temperature)
-    }
 }
 
 /// Conditions of the contact.
@@ -171,85 +166,93 @@ pub(super) fn read(
     let lubricant =
         lubricant.map_err(|error| super::sections::missing(root, "lubricant", error))?;
     match lubricant {
-        StrOrTable::Str(name) => {
-            let mut fluid = database::fluid_or_file(name, folder, root.recorder("lubricant"))
-                .map_err(super::unknown(root, "lubricant"))?;
-            if conditions.heat {
-                fluid.estimate_heat(root, "lubricant")?;
-            }
-            let by_kind = conditions.shear && fluid.estimate_shear(root, "lubricant")?;
-            let temperature = root
-                .required_quantity("temperature", Dimension::TEMPERATURE, TEMPERATURE)
-                .map_err(|error| {
-                    error.with_help("a lubricant given by its name needs the temperature before the first [table]")
-                })?;
-            let (mut lubricant, warnings) = check(
-                root,
-                ("lubricant", Some(name)),
-                fluid,
-                temperature,
-                conditions,
-            )?;
-            lubricant.is_shear_by_kind = by_kind;
-            Ok((lubricant, warnings))
-        }
-        StrOrTable::Table(mut table) => {
+        StrOrTable::Str(name) => by_name(root, name, folder, conditions),
+        StrOrTable::Table(table) => {
             if root.contains("temperature") {
                 return Err(root
                     .error("temperature", "`temperature` belongs in [lubricant]")
                     .with_help("at the top level it belongs to `lubricant = \"name\"`"));
             }
-            let temperature =
-                table.required_quantity("temperature", Dimension::TEMPERATURE, TEMPERATURE)?;
-            let name = table.optional_str("name")?.map(str::to_owned);
-            let is_blend = table.contains("blend");
-            if let (Some(_), true) = (&name, is_blend) {
-                return Err(table
-                    .error("blend", "`name` and `blend` both define the oil")
-                    .with_help("keep one of them; a part of a blend has its own `name`"));
-            }
-            let named = match &name {
-                Some(name) => {
-                    let fluid = database::fluid_or_file(name, folder, table.own_recorder())
-                        .map_err(super::unknown(&table, "name"))?;
-                    Some(("name", fluid))
-                }
-                None if is_blend => Some(("blend", Fluid::from_blend(&mut table, folder)?)),
-                None => None,
-            };
-            let (key, name, mut fluid) = match named {
-                Some((key, mut fluid)) => {
-                    fluid.override_from(&mut table, Files::Folder(folder))?;
-                    let name = name.unwrap_or_else(|| fluid.name.clone());
-                    (key, Some(name), fluid)
-                }
-                None => {
-                    if table.contains("viscosity") && !table.contains("density") {
-                        return Err(table.missing("density").with_help(
-                            "such as density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }",
-                        ));
-                    }
-                    let fluid =
-                        Fluid::from_table(&mut table, "the lubricant", Files::Folder(folder))?;
-                    ("viscosity", None, fluid)
-                }
-            };
-            if conditions.heat {
-                fluid.estimate_heat(&table, "")?;
-            }
-            let by_kind = conditions.shear && fluid.estimate_shear(&table, "")?;
-            let (mut lubricant, warnings) = check(
-                &table,
-                (key, name.as_deref()),
-                fluid,
-                temperature,
-                conditions,
-            )?;
-            table.finish()?;
-            lubricant.is_shear_by_kind = by_kind;
-            Ok((lubricant, warnings))
+            by_table(table, folder, conditions)
         }
     }
+}
+
+/// `lubricant = "name"`, with a top-level `temperature`.
+fn by_name(
+    root: &mut Table<'_>,
+    name: &str,
+    folder: &Path,
+    conditions: Conditions,
+) -> Result<(Lubricant, Vec<Warning>), InputError> {
+    let mut fluid = database::fluid_or_file(name, folder, root.recorder("lubricant"))
+        .map_err(super::unknown(root, "lubricant"))?;
+    if conditions.heat {
+        fluid.estimate_heat(root, "lubricant")?;
+    }
+    let by_kind = conditions.shear && fluid.estimate_shear(root, "lubricant")?;
+    let temperature = root
+        .required_quantity("temperature", Dimension::TEMPERATURE, TEMPERATURE)
+        .map_err(|error| {
+            error.with_help(
+                "a lubricant given by its name needs the temperature before the first [table]",
+            )
+        })?;
+    let place = ("lubricant", Some(name));
+    let (mut lubricant, warnings) = check(root, place, fluid, temperature, conditions)?;
+    lubricant.is_shear_by_kind = by_kind;
+    Ok((lubricant, warnings))
+}
+
+/// `[lubricant]`.
+fn by_table(
+    mut table: Table<'_>,
+    folder: &Path,
+    conditions: Conditions,
+) -> Result<(Lubricant, Vec<Warning>), InputError> {
+    let temperature =
+        table.required_quantity("temperature", Dimension::TEMPERATURE, TEMPERATURE)?;
+    let name = table.optional_str("name")?.map(str::to_owned);
+    let is_blend = table.contains("blend");
+    if let (Some(_), true) = (&name, is_blend) {
+        return Err(table
+            .error("blend", "`name` and `blend` both define the oil")
+            .with_help("keep one of them; a part of a blend has its own `name`"));
+    }
+    let named = match &name {
+        Some(name) => {
+            let fluid = database::fluid_or_file(name, folder, table.own_recorder())
+                .map_err(super::unknown(&table, "name"))?;
+            Some(("name", fluid))
+        }
+        None if is_blend => Some(("blend", Fluid::from_blend(&mut table, folder)?)),
+        None => None,
+    };
+    let (key, name, mut fluid) = match named {
+        Some((key, mut fluid)) => {
+            fluid.override_from(&mut table, Files::Folder(folder))?;
+            let name = name.unwrap_or_else(|| fluid.name.clone());
+            (key, Some(name), fluid)
+        }
+        None => {
+            if table.contains("viscosity") && !table.contains("density") {
+                return Err(table.missing("density").with_help(
+                    "such as density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }",
+                ));
+            }
+            let fluid = Fluid::from_table(&mut table, "the lubricant", Files::Folder(folder))?;
+            ("viscosity", None, fluid)
+        }
+    };
+    if conditions.heat {
+        fluid.estimate_heat(&table, "")?;
+    }
+    let by_kind = conditions.shear && fluid.estimate_shear(&table, "")?;
+    let place = (key, name.as_deref());
+    let (mut lubricant, warnings) = check(&table, place, fluid, temperature, conditions)?;
+    table.finish()?;
+    lubricant.is_shear_by_kind = by_kind;
+    Ok((lubricant, warnings))
 }
 
 /// The laws at the temperature of the case; errors point to `key` of `table`. `name` is that in the database.
@@ -291,88 +294,83 @@ fn check(
         estimates,
         is_shear_by_kind: false,
     };
-    let must_lie = |what: &str, value: f64, bounds: Bounds, unit: &str| {
-        if bounds.contains(value) {
-            Ok(())
-        } else {
-            Err(table.error(
-                key,
-                format!(
-                    "the {what} at {:.2} °C and ambient pressure is {value:e} {unit}; it must be {}",
-                    temperature - 273.15,
-                    bounds.describe(unit)
-                ),
-            ))
-        }
-    };
-    must_lie(
-        "viscosity",
-        lubricant.ambient_viscosity(),
-        VISCOSITY,
-        "Pa.s",
-    )?;
-    must_lie("density", lubricant.ambient_density(), DENSITY, "kg/m^3")?;
-    let loaded = [
-        (
-            "viscosity",
-            lubricant.viscosity.ln_viscosity(pressure, temperature),
-        ),
-        (
-            "density",
-            lubricant.density.density(pressure, temperature).ln(),
-        ),
-    ];
-    for (what, logarithm) in loaded {
-        if !logarithm.is_finite() {
-            return Err(table.error(
-                key,
-                format!("the {what} law fails at the Hertz pressure of {pressure:.3e} Pa"),
-            ));
-        }
-    }
+    check_values(table, key, &lubricant, pressure)?;
     let mut warnings: Vec<Warning> = warnings.iter().map(Warning::from).collect();
     warnings.extend(glass(&lubricant, pressure));
     let out_of_range = warnings
         .iter()
         .any(|w| w.kind == WarningKind::TemperatureRange);
-    if let (Some(flank), Some(reason)) = (conditions.flank_temperature, lubricant.no_temperature())
-        && (flank - supplied).abs() > SAME_TEMPERATURE
-    {
-        let text = format!(
-            "the teeth are at {:.2} °C and the oil at {:.2} °C, but {reason}: films use the given constants, not those at the temperature of the teeth; \
-             {OILS_WITH_TEMPERATURE}",
-            flank - 273.15,
-            supplied - 273.15
-        );
-        let distance = (flank - supplied).abs();
-        warnings.push(Warning::beyond(
-            WarningKind::TemperatureIgnored,
-            distance,
-            text,
-        ));
-        return Ok((lubricant, warnings));
+    let holds_at = reference_temperature.filter(|_| !out_of_range);
+    warnings.extend(without_temperature(&lubricant, holds_at));
+    Ok((lubricant, warnings))
+}
+
+/// Refuses viscosities and densities that no lubricant has; `pressure` is the Hertz pressure, Pa.
+fn check_values(
+    table: &Table<'_>,
+    key: &str,
+    lubricant: &Lubricant,
+    pressure: f64,
+) -> Result<(), InputError> {
+    let temperature = lubricant.temperature;
+    let (mu_0, rho_0) = (lubricant.ambient_viscosity(), lubricant.ambient_density());
+    for (what, value, bounds, unit) in [
+        ("viscosity", mu_0, VISCOSITY, "Pa.s"),
+        ("density", rho_0, DENSITY, "kg/m^3"),
+    ] {
+        if !bounds.contains(value) {
+            let text = format!(
+                "the {what} at {:.2} °C and ambient pressure is {value:e} {unit}; it must be {}",
+                temperature - 273.15,
+                bounds.describe(unit)
+            );
+            return Err(table.error(key, text));
+        }
     }
-    if let (Some(holds_at), Some(reason), false) = (
-        reference_temperature,
-        lubricant.no_temperature(),
-        out_of_range,
-    ) {
-        let distance = (temperature - holds_at).abs();
-        if distance > SAME_TEMPERATURE {
+    let ln_mu = lubricant.viscosity.ln_viscosity(pressure, temperature);
+    let ln_rho = lubricant.density.density(pressure, temperature).ln();
+    for (what, logarithm) in [("viscosity", ln_mu), ("density", ln_rho)] {
+        if !logarithm.is_finite() {
+            let text = format!("the {what} law fails at the Hertz pressure of {pressure:.3e} Pa");
+            return Err(table.error(key, text));
+        }
+    }
+    Ok(())
+}
+
+/// Warns of laws without temperature at another temperature than that of their constants, K: that at which the oil is supplied to hot teeth, or
+/// `holds_at`.
+fn without_temperature(lubricant: &Lubricant, holds_at: Option<f64>) -> Option<Warning> {
+    let reason = lubricant.no_temperature()?;
+    let temperature = lubricant.temperature;
+    let differs = |other: &f64| (temperature - other).abs() > SAME_TEMPERATURE;
+    let (other, text) = match lubricant.supply_temperature.filter(differs) {
+        Some(supplied) => {
+            let text = format!(
+                "the teeth are at {:.2} °C and the oil at {:.2} °C, but {reason}: films use the given constants, not those at the temperature of the teeth; \
+                 {OILS_WITH_TEMPERATURE}",
+                temperature - 273.15,
+                supplied - 273.15
+            );
+            (supplied, text)
+        }
+        None => {
+            let holds_at = holds_at.filter(differs)?;
             let text = format!(
                 "the constants of the lubricant apply at {:.2} °C, but its temperature is {:.2} °C, and {reason}: \
                  {OILS_WITH_TEMPERATURE}",
                 holds_at - 273.15,
                 temperature - 273.15
             );
-            warnings.push(Warning::beyond(
-                WarningKind::TemperatureIgnored,
-                distance,
-                text,
-            ));
+            (holds_at, text)
         }
-    }
-    Ok((lubricant, warnings))
+    };
+    let distance = (temperature - other).abs();
+    Some(Warning::beyond(
+        WarningKind::TemperatureIgnored,
+        distance,
+        text,
+    ))
 }
 
 /// ln of the viscosity, Pa·s, from which a liquid counts as a glass: 1e12 Pa·s, the viscosity of the glass transition in the law of

@@ -53,6 +53,7 @@ mod roller;
 mod roughness;
 mod sections;
 mod set;
+mod settings;
 pub mod study;
 mod surface;
 mod thermal;
@@ -76,7 +77,6 @@ use crate::params::{
 };
 
 use crate::warning::{Warning, WarningKind, silence};
-use bodies::Bodies;
 pub use bodies::Body;
 pub use builder::{CaseBuilder, Setting};
 pub use check::{finite_volumes_refuse, mesh_of_bodies as check_mesh_of_bodies};
@@ -84,7 +84,6 @@ pub use curve::Curve;
 pub use described::{
     BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, MachineEcho, ThermalEcho,
 };
-use geometry::Geometry;
 pub use inputs::Origin;
 pub use lubricant::Lubricant;
 pub use machine::{
@@ -93,6 +92,7 @@ pub use machine::{
     WholeMachine,
 };
 pub use params::{read_mesh, read_solver};
+use settings::Settings;
 pub use study::Study;
 pub use study::read_named;
 pub use surface::{
@@ -232,160 +232,7 @@ impl Case {
         replaced: BTreeMap<String, f64>,
     ) -> Result<Self, InputError> {
         let inputs = Inputs::replacing(replaced);
-        let mut root = document.root_noted_by(Some(inputs.recorder()));
-        let title = root.optional_str("title")?.unwrap_or_default().to_owned();
-        let tables = geometry::Tables::of(&mut root)?;
-        let Bodies {
-            body_1,
-            body_2,
-            roughness,
-            shapes,
-        } = bodies::read(
-            (root.required_table("bodies"))
-                .map_err(|error| sections::missing(&root, "bodies", error))?,
-            folder,
-        )?;
-        let surface_table = root.optional_table("surface_roughness")?;
-        let roughness::Surfaces {
-            roughness,
-            rules: roughness_rules,
-            asperities,
-        } = match &surface_table {
-            Some(table) => roughness::read(table.clone(), roughness)?,
-            None => roughness::Surfaces {
-                roughness,
-                rules: Vec::new(),
-                asperities: None,
-            },
-        };
-        let modulus = reduced_modulus(body_1.elasticity, body_2.elasticity);
-        let steel = machine::Steel {
-            reduced_modulus: modulus,
-            density: body_2.density,
-            materials: [body_1.elasticity, body_2.elasticity],
-        };
-        let Geometry {
-            contact,
-            motion,
-            mut machine,
-            whole,
-            hertz,
-            body_radii,
-            bulk_temperature,
-            warnings: of_machine,
-            tables,
-        } = tables.read(&mut root, &steel, shapes.as_ref(), folder)?;
-        let solver_table = root.optional_table("solver")?;
-        let mut solver = match solver_table.clone() {
-            Some(table) => params::read_solver(table)?,
-            None => SolverParams::default(),
-        };
-        let thermal_table = root.optional_table("thermal")?;
-        let mut thermal = match &thermal_table {
-            Some(table) => Some(thermal::read(table.clone(), &contact)?),
-            None => None,
-        };
-        if let (Some(thermal), Some(bulk)) = (&mut thermal, bulk_temperature) {
-            thermal.body_1_temperature.get_or_insert(bulk);
-            thermal.body_2_temperature.get_or_insert(bulk);
-        }
-        let heat = thermal.is_some() && !solver.isothermal;
-        let (lubricant, range_warnings) = lubricant::read(
-            &mut root,
-            folder,
-            lubricant::Conditions {
-                pressure: hertz.pressure,
-                heat,
-                shear: machine.is_some() && !solver.newtonian,
-                flank_temperature: bulk_temperature,
-            },
-        )?;
-        let asked = solver_table.clone();
-        let asked = asked.is_some_and(|mut table| table.contains("newtonian"));
-        let friction_by_law = friction::by_law(
-            &mut root,
-            machine.as_mut(),
-            (&lubricant, &mut solver),
-            asked,
-            heat,
-        )?;
-        let mesh_table = root.optional_table("mesh")?;
-        let mesh = match mesh_table.clone() {
-            Some(table) => params::read_mesh(table, &contact, solver.error_estimate)?,
-            None => params::default_mesh(&contact, solver.error_estimate),
-        };
-        let supply = match root.optional_table("inlet")? {
-            Some(table) => {
-                let along = Hertz::new(&contact.along_motion(), modulus);
-                inlet::read(table, &contact, along.half_width, mesh_table.as_ref())?
-            }
-            None => Supply::Flooded,
-        };
-        let output = match root.optional_table("output")? {
-            Some(table) => {
-                let is_in_time = root.contains("transient");
-                params::read_output(table, &solver, &contact, is_in_time)?
-            }
-            None => OutputParams::default(),
-        };
-        root.contains("curve");
-        // Read below, as they depend on the case.
-        root.contains("transient");
-        root.contains("surface");
-        // The table of a comparison has no effect on a solve, but its keys are checked.
-        if let Some(table) = root.optional_table("compare")? {
-            CsvParams::of_table(table)?;
-        }
-        root.read_correlations()?;
-        tables.clone().finish()?;
-        root.finish()?;
-        let mut case = Self {
-            title,
-            contact,
-            body_1,
-            body_2,
-            body_radii,
-            roughness,
-            roughness_rules,
-            asperities,
-            motion,
-            machine,
-            friction_by_law,
-            supply,
-            lubricant,
-            mesh,
-            solver,
-            thermal,
-            output,
-            warnings: Vec::new(),
-            source: document.text().to_owned(),
-            given: echo::json_of(document.tree()),
-            origin: None,
-            reliefs: Vec::new(),
-            transient: None,
-            curve: None,
-            whole: whole.map(Arc::new),
-            contacts: None,
-        };
-        check::body_of_wide_contact(&case, tables.main())?;
-        check::finite_elements_of_soft_bodies(&case, &document.root())?;
-        check::finite_volumes(
-            &case,
-            solver_table.as_ref(),
-            mesh_table.as_ref(),
-            thermal_table.as_ref(),
-        )?;
-        case.warnings = check::warnings(&case, &hertz);
-        case.warnings.extend(of_machine);
-        case.warnings.extend(range_warnings);
-        case.warnings
-            .extend(case.asperities.iter().flat_map(roughness::warnings));
-        if let Some(table) = &mesh_table {
-            case.warnings.extend(check_mesh_of_bodies(&case, table)?);
-        }
-        if let Some(table) = &thermal_table {
-            case.warnings.extend(thermal::check(&case, table)?);
-        }
+        let mut case = Self::of_sections(document, folder, &inputs)?;
         case.origin = Some(Arc::new(Origin::new(document, folder, inputs)?));
         case.reliefs = surface::read(&mut document.root(), &case, folder)?;
         case.transient = transient::read(&mut document.root(), &case, folder)?.map(Arc::new);
@@ -411,6 +258,98 @@ impl Case {
         let ignored = (case.lubricant).temperature_ignored(uncertain, "has an uncertainty");
         case.warn(ignored);
         Ok(case)
+    }
+
+    /// The case of all sections but `[curve]`, `[transient]` and `[[surface]]`, which depend on the others.
+    fn of_sections(
+        document: &Document,
+        folder: &Path,
+        inputs: &Inputs,
+    ) -> Result<Self, InputError> {
+        let mut root = document.root_noted_by(Some(inputs.recorder()));
+        let title = root.optional_str("title")?.unwrap_or_default().to_owned();
+        let tables = geometry::Tables::of(&mut root)?;
+        let bodies = (root.required_table("bodies"))
+            .map_err(|error| sections::missing(&root, "bodies", error))?;
+        let bodies = bodies::read(bodies, folder)?;
+        let surfaces = root.optional_table("surface_roughness")?;
+        let surfaces = roughness::read(surfaces, bodies.roughness)?;
+        let modulus = reduced_modulus(bodies.body_1.elasticity, bodies.body_2.elasticity);
+        let steel = machine::Steel {
+            reduced_modulus: modulus,
+            density: bodies.body_2.density,
+            materials: [bodies.body_1.elasticity, bodies.body_2.elasticity],
+        };
+        let mut geometry = tables.read(&mut root, &steel, bodies.shapes.as_ref(), folder)?;
+        let settings = Settings::read(&mut root, folder, &mut geometry, modulus)?;
+        for key in ["curve", "transient", "surface"] {
+            root.contains(key);
+        }
+        // The table of a comparison has no effect on a solve, but its keys are checked.
+        if let Some(table) = root.optional_table("compare")? {
+            CsvParams::of_table(table)?;
+        }
+        root.read_correlations()?;
+        geometry.tables.clone().finish()?;
+        root.finish()?;
+        let mut case = Self {
+            title,
+            contact: geometry.contact,
+            body_1: bodies.body_1,
+            body_2: bodies.body_2,
+            body_radii: geometry.body_radii,
+            roughness: surfaces.roughness,
+            roughness_rules: surfaces.rules,
+            asperities: surfaces.asperities,
+            motion: geometry.motion,
+            machine: geometry.machine,
+            friction_by_law: settings.friction_by_law,
+            supply: settings.supply,
+            lubricant: settings.lubricant,
+            mesh: settings.mesh,
+            solver: settings.solver,
+            thermal: settings.thermal,
+            output: settings.output,
+            warnings: [geometry.warnings, settings.warnings].concat(),
+            source: document.text().to_owned(),
+            given: echo::json_of(document.tree()),
+            origin: None,
+            reliefs: Vec::new(),
+            transient: None,
+            curve: None,
+            whole: geometry.whole.map(Arc::new),
+            contacts: None,
+        };
+        case.check_sections(document, geometry.tables.main(), &geometry.hertz)?;
+        Ok(case)
+    }
+
+    /// Checks sections against each other; `contact` is the table of the contact, `hertz` its dry contact.
+    fn check_sections(
+        &mut self,
+        document: &Document,
+        contact: &Table<'_>,
+        hertz: &Hertz,
+    ) -> Result<(), InputError> {
+        check::body_of_wide_contact(self, contact)?;
+        let mut root = document.root();
+        check::finite_elements_of_soft_bodies(self, &root)?;
+        let solver = root.optional_table("solver")?;
+        let mesh = root.optional_table("mesh")?;
+        let thermal = root.optional_table("thermal")?;
+        check::finite_volumes(self, solver.as_ref(), mesh.as_ref(), thermal.as_ref())?;
+        let of_sections = std::mem::take(&mut self.warnings);
+        let mut warnings = check::warnings(self, hertz);
+        warnings.extend(of_sections);
+        warnings.extend(self.asperities.iter().flat_map(roughness::warnings));
+        if let Some(table) = &mesh {
+            warnings.extend(check_mesh_of_bodies(self, table)?);
+        }
+        if let Some(table) = &thermal {
+            warnings.extend(thermal::check(self, table)?);
+        }
+        self.warnings = warnings;
+        Ok(())
     }
 
     /// Adds warnings; those that the case silences are marked.

@@ -47,9 +47,9 @@ pub(super) fn default_mesh(contact: &Contact, error_estimate: bool) -> MeshParam
     }
 }
 
-/// Reads `[mesh]`; without error estimates there is no target.
-pub fn read_mesh(
-    mut table: Table<'_>,
+/// The mesh that `preset`, `target_error` and the sizes given choose.
+fn chosen_mesh(
+    table: &mut Table<'_>,
     contact: &Contact,
     error_estimate: bool,
 ) -> Result<MeshParams, InputError> {
@@ -63,9 +63,9 @@ pub fn read_mesh(
     )?;
     let fixed = FIXED_MESH.into_iter().find(|key| table.contains(key));
     let target = table.optional_number("target_error", TARGET_ERROR)?;
-    let mut mesh = match (fixed, target) {
+    match (fixed, target) {
         (Some(key), Some(_)) => {
-            return Err(table
+            Err(table
                 .error(
                     "target_error",
                     format!("`target_error` and `{key}` are both given"),
@@ -73,20 +73,29 @@ pub fn read_mesh(
                 .with_help(
                     "`target_error` refines the mesh until the films are that accurate; sizes and growth \
                      prescribe the mesh: give one or the other",
-                ));
+                ))
         }
         (None, Some(_)) if !error_estimate => {
-            return Err(table
+            Err(table
                 .error(
                     "target_error",
                     "`target_error` needs error estimates, but solver.error_estimate is false",
                 )
-                .with_help("remove one of the two"));
+                .with_help("remove one of the two"))
         }
-        (None, Some(target)) => MeshParams::adaptive(target, contact.kind),
-        (Some(_), None) => MeshParams::preset(preset.unwrap_or_default(), contact.kind),
-        (None, None) => default_mesh(contact, error_estimate),
-    };
+        (None, Some(target)) => Ok(MeshParams::adaptive(target, contact.kind)),
+        (Some(_), None) => Ok(MeshParams::preset(preset.unwrap_or_default(), contact.kind)),
+        (None, None) => Ok(default_mesh(contact, error_estimate)),
+    }
+}
+
+/// Reads `[mesh]`; without error estimates there is no target.
+pub fn read_mesh(
+    mut table: Table<'_>,
+    contact: &Contact,
+    error_estimate: bool,
+) -> Result<MeshParams, InputError> {
+    let mut mesh = chosen_mesh(&mut table, contact, error_estimate)?;
     let unknowns = table.optional_integer("max_unknowns", 1_000..=2_000_000)?;
     mesh.max_unknowns = unknowns.and_then(|n| usize::try_from(n).ok());
     read_pressure_error(&mut table, &mut mesh)?;
@@ -131,20 +140,15 @@ pub fn read_mesh(
     let half_width = mesh.body_width.map_or(FARTHEST, |width| 0.5 * width);
     mesh.inlet = table.optional_number("inlet", Bounds::from_to(-half_width, -1.0))?;
     mesh.outlet = table.optional_number("outlet", Bounds::above_to(1.0, half_width))?;
-    if contact.roller.is_some() && table.contains("side") {
-        return Err(table.error(
-            "side",
-            "`side` is for circular and elliptical contacts; under a roller the film ends with its `length`",
-        ));
+    let no_side = match contact.roller {
+        Some(_) => Some("under a roller the film ends with its `length`"),
+        None => contact.kind.is_line().then_some("a line contact has none"),
+    };
+    if let Some(reason) = no_side.filter(|_| table.contains("side")) {
+        let text = format!("`side` is for circular and elliptical contacts; {reason}");
+        return Err(table.error("side", text));
     }
-    if !contact.kind.is_line() {
-        mesh.side = table.optional_number("side", Bounds::above_to(1.0, half_width))?;
-    } else if table.contains("side") {
-        return Err(table.error(
-            "side",
-            "`side` is for circular and elliptical contacts; a line contact has none",
-        ));
-    }
+    mesh.side = table.optional_number("side", Bounds::above_to(1.0, half_width))?;
     set(
         &mut mesh.pressure_order,
         order(&mut table, "pressure_order", 5)?,

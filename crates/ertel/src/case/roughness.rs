@@ -37,6 +37,7 @@ const RZ_OVER_RA_RANGE: [f64; 2] = [4.0, 8.0];
 const ASPERITY_KEYS: [&str; 2] = ["asperity_group", "rms_height_to_asperity_radius"];
 
 /// Contents of `[surface_roughness]`.
+#[derive(Default)]
 pub(super) struct Surfaces {
     /// Composite rms height, m.
     pub roughness: Option<f64>,
@@ -45,8 +46,17 @@ pub(super) struct Surfaces {
     pub asperities: Option<Asperities>,
 }
 
-/// Reads the section; `of_bodies` is the `roughness` of `[bodies]`, m.
-pub(super) fn read(mut table: Table<'_>, of_bodies: Option<f64>) -> Result<Surfaces, InputError> {
+/// Reads the section, if there is one; `of_bodies` is the `roughness` of `[bodies]`, m.
+pub(super) fn read(
+    table: Option<Table<'_>>,
+    of_bodies: Option<f64>,
+) -> Result<Surfaces, InputError> {
+    let Some(mut table) = table else {
+        return Ok(Surfaces {
+            roughness: of_bodies,
+            ..Surfaces::default()
+        });
+    };
     let mut rules = Vec::new();
     let own = composite(&mut table, &mut rules)?;
     if own.is_some() && of_bodies.is_some() {

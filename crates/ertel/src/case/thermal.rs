@@ -189,6 +189,37 @@ impl Body {
     }
 }
 
+/// Refuses properties that no lubricant (at the temperature `inlet`, K) and no body has.
+fn check_values(table: &Table<'_>, heat: &Heat<'_>, inlet: f64) -> Result<(), InputError> {
+    let k = heat.conductivity.conductivity(0.0, inlet);
+    let c = heat.heat_capacity.heat_capacity(0.0, inlet);
+    let mut values = vec![
+        ("thermal conductivity", "the lubricant", k, CONDUCTIVITY),
+        ("heat capacity", "the lubricant", c, HEAT_CAPACITY),
+    ];
+    for (solid, part) in [(&heat.body_1, "body 1"), (&heat.body_2, "body 2")] {
+        let k = solid.conductivity.conductivity(0.0, solid.temperature);
+        let c = solid.heat_capacity.heat_capacity(0.0, solid.temperature);
+        values.push(("density", part, solid.density, DENSITY));
+        values.push(("thermal conductivity", part, k, CONDUCTIVITY));
+        values.push(("heat capacity", part, c, HEAT_CAPACITY));
+    }
+    for (property, part, value, bounds) in values {
+        if !bounds.contains(value) {
+            let unit = match property {
+                "density" => "kg/m^3",
+                "heat capacity" => "J/(kg.K)",
+                _ => "W/(m.K)",
+            };
+            return Err(table.error_here(format!(
+                "the {property} of {part} is {value:e} {unit}; it must be {}",
+                bounds.describe(unit)
+            )));
+        }
+    }
+    Ok(())
+}
+
 /// Whether a case with heat has all its data, and plausible values; errors point to `table`,
 /// the `[thermal]` of the case. Returns warnings.
 pub(super) fn check(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, InputError> {
@@ -200,54 +231,7 @@ pub(super) fn check(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, Inpu
     let Some(heat) = heat else {
         return Ok(Vec::new());
     };
-    let inlet = case.lubricant.temperature;
-    let mut values = vec![
-        (
-            "thermal conductivity of the lubricant",
-            heat.conductivity.conductivity(0.0, inlet),
-            CONDUCTIVITY,
-            "W/(m.K)",
-        ),
-        (
-            "heat capacity of the lubricant",
-            heat.heat_capacity.heat_capacity(0.0, inlet),
-            HEAT_CAPACITY,
-            "J/(kg.K)",
-        ),
-    ];
-    for (solid, names) in [
-        (
-            &heat.body_1,
-            [
-                "density of body 1",
-                "thermal conductivity of body 1",
-                "heat capacity of body 1",
-            ],
-        ),
-        (
-            &heat.body_2,
-            [
-                "density of body 2",
-                "thermal conductivity of body 2",
-                "heat capacity of body 2",
-            ],
-        ),
-    ] {
-        let t = solid.temperature;
-        let k = solid.conductivity.conductivity(0.0, t);
-        let c = solid.heat_capacity.heat_capacity(0.0, t);
-        values.push((names[0], solid.density, DENSITY, "kg/m^3"));
-        values.push((names[1], k, CONDUCTIVITY, "W/(m.K)"));
-        values.push((names[2], c, HEAT_CAPACITY, "J/(kg.K)"));
-    }
-    for (name, value, bounds, unit) in values {
-        if !bounds.contains(value) {
-            return Err(table.error_here(format!(
-                "the {name} is {value:e} {unit}; it must be {}",
-                bounds.describe(unit)
-            )));
-        }
-    }
+    check_values(table, &heat, case.lubricant.temperature)?;
     for (key, older, solid) in [
         ("body_1_temperature", "plane_temperature", &heat.body_1),
         ("body_2_temperature", "ball_temperature", &heat.body_2),

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use approx::assert_relative_eq;
 use ertel_input::InputError;
+use ertel_rheology::provenance::TemperatureRange;
 
 use super::Case;
 use crate::params::ThermalParams;
@@ -213,8 +214,9 @@ fn laws_independent_of_temperature_bring_warnings() {
 fn temperature_outside_a_range_is_reported() {
     let head = SQUALANE.replace("squalane-pip", "r245fa");
     let case = read(&format!("{head}[thermal]")).unwrap();
-    assert_eq!(case.lubricant.range_left(313.0), None);
-    let range = case.lubricant.range_left(330.0).unwrap();
+    let ranges = &case.lubricant.temperature_ranges;
+    assert_eq!(TemperatureRange::left(ranges, 313.0), None);
+    let range = TemperatureRange::left(ranges, 330.0).unwrap();
     assert_relative_eq!(range.highest, 323.15);
 }
 

@@ -139,19 +139,8 @@ pub(super) fn read(
     )?;
     let oil_layer = oil_layer(&mut reader, &case.supply)?;
     let (approach, start) = approach::read(&mut reader, case)?;
-    if let (Some(_), true) = (cavities, case.supply != Supply::Flooded) {
-        return Err(table
-            .error(
-                "cavities",
-                "`cavities` has no effect on a starved contact, whose gap contains only the oil that enters",
-            )
-            .with_help("remove `cavities`, or [inlet]"));
-    }
-    if let (Start::Apart { .. }, true) = (start, case.supply != Supply::Flooded) {
-        return Err(table.error(
-            "start",
-            "bodies that are apart have a filled gap: remove [inlet]",
-        ));
+    if case.supply != Supply::Flooded {
+        check_starved(&table, cavities, start)?;
     }
     let transient = Transient {
         duration,
@@ -172,6 +161,29 @@ pub(super) fn read(
     table.finish()?;
     transient.check(case, root)?;
     Ok(Some(transient))
+}
+
+/// Refuses keys that have no effect on a starved contact.
+fn check_starved(
+    table: &Table<'_>,
+    cavities: Option<Cavities>,
+    start: Start,
+) -> Result<(), InputError> {
+    if cavities.is_some() {
+        return Err(table
+            .error(
+                "cavities",
+                "`cavities` has no effect on a starved contact, whose gap contains only the oil that enters",
+            )
+            .with_help("remove `cavities`, or [inlet]"));
+    }
+    match start {
+        Start::Apart { .. } => Err(table.error(
+            "start",
+            "bodies that are apart have a filled gap: remove [inlet]",
+        )),
+        _ => Ok(()),
+    }
 }
 
 /// Motion, load and radius over time.

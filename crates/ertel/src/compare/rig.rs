@@ -106,18 +106,7 @@ pub(super) fn read(
         return Err(whole(1, problem));
     }
     let steps = steps(text);
-    if let Some(number) = (params.steps.iter()).find(|n| steps.iter().all(|s| s.number != **n)) {
-        let have: Vec<String> = steps
-            .iter()
-            .map(|s| format!("{} ({})", s.number, s.kind))
-            .collect();
-        let problem = match have.is_empty() {
-            true => "no step has a table".to_owned(),
-            false => format!(
-                "no step {number} has a table; those that have are {}",
-                have.join(", ")
-            ),
-        };
+    if let Some(problem) = missing_step(params, &steps) {
         return Err(whole(1, problem));
     }
     let mut content = Content {
@@ -172,6 +161,22 @@ pub(super) fn read(
             .to_owned(),
     );
     Ok(content)
+}
+
+/// Words about a step that the user asks for and that has no table.
+fn missing_step(params: &ReadParams, steps: &[Step]) -> Option<String> {
+    let number = (params.steps.iter()).find(|n| steps.iter().all(|s| s.number != **n))?;
+    let have: Vec<String> = steps
+        .iter()
+        .map(|s| format!("{} ({})", s.number, s.kind))
+        .collect();
+    Some(match have.is_empty() {
+        true => "no step has a table".to_owned(),
+        false => format!(
+            "no step {number} has a table; those that have are {}",
+            have.join(", ")
+        ),
+    })
 }
 
 /// The steps that have a table with speeds.
@@ -273,34 +278,21 @@ fn read_step(
         span.start + offset..span.end + offset
     };
     if content.columns.is_empty() {
-        let of = |quantity: Operating, own: &Column| {
+        for (quantity, own) in [
+            (Operating::Speed, &columns.speed),
+            (Operating::Sliding, &columns.sliding),
+            (Operating::Load, &columns.load),
+            (Operating::Temperature, &columns.temperature),
+        ] {
             let key = quantity.key(case).map_err(|why| {
                 let problem = format!("the case cannot take this column from an export: {why}");
                 table.error(table.header(), own.index, problem)
             })?;
-            Ok(column(key, span_of(table.header(), own.index)))
-        };
-        content.columns = vec![
-            of(Operating::Speed, &columns.speed)?,
-            of(Operating::Sliding, &columns.sliding)?,
-            of(Operating::Load, &columns.load)?,
-            of(Operating::Temperature, &columns.temperature)?,
-        ];
-    }
-    for (own, what) in [
-        (&columns.film, "measured central film thickness"),
-        (
-            &columns.deviation,
-            "uncertainty of the central film thickness",
-        ),
-        (&columns.traction, "measured traction coefficient"),
-    ] {
-        let Some(own) = own else { continue };
-        let entry = (own.name.to_owned(), what.to_owned());
-        if !content.measured.contains(&entry) {
-            content.measured.push(entry);
+            let span = span_of(table.header(), own.index);
+            content.columns.push(column(key, span));
         }
     }
+    add_measured(&mut content.measured, columns);
     let (mut without_film, mut empty) = (Vec::new(), Vec::new());
     let mut turned = turned::Rows::of(case);
     for row in table.rows() {
@@ -325,11 +317,9 @@ fn read_step(
         }
         let push = |point: &mut PointColumn, (own, unit): (&Column, &str)| {
             let cell = table.with_point(row.cell(own.index));
-            let is_turned = own.index == columns.speed.index && turn == Turned::Yes;
-            let cell = if is_turned {
-                cell.trim_start_matches('-')
-            } else {
-                &cell
+            let cell = match own.index == columns.speed.index {
+                true => turn.speed(&cell),
+                false => &cell,
             };
             point.push(span_of(row, own.index), cell, unit);
         };
@@ -341,24 +331,37 @@ fn read_step(
         push(&mut content.columns[3], units[2]);
         content.rows.push((row.line, figures));
     }
-    let number = step.number;
-    let notes = turned.notes().into_iter();
-    content
-        .notes
-        .extend(notes.map(|note| format!("step {number}: {note}")));
+    let mut notes = turned.notes();
     if !without_film.is_empty() {
         let lines = line_list(&without_film);
-        content.notes.push(format!(
-            "step {number}: films that are not above zero are omitted ({lines})"
+        notes.push(format!(
+            "films that are not above zero are omitted ({lines})"
         ));
     }
     if !empty.is_empty() {
-        let lines = line_list(&empty);
-        content
-            .notes
-            .push(format!("step {number}: nothing was measured in {lines}"));
+        notes.push(format!("nothing was measured in {}", line_list(&empty)));
     }
+    let of_step = |note: String| format!("step {}: {note}", step.number);
+    content.notes.extend(notes.into_iter().map(of_step));
     Ok(())
+}
+
+/// Adds the titles of measured columns, and their meaning.
+fn add_measured(measured: &mut Vec<(String, String)>, columns: &Columns) {
+    for (own, what) in [
+        (&columns.film, "measured central film thickness"),
+        (
+            &columns.deviation,
+            "uncertainty of the central film thickness",
+        ),
+        (&columns.traction, "measured traction coefficient"),
+    ] {
+        let Some(own) = own else { continue };
+        let entry = (own.name.to_owned(), what.to_owned());
+        if !measured.contains(&entry) {
+            measured.push(entry);
+        }
+    }
 }
 
 /// Measurements of a line. The deviation of repeated films is their uncertainty; it is zero where there was one alone.

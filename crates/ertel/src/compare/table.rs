@@ -230,11 +230,9 @@ fn rows(
                 set.point.push_number(span, value);
             } else {
                 let cell = table.with_point(row.cell(set.column.index));
-                let is_turned = set.quantity == Operating::Speed && turn == Turned::Yes;
-                let cell = if is_turned {
-                    cell.trim_start_matches('-')
-                } else {
-                    &cell
+                let cell = match set.quantity == Operating::Speed {
+                    true => turn.speed(&cell),
+                    false => &cell,
                 };
                 set.point.push(span, cell, &set.column.unit_text);
             }
@@ -251,43 +249,56 @@ fn rows(
     }
     let mut notes = turned.notes();
     if rows.is_empty() {
-        let problem = match (empty.first(), notes.is_empty()) {
-            (Some(line), true) => {
-                let row = table.rows().iter().find(|row| row.line == *line);
-                let index = measured[0].value.index;
-                let problem = "nothing was measured in this line, nor in any other";
-                return Err(table.error(row.unwrap_or(table.header()), index, problem));
-            }
-            (None, true) => "there are no measurements below the header".to_owned(),
-            (_, false) => format!("no row remains: {}", notes.join("; ")),
-        };
-        return Err(table.error(table.header(), 0, problem));
+        return Err(without_rows(table, measured, &empty, &notes));
     }
     if !empty.is_empty() {
         notes.push(format!("nothing was measured in {}", line_list(&empty)));
     }
-    let title = |index: usize| excerpt(table.header().cell(index));
-    let of = measured.iter().flat_map(|own| {
-        let words = own.figure.words();
-        let bar = own.uncertainty.as_ref();
-        let bar = bar.map(|bar| {
-            (
-                title(bar.column.index),
-                format!("uncertainty of the {words}"),
-            )
-        });
-        std::iter::once((title(own.value.index), format!("measured {words}"))).chain(bar)
-    });
-    let measured = of.map(|(title, what)| (title.to_string(), what)).collect();
     let columns = operating.into_iter().map(|set| set.point);
     Ok(Content {
-        measured,
+        measured: described(table, measured),
         columns: columns
             .chain(keys.into_iter().map(|(point, ..)| point))
             .collect(),
         rows,
         notes,
     })
+}
+
+/// Why no row of a table is left.
+fn without_rows(
+    table: &CsvTable,
+    measured: &[MeasuredColumns],
+    empty: &[usize],
+    notes: &[String],
+) -> CsvError {
+    let problem = match (empty.first(), notes.is_empty()) {
+        (Some(line), true) => {
+            let row = table.rows().iter().find(|row| row.line == *line);
+            let index = measured[0].value.index;
+            let problem = "nothing was measured in this line, nor in any other";
+            return table.error(row.unwrap_or(table.header()), index, problem);
+        }
+        (None, true) => "there are no measurements below the header".to_owned(),
+        (_, false) => format!("no row remains: {}", notes.join("; ")),
+    };
+    table.error(table.header(), 0, problem)
+}
+
+/// Titles of the measured columns, and their meaning.
+fn described(table: &CsvTable, measured: &[MeasuredColumns]) -> Vec<(String, String)> {
+    let title = |index: usize| excerpt(table.header().cell(index)).to_string();
+    let columns = measured.iter().flat_map(|own| {
+        let words = own.figure.words();
+        let value = (title(own.value.index), format!("measured {words}"));
+        let bar = own.uncertainty.as_ref();
+        let bar = bar.map(|bar| {
+            let words = format!("uncertainty of the {words}");
+            (title(bar.column.index), words)
+        });
+        std::iter::once(value).chain(bar)
+    });
+    columns.collect()
 }
 
 /// Measured value of a figure in one line; `None` where its cell is empty.

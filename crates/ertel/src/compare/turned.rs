@@ -14,6 +14,16 @@ pub(super) enum Turned {
     LeftOut,
 }
 
+impl Turned {
+    /// The text of a speed as it is computed.
+    pub(super) fn speed(self, cell: &str) -> &str {
+        match self {
+            Turned::Yes => cell.trim_start_matches('-'),
+            Turned::No | Turned::LeftOut => cell,
+        }
+    }
+}
+
 /// The rows of a table, as far as they are not ordinary.
 pub(super) struct Rows {
     /// Whether a contact with all speeds turned is the same one, seen from the other side: nothing turns about the normal.

@@ -18,7 +18,7 @@ use crate::post::limits::thin_film_warning;
 use crate::post::mixed::{limit_warning, share_warning};
 use crate::reference::biboulet_houpert::rolling_resistance;
 use crate::reference::thermal::ThermalReduction;
-use crate::reference::{Asymptotes, FilmFormula, film_formulas};
+use crate::reference::{FilmFormula, film_formulas};
 use crate::run::{estimated_film, groups};
 use crate::solution::{FormulaFilm, Neglected};
 use crate::solution::{Separation, roughness_warning};
@@ -166,7 +166,8 @@ pub fn estimate(case: &Case) -> CaseEstimate {
     let density = case.relative_density();
     let formulas = |g: &Groups| film_formulas(contact, g, density);
     let mut regime = regime(contact, &g);
-    regime.films = compressed(&regime.films, density);
+    // The film that they blend into is divided by the relative density at the Hertz pressure, too.
+    regime.films = regime.films.map(|film| film / density);
     let film = film(case, &g, regime.regime);
     let mut estimate = CaseEstimate {
         kind: contact.kind,
@@ -209,16 +210,6 @@ pub fn estimate(case: &Case) -> CaseEstimate {
     estimate.warnings.extend(new);
     silence(&mut estimate.warnings, &case.output.silence);
     estimate
-}
-
-/// Asymptotes of an incompressible lubricant, divided by the relative density at the Hertz pressure: as the film that they blend into.
-fn compressed(films: &Asymptotes, density: f64) -> Asymptotes {
-    Asymptotes {
-        isoviscous_rigid: films.isoviscous_rigid / density,
-        isoviscous_elastic: films.isoviscous_elastic / density,
-        piezoviscous_rigid: films.piezoviscous_rigid / density,
-        piezoviscous_elastic: films.piezoviscous_elastic / density,
-    }
 }
 
 fn chart(family: Family, groups: &Groups) -> ChartParameters {

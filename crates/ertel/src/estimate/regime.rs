@@ -79,12 +79,7 @@ pub fn regime(contact: &Contact, groups: &Groups) -> RegimeEstimate {
     RegimeEstimate {
         regime: holds.1,
         neighbour: (closeness(near) > SHARED).then_some(near.1),
-        films: Asymptotes {
-            isoviscous_rigid: scale * a.isoviscous_rigid,
-            isoviscous_elastic: scale * a.isoviscous_elastic,
-            piezoviscous_rigid: scale * a.piezoviscous_rigid,
-            piezoviscous_elastic: scale * a.piezoviscous_elastic,
-        },
+        films: a.map(|film| scale * film),
     }
 }
 

@@ -26,79 +26,96 @@ pub struct Heading {
 ///
 /// An entry for the viscosity is complete without density; that of Walther's law has the density that it was fitted with. One for the density is completed by a viscosity.
 pub fn entry(fit: &Fit, data: &Data, heading: &Heading) -> String {
-    let mut text = String::new();
-    let mut line = |s: &str| {
-        text.push_str(s);
-        text.push('\n');
-    };
+    let lines = [
+        head(fit, data, heading),
+        validity(fit, data),
+        law(fit, data),
+    ];
+    lines.concat().join("\n") + "\n"
+}
+
+/// Title, source and notes.
+fn head(fit: &Fit, data: &Data, heading: &Heading) -> Vec<String> {
     let residual = match fit.residual {
         Residual::Relative => "relative",
         Residual::Absolute => "absolute",
     };
-    let n_states = data.states.len();
-    line(&format!("title = {}", quoted(&heading.title)));
-    line(&format!("source = {}", quoted(&heading.source)));
-    line(&format!(
-        "locator = {}",
-        quoted(&format!(
-            "fit of the law {} to {n_states} states of {}, least squares of {residual} deviations",
-            fit.name.name(),
-            data.file
-        ))
-    ));
-    line("status = \"computed\"");
-    let (_, worst) = fit.worst();
-    line("notes = [");
-    let scatter = format!(
-        "The {} fits within {} % (rms), {} % at most.",
-        data.property.name(),
-        digits(100.0 * fit.rms(), 2),
-        digits(100.0 * worst.abs(), 2)
+    let locator = format!(
+        "fit of the law {} to {} states of {}, least squares of {residual} deviations",
+        fit.name.name(),
+        data.states.len(),
+        data.file
     );
-    line(&format!("    {},", quoted(&scatter)));
-    line(&format!("    {},", quoted(&intervals(fit))));
+    let (_, worst) = fit.worst();
+    let mut notes = vec![
+        format!(
+            "The {} fits within {} % (rms), {} % at most.",
+            data.property.name(),
+            digits(100.0 * fit.rms(), 2),
+            digits(100.0 * worst.abs(), 2)
+        ),
+        intervals(fit),
+    ];
     if !has_narrow_intervals(fit) {
         let text = "The intervals are too wide, or none, for an uncertainty of films and friction.";
-        line(&format!("    {},", quoted(text)));
+        notes.push(text.to_owned());
     }
     if is_ambient(fit, data) {
         let text = "All states are at ambient pressure: alpha was given, and the range of pressures is not known.";
-        line(&format!("    {},", quoted(text)));
+        notes.push(text.to_owned());
     }
-    for warning in &fit.warnings {
-        line(&format!("    {},", quoted(&format!("Warning: {warning}."))));
-    }
-    line("]\n");
+    notes.extend(
+        fit.warnings
+            .iter()
+            .map(|warning| format!("Warning: {warning}.")),
+    );
+    let mut lines = vec![
+        format!("title = {}", quoted(&heading.title)),
+        format!("source = {}", quoted(&heading.source)),
+        format!("locator = {}", quoted(&locator)),
+        "status = \"computed\"".to_owned(),
+        "notes = [".to_owned(),
+    ];
+    lines.extend(notes.iter().map(|note| format!("    {},", quoted(note))));
+    lines.push("]\n".to_owned());
+    lines
+}
 
+/// Reference temperature and range of the states.
+fn validity(fit: &Fit, data: &Data) -> Vec<String> {
+    let mut lines = Vec::new();
     if let Some(t_r) = fit.reference_temperature {
-        line(&format!(
-            "reference_temperature = \"{}\"\n",
-            written(t_r, "K")
-        ));
+        let t_r = written(t_r, "K");
+        lines.push(format!("reference_temperature = \"{t_r}\"\n"));
     }
     let [p_low, p_high] = data.pressure_range();
     let [t_low, t_high] = data.temperature_range();
-    line("[validity]");
+    lines.push("[validity]".to_owned());
     if !is_ambient(fit, data) {
-        line(&format!(
+        lines.push(format!(
             "pressure = [\"{}\", \"{}\"]",
             // Data taken at ambient pressure begin there
             written(p_low.max(0.0), "MPa"),
             written(p_high, "MPa")
         ));
     }
-    line(&format!(
+    lines.push(format!(
         "temperature = [\"{}\", \"{}\"]",
         written(t_low, "K"),
         written(t_high, "K")
     ));
-    line(&format!(
-        "source = {}\n",
-        quoted(&format!("range of the states in {}", data.file))
-    ));
+    let source = format!("range of the states in {}", data.file);
+    lines.push(format!("source = {}\n", quoted(&source)));
+    lines
+}
 
-    line(&format!("[{}]", data.property.name()));
-    line(&format!("law = \"{}\"", fit.name.name()));
+/// The law with its constants and their correlations.
+fn law(fit: &Fit, data: &Data) -> Vec<String> {
+    let property = data.property.name();
+    let mut lines = vec![
+        format!("[{property}]"),
+        format!("law = \"{}\"", fit.name.name()),
+    ];
     let uncertain = has_narrow_intervals(fit);
     for constant in &fit.constants {
         let text = match constant.standard.filter(|_| uncertain) {
@@ -109,37 +126,29 @@ pub fn entry(fit: &Fit, data: &Data, heading: &Heading) -> String {
             ),
             None => value(n_digits(fit, constant), constant.value, constant.unit),
         };
-        line(&format!("{} = {text}", constant.key));
+        lines.push(format!("{} = {text}", constant.key));
     }
     if let Some(t_r) = law_reference(fit) {
-        line(&format!(
-            "reference_temperature = \"{}\"",
-            written(t_r, "K")
-        ));
+        let t_r = written(t_r, "K");
+        lines.push(format!("reference_temperature = \"{t_r}\""));
     }
     if let FittedLaw::Viscosity(ViscosityLaw::Doolittle(Doolittle { volume, .. })) = &fit.law {
-        line(&format!("equation_of_state = {}", equation(volume)));
+        lines.push(format!("equation_of_state = {}", equation(volume)));
     }
     let walther = match &fit.law {
         FittedLaw::Viscosity(ViscosityLaw::Walther(law)) => Some(law),
         _ => None,
     };
-    if let Some(law) = walther {
-        line(&format!("pressure = \"{}\"", pressure_law(law)));
-    }
-    if uncertain {
-        for ([one, other], coefficient) in &fit.correlations {
-            let [of, with] = [one, other].map(|i| fit.constants[*i].key);
-            let property = data.property.name();
-            line(&format!(
-                "\n[[correlation]]\nof = \"{property}.{of}\"\nwith = \"{property}.{with}\"\ncoefficient = {coefficient:.9}"
-            ));
-        }
-    }
-    if let Some(law) = walther {
-        line(&format!("\n{}", density::section(&law.density).trim_end()));
-    }
-    text
+    lines.extend(walther.map(|law| format!("pressure = \"{}\"", pressure_law(law))));
+    let known = fit.correlations.iter().filter(|_| uncertain);
+    lines.extend(known.map(|([one, other], coefficient)| {
+        let [of, with] = [one, other].map(|i| fit.constants[*i].key);
+        format!(
+            "\n[[correlation]]\nof = \"{property}.{of}\"\nwith = \"{property}.{with}\"\ncoefficient = {coefficient:.9}"
+        )
+    }));
+    lines.extend(walther.map(|law| format!("\n{}", density::section(&law.density).trim_end())));
+    lines
 }
 
 /// Whether the states say nothing of pressure, which is then that of a coefficient that the user gives.

@@ -84,25 +84,10 @@ impl<'a> Header<'a> {
                 table.error(table.header(), 0, problem)
             })
         };
-        // By its unit first: a pressure without one may be the absolute one.
-        let absolute = table.find("absolute pressure", Dimension::PRESSURE)?;
-        let gauge = match absolute {
-            Some(_) => table.find("pressure", Dimension::PRESSURE)?,
-            None => find("pressure", Dimension::PRESSURE)?,
-        };
-        let (pressure, absolute) = match (gauge, absolute) {
-            (Some(_), Some(second)) => {
-                let problem = "give `pressure` or `absolute_pressure`, not both";
-                return Err(table.error(table.header(), second.index, problem));
-            }
-            (None, Some(absolute)) => (Some(absolute), true),
-            (None, None) => match find("absolute pressure", Dimension::PRESSURE)? {
-                Some(absolute) => (Some(absolute), true),
-                None if reading.may_be_ambient => (None, false),
-                None => (Some(need(None, "pressure")?), false),
-            },
-            (pressure, None) => (pressure, false),
-        };
+        let (pressure, absolute) = table.find_pressure()?.unzip();
+        if pressure.is_none() && !reading.may_be_ambient {
+            need(None, "pressure")?;
+        }
         if pressure.is_none()
             && let Some(other) = table.first_with_unit(Dimension::PRESSURE)
         {
@@ -137,7 +122,7 @@ impl<'a> Header<'a> {
         };
         Ok(Self {
             pressure,
-            absolute,
+            absolute: absolute.unwrap_or(false),
             temperature: need(temperature, "temperature")?,
             value: need(value, property.name())?,
             density,

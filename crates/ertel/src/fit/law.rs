@@ -240,7 +240,6 @@ impl Start {
 fn constants(law: LawName, start: &Start) -> Vec<Constant> {
     use Scale::{Logarithm, Multiple};
     let per_pressure = Dimension::INVERSE_PRESSURE;
-    let per_kelvin = Dimension::INVERSE_TEMPERATURE;
     let kelvin = Dimension::TEMPERATURE_DIFFERENCE;
     let number = |key, value| Constant::new(key, "", Dimension::DIMENSIONLESS, value, Logarithm);
     let positive =
@@ -250,6 +249,23 @@ fn constants(law: LawName, start: &Start) -> Vec<Constant> {
     };
     let mu_0 = || positive("mu_0", "mPa.s", Dimension::VISCOSITY, start.value);
     let rho_0 = || positive("rho_0", "kg/m^3", Dimension::DENSITY, start.value);
+    // Glass viscosity, C₁ and C₂ as usual (Yasutomi, Bair and Winer 1984); T_g0 then follows from μ at T_R:
+    // lg(μ_g/μ) = C₁ x/(C₂ + x),  x = T_R - T_g0
+    let glass = |[b_1, b_2]: [Constant; 2]| {
+        let (mu_g, c_1, c_2) = (1e12, 16.0, 20.0);
+        let decades = (mu_g / start.value).log10().clamp(1.0, c_1 - 0.8);
+        let t_g0 = (start.t_r - c_2 * decades / (c_1 - decades)).max(50.0);
+        vec![
+            positive("mu_g", "Pa.s", Dimension::VISCOSITY, mu_g).hold(),
+            positive("t_g0", "K", Dimension::TEMPERATURE, t_g0),
+            positive("a_1", "K", kelvin, 20.0),
+            positive("a_2", "1/GPa", per_pressure, 4e-9),
+            b_1,
+            b_2,
+            number("c_1", c_1),
+            positive("c_2", "K", kelvin, c_2),
+        ]
+    };
     let mut list = match law {
         LawName::Barus => vec![
             mu_0(),
@@ -278,49 +294,15 @@ fn constants(law: LawName, start: &Start) -> Vec<Constant> {
             )
             .hold(),
         ],
-        LawName::Wlf => {
-            // Glass viscosity, C₁ and C₂ as usual (Yasutomi, Bair and Winer 1984); T_g0 then follows from μ at T_R:
-            // lg(μ_g/μ) = C₁ x/(C₂ + x),  x = T_R - T_g0
-            let (mu_g, c_1, c_2) = (1e12, 16.0, 20.0);
-            let decades = (mu_g / start.value).log10().clamp(1.0, c_1 - 0.8);
-            let x = c_2 * decades / (c_1 - decades);
-            vec![
-                positive("mu_g", "Pa.s", Dimension::VISCOSITY, mu_g).hold(),
-                positive(
-                    "t_g0",
-                    "K",
-                    Dimension::TEMPERATURE,
-                    (start.t_r - x).max(50.0),
-                ),
-                positive("a_1", "K", kelvin, 20.0),
-                positive("a_2", "1/GPa", per_pressure, 4e-9),
-                number("b_1", 0.2),
-                positive("b_2", "1/GPa", per_pressure, 20e-9),
-                number("c_1", c_1),
-                positive("c_2", "K", kelvin, c_2),
-            ]
-        }
-        LawName::Yasutomi => {
-            // As of the modified law, with usual constants of F (Bair and others 2013).
-            let (mu_g, c_1, c_2) = (1e12, 16.0, 20.0);
-            let decades = (mu_g / start.value).log10().clamp(1.0, c_1 - 0.8);
-            let x = c_2 * decades / (c_1 - decades);
-            vec![
-                positive("mu_g", "Pa.s", Dimension::VISCOSITY, mu_g).hold(),
-                positive(
-                    "t_g0",
-                    "K",
-                    Dimension::TEMPERATURE,
-                    (start.t_r - x).max(50.0),
-                ),
-                positive("a_1", "K", kelvin, 20.0),
-                positive("a_2", "1/GPa", per_pressure, 4e-9),
-                positive("b_1", "1/GPa", per_pressure, 8e-9),
-                any("b_2", "", Dimension::DIMENSIONLESS, -0.4, 0.1),
-                number("c_1", c_1),
-                positive("c_2", "K", kelvin, c_2),
-            ]
-        }
+        LawName::Wlf => glass([
+            number("b_1", 0.2),
+            positive("b_2", "1/GPa", per_pressure, 20e-9),
+        ]),
+        // Usual constants of F (Bair and others 2013).
+        LawName::Yasutomi => glass([
+            positive("b_1", "1/GPa", per_pressure, 8e-9),
+            any("b_2", "", Dimension::DIMENSIONLESS, -0.4, 0.1),
+        ]),
         LawName::McEwen => vec![
             mu_0(),
             positive("alpha", "1/GPa", per_pressure, 1.2 * start.slope),
@@ -369,26 +351,39 @@ fn constants(law: LawName, start: &Start) -> Vec<Constant> {
         ],
     };
     if start.thermal {
-        match law {
-            LawName::Roelands => list.push(positive("beta", "1/K", per_kelvin, 0.03)),
-            LawName::Doolittle => list.push(any("epsilon", "1/K", per_kelvin, -1e-3, 1e-3)),
-            LawName::Tait => list.extend([
-                any("beta_k", "1/K", per_kelvin, 6e-3, 1e-3),
-                any("beta_k_prime", "1/K", per_kelvin, 0.0, 1e-3).hold(),
-                positive("a_v", "1/K", per_kelvin, 7e-4),
-            ]),
-            LawName::DowsonHigginson => list.push(positive("beta", "1/K", per_kelvin, 7e-4)),
-            LawName::Barus
-            | LawName::Cheng
-            | LawName::Wlf
-            | LawName::Yasutomi
-            | LawName::McEwen
-            | LawName::Paluch
-            | LawName::Hybrid
-            | LawName::Walther => {}
-        }
+        list.extend(thermal_constants(law));
     }
     list
+}
+
+/// Constants of the temperature terms that data at several temperatures determine.
+fn thermal_constants(law: LawName) -> Vec<Constant> {
+    let slope = |key, value| {
+        let dimension = Dimension::INVERSE_TEMPERATURE;
+        Constant::new(key, "1/K", dimension, value, Scale::Logarithm)
+    };
+    let any = |key, value| Constant {
+        scale: Scale::Multiple(1e-3),
+        ..slope(key, value)
+    };
+    match law {
+        LawName::Roelands => vec![slope("beta", 0.03)],
+        LawName::Doolittle => vec![any("epsilon", -1e-3)],
+        LawName::Tait => vec![
+            any("beta_k", 6e-3),
+            any("beta_k_prime", 0.0).hold(),
+            slope("a_v", 7e-4),
+        ],
+        LawName::DowsonHigginson => vec![slope("beta", 7e-4)],
+        LawName::Barus
+        | LawName::Cheng
+        | LawName::Wlf
+        | LawName::Yasutomi
+        | LawName::McEwen
+        | LawName::Paluch
+        | LawName::Hybrid
+        | LawName::Walther => Vec::new(),
+    }
 }
 
 pub(super) fn parse_constant(law: LawName, key: &str, text: &str) -> Result<f64, FitError> {
@@ -510,6 +505,15 @@ impl Model {
         }
     }
 
+    /// Its constants (SI), of which the `free` ones are `x` on their scales; those without one are as at the start.
+    pub(super) fn values(&self, free: &[usize], x: &[f64]) -> Vec<f64> {
+        let mut values: Vec<f64> = self.constants.iter().map(|c| c.start).collect();
+        for (i, x) in free.iter().zip(x) {
+            values[*i] = self.constants[*i].unscaled(*x);
+        }
+        values
+    }
+
     /// The law with these constants (SI, in the order of [`Model::constants`]); on the way of the search, constants of
     /// Cheng's law may be such that the viscosity falls with pressure.
     pub(super) fn build(&self, values: &[f64]) -> Result<FittedLaw, LawError> {
@@ -528,6 +532,12 @@ impl Model {
     /// The law with these constants, checked.
     pub(super) fn build_checked(&self, v: &[f64]) -> Result<FittedLaw, LawError> {
         let viscosity = |law| Ok(FittedLaw::Viscosity(law));
+        // `new` has seen to it that there is one.
+        let missing = |law, key| LawError::NotFinite {
+            law,
+            key,
+            value: f64::NAN,
+        };
         let glass = |v: &[f64]| GlassTransition {
             glass_viscosity: v[0],
             glass_temperature: v[1],
@@ -580,12 +590,8 @@ impl Model {
                     reference_temperature: t_r,
                     expansivity: v[3],
                 });
-                // `new` has seen to it that there is a volume.
-                let volume = self.equation_of_state.clone().ok_or(LawError::NotFinite {
-                    law: "doolittle",
-                    key: "equation_of_state",
-                    value: f64::NAN,
-                })?;
+                let volume = self.equation_of_state.clone();
+                let volume = volume.ok_or(missing("doolittle", "equation_of_state"))?;
                 let law = Doolittle::new(v[0], v[1], v[2], occupied, volume)?;
                 viscosity(ViscosityLaw::Doolittle(law))
             }
@@ -593,12 +599,7 @@ impl Model {
                 let law = Walther::new(Walther {
                     a: v[0],
                     b: v[1],
-                    // `new` has seen to it that there is a density.
-                    density: self.density.clone().ok_or(LawError::NotFinite {
-                        law: "walther",
-                        key: "density",
-                        value: f64::NAN,
-                    })?,
+                    density: (self.density.clone()).ok_or(missing("walther", "density"))?,
                     alpha: v[2],
                     reference_temperature: t_r,
                     alpha_exponent: v[3],

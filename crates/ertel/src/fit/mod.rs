@@ -290,77 +290,22 @@ pub fn fit(data: &Data, law: LawName, params: &Params) -> Result<Fit, FitError> 
             n_constants: free.len(),
         });
     }
-    let values = |x: &[f64]| -> Vec<f64> {
-        let mut values: Vec<f64> = model.constants.iter().map(|c| c.start).collect();
-        for (i, x) in free.iter().zip(x) {
-            values[*i] = model.constants[*i].unscaled(*x);
-        }
-        values
-    };
     let is_held = |key: &str| params.held.iter().any(|(held, _)| held == key);
-    if let Err(error) = model.build(&values(&[]))
+    if let Err(error) = model.build(&model.values(&free, &[]))
         && is_held(error.key())
     {
         return Err(FitError::Held(error));
     }
-    let measured = data.states.iter().map(|s| s.value);
-    let mean = measured.sum::<f64>() / data.states.len() as f64;
-    let residuals = |x: &[f64], r: &mut [f64]| {
-        let law = model.build(&values(x)).ok();
-        for (r, state) in r.iter_mut().zip(&data.states) {
-            // A forbidden constant or an overflow counts as very bad: the step is refused.
-            *r = law.as_ref().map_or(f64::INFINITY, |law| {
-                let ln = law.ln_value(state.pressure, state.temperature);
-                match params.residual {
-                    Residual::Relative => ln - state.value.ln(),
-                    Residual::Absolute => (ln.exp() - state.value) / mean,
-                }
-            });
-            *r = if r.is_finite() {
-                r.clamp(-1e6, 1e6)
-            } else {
-                1e6
-            };
-        }
-    };
-    let start: Vec<f64> = free
-        .iter()
-        .map(|i| model.constants[*i].scaled(model.constants[*i].start))
-        .collect();
-    let minimum =
-        minimise(data.states.len(), &start, params.confidence, residuals).map_err(|error| {
-            match error {
-                MinimumError::NoInfluence(i) => FitError::Undetermined {
-                    law,
-                    key: model.constants[free[i]].key,
-                },
-                MinimumError::NotConverged(reason) => FitError::NotConverged { law, reason },
-            }
-        })?;
-
-    let best = values(&minimum.x);
+    let minimum = search(data, &model, &free, params).map_err(|error| match error {
+        MinimumError::NoInfluence(i) => FitError::Undetermined {
+            law,
+            key: model.constants[free[i]].key,
+        },
+        MinimumError::NotConverged(reason) => FitError::NotConverged { law, reason },
+    })?;
+    let best = model.values(&free, &minimum.x);
     let fitted = model.build_checked(&best)?;
-    let mut constants: Vec<FittedConstant> = model
-        .constants
-        .iter()
-        .zip(&best)
-        .map(|(constant, value)| FittedConstant {
-            key: constant.key,
-            unit: constant.unit,
-            value: *value,
-            interval: None,
-            standard: None,
-        })
-        .collect();
-    for (j, i) in free.iter().enumerate() {
-        let half = minimum.half_widths[j];
-        let ends = [minimum.x[j] - half, minimum.x[j] + half];
-        constants[*i].interval = Some(ends.map(|x| model.constants[*i].unscaled(x)));
-        let step = 1e-6;
-        let sides = [-step, step].map(|s| model.constants[*i].unscaled(minimum.x[j] + s));
-        let slope = (sides[1] - sides[0]) / (2.0 * step);
-        constants[*i].standard = Some(minimum.standard(j) * slope.abs());
-    }
+    let constants = fitted_constants(&model, &free, &best, &minimum);
     let correlations = (0..free.len())
         .flat_map(|j| (0..j).map(move |k| [k, j]))
         .map(|[k, j]| ([free[k], free[j]], minimum.correlation(k, j)))
@@ -402,6 +347,71 @@ pub fn fit(data: &Data, law: LawName, params: &Params) -> Result<Fit, FitError> 
         confidence: params.confidence,
         residual: params.residual,
     })
+}
+
+/// The best free constants.
+fn search(
+    data: &Data,
+    model: &Model,
+    free: &[usize],
+    params: &Params,
+) -> Result<Minimum, MinimumError> {
+    let measured = data.states.iter().map(|s| s.value);
+    let mean = measured.sum::<f64>() / data.states.len() as f64;
+    let residuals = |x: &[f64], r: &mut [f64]| {
+        let law = model.build(&model.values(free, x)).ok();
+        for (r, state) in r.iter_mut().zip(&data.states) {
+            // A forbidden constant or an overflow counts as very bad: the step is refused.
+            *r = law.as_ref().map_or(f64::INFINITY, |law| {
+                let ln = law.ln_value(state.pressure, state.temperature);
+                match params.residual {
+                    Residual::Relative => ln - state.value.ln(),
+                    Residual::Absolute => (ln.exp() - state.value) / mean,
+                }
+            });
+            *r = if r.is_finite() {
+                r.clamp(-1e6, 1e6)
+            } else {
+                1e6
+            };
+        }
+    };
+    let start: Vec<f64> = free
+        .iter()
+        .map(|i| model.constants[*i].scaled(model.constants[*i].start))
+        .collect();
+    minimise(data.states.len(), &start, params.confidence, residuals)
+}
+
+/// The constants with the intervals of the free ones.
+fn fitted_constants(
+    model: &Model,
+    free: &[usize],
+    best: &[f64],
+    minimum: &Minimum,
+) -> Vec<FittedConstant> {
+    let mut constants: Vec<FittedConstant> = model
+        .constants
+        .iter()
+        .zip(best)
+        .map(|(constant, value)| FittedConstant {
+            key: constant.key,
+            unit: constant.unit,
+            value: *value,
+            interval: None,
+            standard: None,
+        })
+        .collect();
+    for (j, i) in free.iter().enumerate() {
+        let half = minimum.half_widths[j];
+        let ends = [minimum.x[j] - half, minimum.x[j] + half];
+        constants[*i].interval = Some(ends.map(|x| model.constants[*i].unscaled(x)));
+        let step = 1e-6;
+        let sides = [-step, step].map(|s| model.constants[*i].unscaled(minimum.x[j] + s));
+        let slope = (sides[1] - sides[0]) / (2.0 * step);
+        constants[*i].standard = Some(minimum.standard(j) * slope.abs());
+    }
+    constants
 }
 
 /// Warnings on constants that the data do not determine.

@@ -44,6 +44,18 @@ pub struct Asymptotes {
     pub piezoviscous_elastic: f64,
 }
 
+impl Asymptotes {
+    /// Each film converted by `to`.
+    pub(crate) fn map(&self, to: impl Fn(f64) -> f64) -> Asymptotes {
+        Asymptotes {
+            isoviscous_rigid: to(self.isoviscous_rigid),
+            isoviscous_elastic: to(self.isoviscous_elastic),
+            piezoviscous_rigid: to(self.piezoviscous_rigid),
+            piezoviscous_elastic: to(self.piezoviscous_elastic),
+        }
+    }
+}
+
 /// Largest material group L for which the isoviscous limit is listed.
 const ISOVISCOUS_L: f64 = 1.0;
 

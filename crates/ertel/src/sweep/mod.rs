@@ -182,13 +182,10 @@ pub fn sweep_part(
         n_damaged: entries.n_damaged,
         ..SweepSummary::default()
     };
-    let wanted: Vec<bool> = {
-        let mut wanted = vec![false; study.points.len()];
-        for i in &mine {
-            wanted[*i] = !is_kept(*i);
-        }
-        wanted
-    };
+    let mut wanted = vec![false; study.points.len()];
+    for i in &mine {
+        wanted[*i] = !is_kept(*i);
+    }
     let mut records = entries.records;
     observer.begin(mine.len(), n_kept);
     let walk = Walk::new(plan, &wanted);
@@ -207,56 +204,24 @@ pub fn sweep_part(
         n_again: AtomicUsize::new(0),
     };
     let jobs = jobs.clamp(1, walk.n_needed.max(1));
-    let (sender, receiver) = std::sync::mpsc::channel::<(usize, Record)>();
-    let pools: Vec<rayon::ThreadPool> = (0..jobs)
-        .map(|_| {
-            rayon::ThreadPoolBuilder::new()
-                .num_threads(threads)
-                .build()
-                .map_err(|e| SweepError::Threads(e.to_string()))
-        })
-        .collect::<Result<_, _>>()?;
-    let failure = std::thread::scope(|scope| {
-        let work = |pool| {
-            let (shared, sender) = (&shared, sender.clone());
-            scope.spawn(move || rayon::ThreadPool::install(pool, || shared.work(&sender)))
-        };
-        let threads: Vec<_> = pools.iter().map(work).collect();
-        drop(sender);
-        let mut failure = None;
-        // Records are appended one after the other, here.
-        for (index, record) in receiver {
-            if let Err(error) = journal.append(&record) {
-                walk.stop();
-                failure = Some(SweepError::from(error));
-                break;
-            }
-            summary.n_new += 1;
-            summary.point_seconds += record.seconds;
-            let n_finished = n_kept + summary.n_new;
-            let elapsed = clock.elapsed().as_secs_f64();
-            let left = (mine.len() - n_finished) as f64;
-            observer.finished(&SweepProgress {
-                n_finished,
-                n_points: mine.len(),
-                index,
-                label: &study.points[index].label,
-                record: &record,
-                seconds_left: elapsed / summary.n_new as f64 * left,
-            });
-            records.insert(record.key, record);
-        }
-        for thread in threads {
-            match thread.join() {
-                Ok(end) => failure = failure.or(end.err().flatten()),
-                Err(panic) => std::panic::resume_unwind(panic),
-            }
-        }
-        failure
-    });
-    if let Some(error) = failure {
-        return Err(error);
-    }
+    solve_points(&shared, [jobs, threads], |index, record| {
+        journal.append(&record)?;
+        summary.n_new += 1;
+        summary.point_seconds += record.seconds;
+        let n_finished = n_kept + summary.n_new;
+        let elapsed = clock.elapsed().as_secs_f64();
+        let left = (mine.len() - n_finished) as f64;
+        observer.finished(&SweepProgress {
+            n_finished,
+            n_points: mine.len(),
+            index,
+            label: &study.points[index].label,
+            record: &record,
+            seconds_left: elapsed / summary.n_new as f64 * left,
+        });
+        records.insert(record.key, record);
+        Ok(())
+    })?;
     summary.n_again = shared.n_again.load(Ordering::Relaxed);
     summary.interrupted = n_kept + summary.n_new < mine.len();
     if !summary.interrupted {
@@ -265,25 +230,77 @@ pub fn sweep_part(
         records.retain(|key, _| own.contains(key));
         write_results(folder, &echo, &records)?;
     }
-    let mut warnings = Vec::new();
-    let mut sorted = mine;
-    sorted.sort_unstable();
-    for i in sorted {
-        let Some(record) = records.get(&echo.points[i].0) else {
-            continue;
-        };
-        if !record.converged {
-            let label = study.points[i].label.clone();
-            summary.failures.push((i, label, record.reason.clone()));
-        }
-        summary.n_unresolved += usize::from(record.is_unresolved());
-        summary.unresolved.add(|column| record.field(column));
-        let shown = (record.warnings.iter()).filter(|w| w.is_shown_with(&echo.silence));
-        warnings.extend(shown.map(|w| (i, w)));
-    }
-    summary.warnings = by_kind(warnings);
+    summary.add_points(study, &echo, mine, &records);
     summary.wall_seconds = clock.elapsed().as_secs_f64();
     Ok(summary)
+}
+
+/// Solves the points that are needed in several jobs, each with its threads; `finished` has their records one after the other.
+fn solve_points(
+    shared: &Shared<'_>,
+    [jobs, threads]: [usize; 2],
+    mut finished: impl FnMut(usize, Record) -> Result<(), SweepError>,
+) -> Result<(), SweepError> {
+    let pools: Vec<rayon::ThreadPool> = (0..jobs)
+        .map(|_| {
+            rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .map_err(|e| SweepError::Threads(e.to_string()))
+        })
+        .collect::<Result<_, _>>()?;
+    let (sender, receiver) = std::sync::mpsc::channel::<(usize, Record)>();
+    std::thread::scope(|scope| {
+        let work = |pool| {
+            let sender = sender.clone();
+            scope.spawn(move || rayon::ThreadPool::install(pool, || shared.work(&sender)))
+        };
+        let threads: Vec<_> = pools.iter().map(work).collect();
+        drop(sender);
+        let mut failure = None;
+        for (index, record) in receiver {
+            if let Err(error) = finished(index, record) {
+                shared.walk.stop();
+                failure = Some(error);
+                break;
+            }
+        }
+        for thread in threads {
+            match thread.join() {
+                Ok(end) => failure = failure.or(end.err().flatten()),
+                Err(panic) => std::panic::resume_unwind(panic),
+            }
+        }
+        failure.map_or(Ok(()), Err)
+    })
+}
+
+impl SweepSummary {
+    /// Adds failures, unresolved figures and warnings of some points.
+    fn add_points(
+        &mut self,
+        study: &Study,
+        echo: &StudyEcho,
+        mut points: Vec<usize>,
+        records: &HashMap<PointKey, Record>,
+    ) {
+        let mut warnings = Vec::new();
+        points.sort_unstable();
+        for i in points {
+            let Some(record) = records.get(&echo.points[i].0) else {
+                continue;
+            };
+            if !record.converged {
+                let label = study.points[i].label.clone();
+                self.failures.push((i, label, record.reason.clone()));
+            }
+            self.n_unresolved += usize::from(record.is_unresolved());
+            self.unresolved.add(|column| record.field(column));
+            let shown = (record.warnings.iter()).filter(|w| w.is_shown_with(&echo.silence));
+            warnings.extend(shown.map(|w| (i, w)));
+        }
+        self.warnings = by_kind(warnings);
+    }
 }
 
 /// Points of the study that are finished, of those in the folder.

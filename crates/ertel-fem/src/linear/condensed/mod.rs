@@ -31,7 +31,7 @@ use crate::linear::ordering::OrderingError;
 use crate::platform::all_cores;
 use crate::space::Space;
 use cholesky::{eliminate, factor};
-use plan::{NOWHERE, elements_of_fronts, elimination, is_last, places};
+use plan::{add_element, elements_of_fronts, elimination, is_last, places};
 use triangle::{Left, add_children, lower_triangle, on_columns};
 use workspace::Workspace;
 
@@ -131,13 +131,7 @@ impl CondensedStiffness {
             for cell in &elements[k] {
                 element_matrix(*cell as usize, &mut block);
                 let places = places(space, dofs, &fronts, front, *cell as usize);
-                for (b, j) in places.iter().enumerate() {
-                    for (a, i) in places.iter().enumerate() {
-                        if *j != NOWHERE && *i != NOWHERE && i >= j {
-                            entries[*j * order + *i] += block[a * size + b];
-                        }
-                    }
-                }
+                add_element(&block, &places, entries, order);
             }
             add_children(&fronts, front, &left, entries);
             drop(left);

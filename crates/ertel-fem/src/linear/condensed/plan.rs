@@ -98,3 +98,15 @@ pub(super) fn places(
         })
         .collect()
 }
+
+/// Adds the matrix of an element to the lower triangle of a front, column by column.
+pub(super) fn add_element(block: &[f64], places: &[usize], front: &mut [f64], order: usize) {
+    let size = places.len();
+    for (b, j) in places.iter().enumerate() {
+        for (a, i) in places.iter().enumerate() {
+            if *j != NOWHERE && *i != NOWHERE && i >= j {
+                front[*j * order + *i] += block[a * size + b];
+            }
+        }
+    }
+}

@@ -57,18 +57,7 @@ impl<T> Sourced<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Internal {
     /// Of ball bearings.
-    Ball {
-        /// Ball diameter D_w, m.
-        ball_diameter: Sourced<f64>,
-        /// Pitch diameter d_m, m.
-        pitch_diameter: Sourced<f64>,
-        /// Number of balls Z.
-        number: Sourced<usize>,
-        /// Radius of the inner and outer groove over the ball diameter.
-        groove: Sourced<[f64; 2]>,
-        /// Clearance, or free contact angle.
-        play: Sourced<Play>,
-    },
+    Ball(Balls),
     /// Of cylindrical roller bearings.
     Cylindrical {
         /// The rollers.
@@ -83,6 +72,21 @@ pub enum Internal {
         /// Contact angle of the outer raceway, rad.
         contact_angle: Sourced<f64>,
     },
+}
+
+/// Balls, their circle and their grooves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Balls {
+    /// Diameter D_w, m.
+    pub diameter: Sourced<f64>,
+    /// Pitch diameter d_m, m.
+    pub pitch_diameter: Sourced<f64>,
+    /// Number Z.
+    pub number: Sourced<usize>,
+    /// Radius of the inner and outer groove over the ball diameter.
+    pub groove: Sourced<[f64; 2]>,
+    /// Clearance, or free contact angle.
+    pub play: Sourced<Play>,
 }
 
 /// Rollers and their circle.
@@ -130,18 +134,12 @@ impl Internal {
     /// The geometry to calculate with.
     pub fn geometry(&self) -> Geometry {
         match *self {
-            Internal::Ball {
-                ball_diameter,
-                pitch_diameter,
-                number,
-                groove,
-                play,
-            } => Geometry::Ball(BallGeometry {
-                ball_diameter: ball_diameter.value,
-                pitch_diameter: pitch_diameter.value,
-                number: number.value,
-                groove: groove.value,
-                play: play.value,
+            Internal::Ball(balls) => Geometry::Ball(BallGeometry {
+                ball_diameter: balls.diameter.value,
+                pitch_diameter: balls.pitch_diameter.value,
+                number: balls.number.value,
+                groove: balls.groove.value,
+                play: balls.play.value,
             }),
             Internal::Cylindrical { rollers, clearance } => {
                 Geometry::CylindricalRoller(rollers.cylindrical(clearance.value))
@@ -260,13 +258,13 @@ fn balls(designation: &Designation, boundary: &Boundary) -> Internal {
     let known =
         (PUBLISHED.iter()).find(|row| row.0 == designation.series && row.1 == designation.code);
     match known {
-        Some(&(_, _, ball, pitch, number, source)) => Internal::Ball {
-            ball_diameter: Sourced::published(ball * 1e-3, source),
+        Some(&(_, _, ball, pitch, number, source)) => Internal::Ball(Balls {
+            diameter: Sourced::published(ball * 1e-3, source),
             pitch_diameter: Sourced::published(pitch * 1e-3, source),
             number: Sourced::published(number, source),
             groove,
             play,
-        },
+        }),
         None => estimated_balls(boundary, 0.6, NUMBER_RULE, groove, play),
     }
 }
@@ -280,11 +278,11 @@ fn estimated_balls(
 ) -> Internal {
     let diameter = 0.3 * (boundary.outside - boundary.bore);
     let pitch = boundary.mean_diameter();
-    Internal::Ball {
-        ball_diameter: Sourced::estimated(diameter, BALL_RULE),
+    Internal::Ball(Balls {
+        diameter: Sourced::estimated(diameter, BALL_RULE),
         pitch_diameter: Sourced::estimated(pitch, PITCH_RULE),
         number: Sourced::estimated(filled(share, pitch, diameter), rule),
         groove,
         play,
-    }
+    })
 }

@@ -12,7 +12,7 @@ mod tapered;
 
 pub use clearance::{ClearanceClass, radial_clearance};
 pub use designation::{Designation, DesignationError};
-pub use internal::{Internal, Origin, Rollers, Sourced};
+pub use internal::{Balls, Internal, Origin, Rollers, Sourced};
 pub use series::Series;
 
 /// Boundary dimensions, m.

@@ -158,23 +158,6 @@ impl Series {
         }
     }
 
-    /// X_0 and Y_0 of the static equivalent load; `None` of tapered roller bearings, whose factors follow from their angles. Schaeffler, HR 1,
-    /// 2006.
-    pub fn static_factors(self) -> Option<[f64; 2]> {
-        match self {
-            Series::DeepGroove60 | Series::DeepGroove62 | Series::DeepGroove63 => Some([0.6, 0.5]),
-            Series::Angular72B | Series::Angular73B => Some([0.5, 0.26]),
-            Series::CylindricalNu10 | Series::CylindricalNu2 | Series::CylindricalNu3 => {
-                Some([1.0, 0.0])
-            }
-            Series::Tapered302
-            | Series::Tapered303
-            | Series::Tapered320X
-            | Series::Tapered322
-            | Series::Tapered323 => None,
-        }
-    }
-
     /// Bore codes of the catalogue.
     pub fn codes(self) -> impl Iterator<Item = u8> {
         self.rows().into_iter().map(|row| row[0] as u8)

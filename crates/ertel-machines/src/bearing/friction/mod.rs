@@ -13,11 +13,6 @@ pub use palmgren::{
 pub use skf::{SkfMoment, SkfParams, SkfState, skf_moment};
 pub use skf_series::SkfSeries;
 
-/// Heat from a moment (N·m) at a relative speed of the rings (rad/s), W.
-pub fn frictional_power(moment: f64, relative_speed: f64) -> f64 {
-    (moment * relative_speed).abs()
-}
-
 /// Why there is no moment.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Error {

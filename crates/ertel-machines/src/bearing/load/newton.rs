@@ -188,12 +188,7 @@ pub(crate) fn balance(
             return Ok((shift, reaction, info));
         }
         let soft = SOFT * info.residual.min(1.0) * row.typical_stiffness();
-        let matrix = Matrix::from_fn(|i, j| match (free[i] && free[j], i == j) {
-            (true, true) => reaction.stiffness[(i, i)] + soft * scale[i] * scale[i],
-            (true, false) => reaction.stiffness[(i, j)],
-            (false, true) => 1.0,
-            (false, false) => 0.0,
-        });
+        let matrix = reaction.stiffness_of(free, soft, &scale);
         let Some(mut step) = matrix.lu().solve(&-residual) else {
             break;
         };
@@ -220,6 +215,16 @@ pub(crate) fn balance(
 }
 
 impl Reaction {
+    /// Stiffness of the free directions, with `soft` times the square of their scale; one of the others.
+    fn stiffness_of(&self, free: [bool; 5], soft: f64, scale: &Vector) -> Matrix {
+        Matrix::from_fn(|i, j| match (free[i] && free[j], i == j) {
+            (true, true) => self.stiffness[(i, i)] + soft * scale[i] * scale[i],
+            (true, false) => self.stiffness[(i, j)],
+            (false, true) => 1.0,
+            (false, false) => 0.0,
+        })
+    }
+
     fn none() -> Reaction {
         Reaction {
             force: Vector::zeros(),

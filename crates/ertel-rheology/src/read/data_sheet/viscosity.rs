@@ -261,13 +261,7 @@ fn by_viscosity_100(
             ),
         ));
     };
-    let shown = figures(1e6 * nu_40);
-    data.push(computed(
-        "kinematic_viscosity_40",
-        shown,
-        "mm^2/s",
-        "astm_d2270",
-    ));
+    data.push(computed_viscosity("kinematic_viscosity_40", nu_40));
     Ok([(CELSIUS_40, nu_40), (CELSIUS_100, nu_100)])
 }
 
@@ -328,7 +322,7 @@ fn by_one(
         ("kinematic_viscosity_40", at_40),
         ("kinematic_viscosity_100", at_100),
     ] {
-        data.push(computed(key, figures(1e6 * nu), "mm^2/s", "astm_d2270"));
+        data.push(computed_viscosity(key, nu));
     }
     Ok([at_40, at_100])
 }
@@ -379,15 +373,17 @@ fn check_index(
             format!("the two viscosities give an index of {found:.0}, not {index}"),
         ));
     }
-    if let Some(found) = found {
-        data.push(computed(
-            "viscosity_index",
-            format!("{found:.0}"),
-            "1",
-            "astm_d2270",
-        ));
-    }
+    data.extend(found.map(computed_index));
     Ok(())
+}
+
+/// Of a kinematic viscosity, m²/s.
+fn computed_viscosity(key: &str, nu: f64) -> Datum {
+    computed(key, figures(1e6 * nu), "mm^2/s", "astm_d2270")
+}
+
+fn computed_index(index: f64) -> Datum {
+    computed("viscosity_index", format!("{index:.0}"), "1", "astm_d2270")
 }
 
 /// The grade and its middle at 40 degC (m²/s): a number or a text such as `VG 46`.
@@ -521,14 +517,7 @@ fn viscosity_100(
                 .with_help("give two of `kinematic_viscosity_40`, `kinematic_viscosity_100` and `viscosity_index`"));
         }
         data.push(given(table, key, figures(1e6 * nu), "mm^2/s"));
-        if let Some(found) = found {
-            data.push(computed(
-                "viscosity_index",
-                format!("{found:.0}"),
-                "1",
-                "astm_d2270",
-            ));
-        }
+        data.extend(found.map(computed_index));
         return Ok(nu);
     }
     let Some((index, key)) = index_of(table, base_oil, data)? else {
@@ -547,11 +536,6 @@ fn viscosity_100(
             )
             .with_help("give `kinematic_viscosity_100`"));
     };
-    data.push(computed(
-        "kinematic_viscosity_100",
-        figures(1e6 * nu),
-        "mm^2/s",
-        "astm_d2270",
-    ));
+    data.push(computed_viscosity(key, nu));
     Ok(nu)
 }

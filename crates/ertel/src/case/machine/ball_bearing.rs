@@ -80,14 +80,8 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     );
     rows.text("source", SOURCE);
     Ok(Machine {
-        bulk_temperature: None,
-        contact,
-        motion,
-        load_key: "ball_load",
         body_radii: [0.5 * diameter; 2],
-        warnings: Vec::new(),
-        echo: rows.echo(),
-        whole: None,
+        ..Machine::of_contact(contact, motion, "ball_load", rows)
     })
 }
 

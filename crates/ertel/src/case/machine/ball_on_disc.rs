@@ -37,14 +37,5 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     rows.number("speed of the ball", motion.body_2_speed(), "m/s");
     rows.number("speed of the disc", motion.body_1_speed(), "m/s");
     rows.text("source", "relative curvature: Johnson 1985, section 4.1");
-    Ok(Machine {
-        bulk_temperature: None,
-        contact,
-        motion,
-        load_key: "load",
-        body_radii: [f64::INFINITY; 2],
-        warnings: Vec::new(),
-        echo: rows.echo(),
-        whole: None,
-    })
+    Ok(Machine::of_contact(contact, motion, "load", rows))
 }

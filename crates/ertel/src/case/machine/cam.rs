@@ -69,14 +69,5 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
         "m/s",
     );
     rows.text("source", "Norton 2002, chapter 7 (ρ); Müller 1966 (u_m)");
-    Ok(Machine {
-        bulk_temperature: None,
-        contact,
-        motion,
-        load_key: "load",
-        body_radii: [f64::INFINITY; 2],
-        warnings: Vec::new(),
-        echo: rows.echo(),
-        whole: None,
-    })
+    Ok(Machine::of_contact(contact, motion, "load", rows))
 }

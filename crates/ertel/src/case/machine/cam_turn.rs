@@ -87,18 +87,7 @@ pub(super) fn read(
         .unwrap_or(USUAL_POINTS);
     let points = usize::try_from(points).unwrap_or_default();
     let folders = table.optional_bool("folders")?.unwrap_or(false);
-    let angle = match table.required_str("angle")? {
-        "turn" => None,
-        _ => Some(
-            table
-                .required_quantity("angle", Dimension::ANGLE, ANGLE)
-                .map_err(|error| {
-                    error.with_help(
-                        "`angle` is that of one contact, or \"turn\" for all over a turn",
-                    )
-                })?,
-        ),
-    };
+    let angle = angle(table)?;
     let is_straight = !matches!(follower, Follower::Finger { .. });
     let cam = Cam::new(law, follower, base_radius).map_err(|error| refused(table, &error))?;
     let text = CamText {
@@ -128,47 +117,70 @@ pub(super) fn read(
     let reversals = cam
         .reversals(&operation, points.max(360))
         .map_err(|error| refused(table, &error))?;
-    let contacts = contacts(&turn);
+    let mechanics = CamMechanics {
+        cam,
+        operation,
+        points: turn,
+        reversals,
+    };
+    over_turn(table, &text, (load_key, folders), mechanics, is_straight)
+}
+
+/// The angle of the one contact, rad; `None` for all over a turn.
+fn angle(table: &mut Table<'_>) -> Result<Option<f64>, InputError> {
+    if table.required_str("angle")? == "turn" {
+        return Ok(None);
+    }
+    let angle = table.required_quantity("angle", Dimension::ANGLE, ANGLE);
+    angle.map(Some).map_err(|error| {
+        error.with_help("`angle` is that of one contact, or \"turn\" for all over a turn")
+    })
+}
+
+/// All contacts over a turn.
+fn over_turn(
+    table: &Table<'_>,
+    text: &CamText<'_>,
+    (load_key, folders): (&'static str, bool),
+    mechanics: CamMechanics,
+    is_straight: bool,
+) -> Result<Machine, InputError> {
+    let CamMechanics {
+        cam,
+        operation,
+        points: turn,
+        reversals,
+    } = &mechanics;
+    let contacts = contacts(turn);
     let Some(governing) = heaviest(&contacts) else {
         return Err(table.error(
             load_key,
             "no contact of the turn can be solved: the follower leaves the cam everywhere, or pressures are out of range",
         ));
     };
-    let reversal_rows = doubts::reversals(&cam, &operation, &reversals);
-    let (mut of_turn, mut warnings) = unsolved(&turn, &contacts, reversal_rows);
-    of_turn.push(doubts::steepest(&turn));
-    warnings.extend(doubts::warnings(&cam, &operation, &turn, is_straight));
+    let reversal_rows = doubts::reversals(cam, operation, reversals);
+    let (mut of_turn, mut warnings) = unsolved(turn, &contacts, reversal_rows);
+    of_turn.push(doubts::steepest(turn));
+    warnings.extend(doubts::warnings(cam, operation, turn, is_straight));
     let title = format!(
-        "cam on {follower_words}, base radius {}",
-        length(base_radius)
+        "cam on {}, base radius {}",
+        text.follower,
+        length(text.base_radius)
     );
     let point = turn[governing];
-    let bars = cam.bars(&operation, point.angle);
+    let bars = cam.bars(operation, point.angle);
     let whole = WholeMachine {
         title,
-        mechanics: Mechanics::Cam(Box::new(CamMechanics {
-            cam,
-            operation,
-            points: turn,
-            reversals,
-        })),
+        mechanics: Mechanics::Cam(Box::new(mechanics)),
         contacts,
         axis: Axis::CamAngle,
         governing,
         is_line: true,
         folders,
     };
-    let machine = single(
-        table,
-        &text,
-        (&point, &bars),
-        load_key,
-        Some(whole),
-        of_turn,
-    )?;
+    let of_point = (&point, &bars);
+    let machine = single(table, text, of_point, load_key, Some(whole), of_turn)?;
     Ok(Machine {
-        bulk_temperature: None,
         warnings,
         ..machine
     })
@@ -375,14 +387,9 @@ fn single(
     rows.number("u_m", point.entrainment_speed, "m/s");
     rows.text("source", "Norton 2002, chapters 2, 3 and 7; Müller 1966");
     Ok(Machine {
-        bulk_temperature: None,
         body_radii: [smallest_radius(point), f64::INFINITY],
-        contact,
-        motion,
-        load_key,
-        warnings: Vec::new(),
-        echo: rows.echo(),
         whole,
+        ..Machine::of_contact(contact, motion, load_key, rows)
     })
 }
 

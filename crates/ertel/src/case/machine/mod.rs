@@ -100,6 +100,22 @@ pub(super) struct Machine {
     pub bulk_temperature: Option<f64>,
 }
 
+impl Machine {
+    /// One contact of bodies of which neither fits into the other.
+    fn of_contact(contact: Contact, motion: Motion, load_key: &'static str, rows: Rows) -> Machine {
+        Machine {
+            contact,
+            motion,
+            load_key,
+            body_radii: [f64::INFINITY; 2],
+            warnings: Vec::new(),
+            echo: rows.echo(),
+            whole: None,
+            bulk_temperature: None,
+        }
+    }
+}
+
 /// The mechanics of a machine.
 #[derive(Clone, Debug)]
 pub enum Mechanics {

@@ -50,13 +50,7 @@ pub(super) fn read(
     let (motion, _) = rolling(table, pitch_diameter, gamma, &mut rows)?;
     rows.text("source", SOURCE);
     Ok(Machine {
-        bulk_temperature: None,
-        contact,
-        motion,
-        load_key: "roller_load",
         body_radii: [0.5 * diameter, f64::INFINITY],
-        warnings: Vec::new(),
-        echo: rows.echo(),
-        whole: None,
+        ..Machine::of_contact(contact, motion, "roller_load", rows)
     })
 }

@@ -64,14 +64,12 @@ pub(super) fn read(
             })
         })
         .collect::<Result<_, InputError>>()?;
-    let mut axes: Vec<Axis> = headers
-        .iter()
-        .map(|header| Axis {
-            key: header.key.clone(),
-            key_span: header.span.clone(),
-            values: Vec::new(),
-        })
-        .collect();
+    let axis = |header: &Header| Axis {
+        key: header.key.clone(),
+        key_span: header.span.clone(),
+        values: Vec::new(),
+    };
+    let mut axes: Vec<Axis> = headers.iter().map(axis).collect();
     for row in table.rows() {
         for (header, axis) in headers.iter().zip(&mut axes) {
             let index = header.index;

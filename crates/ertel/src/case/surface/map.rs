@@ -119,19 +119,8 @@ pub(super) fn measured(
             ),
         ));
     }
-    let (missing, n) = (map.n_holes(), map.heights.len());
-    if missing as f64 > most * n as f64 {
-        return Err(table
-            .error(
-                "file",
-                format!(
-                    "{missing} of {n} points have no height, {} %, and at most {} % are filled",
-                    crate::words::digits(100.0 * missing as f64 / n as f64, 3),
-                    crate::words::digits(100.0 * most, 3)
-                ),
-            )
-            .with_help("fill them in the instrument, crop them, or raise `missing_share`"));
-    }
+    let missing = map.n_holes();
+    check_holes(table, missing, map.heights.len(), most)?;
     if level.is_some_and(|level| !map.level(level)) || !map.fill() {
         return Err(table.error("file", "too few points have a height to level the surface"));
     }
@@ -150,6 +139,23 @@ pub(super) fn measured(
     };
     let finest = low_pass.unwrap_or(SHORTEST * finest_spacing(&map));
     finished(table, map, own, taper, (finest, direction))
+}
+
+/// Refuses a map in which a larger share than `most` of its `n` points have no height.
+fn check_holes(table: &Table<'_>, missing: usize, n: usize, most: f64) -> Result<(), InputError> {
+    if missing as f64 <= most * n as f64 {
+        return Ok(());
+    }
+    Err(table
+        .error(
+            "file",
+            format!(
+                "{missing} of {n} points have no height, {} %, and at most {} % are filled",
+                crate::words::digits(100.0 * missing as f64 / n as f64, 3),
+                crate::words::digits(100.0 * most, 3)
+            ),
+        )
+        .with_help("fill them in the instrument, crop them, or raise `missing_share`"))
 }
 
 /// `kind = "generated"`.
@@ -244,6 +250,53 @@ fn finest_spacing(map: &Topography) -> f64 {
     }
 }
 
+/// Refuses filters that no wave of the surface passes; `spacing` of its points and its shorter `side` in m.
+fn check_filters(table: &Table<'_>, own: &Own, spacing: f64, side: f64) -> Result<(), InputError> {
+    for (key, cutoff) in [("high_pass", own.high_pass), ("low_pass", own.low_pass)] {
+        if let Some(cutoff) = cutoff.filter(|c| *c < SHORTEST * spacing || *c > side) {
+            return Err(table.error(
+                key,
+                format!(
+                    "a cutoff of {} is outside the wavelengths of the surface: from {} (twice the distance of its points) to {} (its shorter side)",
+                    length(cutoff),
+                    length(SHORTEST * spacing),
+                    length(side)
+                ),
+            ));
+        }
+    }
+    match (own.high_pass, own.low_pass) {
+        (Some(high), Some(low)) if high <= low => Err(table.error(
+            "low_pass",
+            "no wave passes both filters: `low_pass` must be shorter than `high_pass`",
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// The width of the taper: that of the case, or the usual one, two distances of points at least where the surface has as many.
+fn taper_width(
+    table: &Table<'_>,
+    taper: Option<f64>,
+    spacing: f64,
+    side: f64,
+) -> Result<f64, InputError> {
+    let [least, most] = [(SHORTEST * spacing).min(0.5 * side), 0.5 * side];
+    let taper = taper.unwrap_or((TAPER * side).max(least));
+    if taper < least || taper > most {
+        return Err(table.error(
+            "taper",
+            format!(
+                "a taper of {}: from {}, two distances of points, to {}, half of the shorter side",
+                length(taper),
+                length(least),
+                length(most)
+            ),
+        ));
+    }
+    Ok(taper)
+}
+
 /// Filters, describes and tapers heights, and lays a spline through them.
 fn finished(
     table: &Table<'_>,
@@ -259,41 +312,8 @@ fn finished(
     } else {
         along.min(across)
     };
-    for (key, cutoff) in [("high_pass", own.high_pass), ("low_pass", own.low_pass)] {
-        if let Some(cutoff) = cutoff.filter(|c| *c < SHORTEST * spacing || *c > side) {
-            return Err(table.error(
-                key,
-                format!(
-                    "a cutoff of {} is outside the wavelengths of the surface: from {} (twice the distance of its points) to {} (its shorter side)",
-                    length(cutoff),
-                    length(SHORTEST * spacing),
-                    length(side)
-                ),
-            ));
-        }
-    }
-    if let (Some(high), Some(low)) = (own.high_pass, own.low_pass)
-        && high <= low
-    {
-        return Err(table.error(
-            "low_pass",
-            "no wave passes both filters: `low_pass` must be shorter than `high_pass`",
-        ));
-    }
-    // Two distances of points at least, where the surface has as many.
-    let [least, most] = [(SHORTEST * spacing).min(0.5 * side), 0.5 * side];
-    let taper = taper.unwrap_or((TAPER * side).max(least));
-    if taper < least || taper > most {
-        return Err(table.error(
-            "taper",
-            format!(
-                "a taper of {}: from {}, two distances of points, to {}, half of the shorter side",
-                length(taper),
-                length(least),
-                length(most)
-            ),
-        ));
-    }
+    check_filters(table, &own, spacing, side)?;
+    let taper = taper_width(table, taper, spacing, side)?;
     let levelled = map.parameters();
     let spectra = |map: &Topography| [0, 1].map(|d| spectrum(map, d));
     let levelled_spectra = spectra(&map);

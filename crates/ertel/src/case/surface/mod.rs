@@ -115,27 +115,7 @@ fn relief(mut table: Table<'_>, case: &Case, folder: &Path) -> Result<SurfaceRel
             form
         }
     };
-    let half_width = case.hertz().half_width;
-    if form.finest() > LARGEST * half_width {
-        let key = [
-            "radius",
-            "half_width",
-            "wavelength",
-            "low_pass",
-            "shortest_wavelength",
-        ]
-        .into_iter()
-        .find(|key| table.contains(key))
-        .unwrap_or("kind");
-        return Err(table.error(
-            key,
-            format!(
-                "the relief is larger than the contact area: {} across, where the half-width of the dry contact is {}",
-                length(form.finest()),
-                length(half_width)
-            ),
-        ));
-    }
+    check_size(&mut table, &form, case.hertz().half_width)?;
     let form = match kind {
         Kind::Round(_) | Kind::Ridge(_) => array::read(&mut table, form)?,
         _ => form,
@@ -152,6 +132,28 @@ fn relief(mut table: Table<'_>, case: &Case, folder: &Path) -> Result<SurfaceRel
         place: [x, y.unwrap_or(0.0)],
         echo,
     })
+}
+
+/// Refuses reliefs that are larger than the contact area.
+fn check_size(table: &mut Table<'_>, form: &Form, half_width: f64) -> Result<(), InputError> {
+    if form.finest() <= LARGEST * half_width {
+        return Ok(());
+    }
+    let key = [
+        "radius",
+        "half_width",
+        "wavelength",
+        "low_pass",
+        "shortest_wavelength",
+    ]
+    .into_iter()
+    .find(|key| table.contains(key));
+    let text = format!(
+        "the relief is larger than the contact area: {} across, where the half-width of the dry contact is {}",
+        length(form.finest()),
+        length(half_width)
+    );
+    Err(table.error(key.unwrap_or("kind"), text))
 }
 
 /// Direction from the motion, up to some half turns to either side.

@@ -1,6 +1,6 @@
 //! Films from a table.
 
-use ertel_input::csv::{Column, CsvError, CsvParams, CsvTable, Vocabulary};
+use ertel_input::csv::{Column, CsvError, CsvParams, CsvTable, Row, Vocabulary};
 use ertel_quantity::Dimension;
 
 use super::conditions::Conditions;
@@ -41,14 +41,44 @@ enum Radius {
 #[expect(clippy::large_enum_variant, reason = "a table has one")]
 enum Source {
     /// Moes' M and L, U and R.
-    Groups {
-        load: Column,
-        material: Column,
-        speed: Column,
-        radius: Radius,
-    },
+    Groups(GroupColumns),
     /// The variables themselves.
     Columns(Vec<Column>),
+}
+
+/// Columns of Moes' groups.
+struct GroupColumns {
+    load: Column,
+    material: Column,
+    speed: Column,
+    radius: Radius,
+}
+
+impl GroupColumns {
+    /// Scale of the film and variables of a line whose material group is `l`.
+    fn state(
+        &self,
+        table: &CsvTable,
+        row: &Row,
+        form: FilmForm,
+        l: f64,
+        unlike: &mut Unlike,
+    ) -> Result<(f64, Vec<f64>), DataError> {
+        let load = positive(table, row, &self.load, false)?;
+        let speed = positive(table, row, &self.speed, false)?;
+        Ok(match &self.radius {
+            Radius::Given(radius) => groups(form, *radius, speed, load, l),
+            Radius::Column(column) => {
+                let radius = positive(table, row, column, false)?;
+                groups(form, radius, speed, load, l)
+            }
+            Radius::Ellipses(ellipses) => {
+                let contact = ellipses.contact(table, row)?;
+                unlike.add(&contact);
+                of_ellipse(form, &contact, speed, load, l)
+            }
+        })
+    }
 }
 
 /// Reads films from the text of a CSV file with a column `film_central_m` or `film_minimum_m` and what the form needs:
@@ -147,31 +177,13 @@ pub fn read_films_with(
                 let value = |c: &Column| positive(&table, row, c, false);
                 (1.0, columns.iter().map(value).collect::<Result<_, _>>()?)
             }
-            Source::Groups {
-                load,
-                material,
-                speed,
-                radius,
-            } => {
-                let load = positive(&table, row, load, false)?;
-                let speed = positive(&table, row, speed, false)?;
-                let l = positive(&table, row, material, true)?;
+            Source::Groups(columns) => {
+                let l = positive(&table, row, &columns.material, true)?;
                 if l == 0.0 {
                     n_isoviscous += 1;
-                    first_isoviscous.get_or_insert((row, material.index));
+                    first_isoviscous.get_or_insert((row, columns.material.index));
                 }
-                match radius {
-                    Radius::Given(radius) => groups(form, *radius, speed, load, l),
-                    Radius::Column(column) => {
-                        let radius = positive(&table, row, column, false)?;
-                        groups(form, radius, speed, load, l)
-                    }
-                    Radius::Ellipses(ellipses) => {
-                        let contact = ellipses.contact(&table, row)?;
-                        unlike.add(&contact);
-                        of_ellipse(form, &contact, speed, load, l)
-                    }
-                }
+                columns.state(&table, row, form, l, &mut unlike)?
             }
         };
         conditions.add(&table, row);
@@ -226,12 +238,12 @@ fn source(table: &CsvTable, form: FilmForm, radius: Option<f64>) -> Result<Sourc
             Ok(Source::Columns(vec![speed()?, load?]))
         }
         FilmForm::Moes | FilmForm::HamrockDowson(_) | FilmForm::Blend(_) | FilmForm::Elliptical => {
-            Ok(Source::Groups {
+            Ok(Source::Groups(GroupColumns {
                 load: need(table, &["moes load"], none, "")?,
                 material: need(table, &["moes material"], none, "")?,
                 speed: need(table, &["speed group"], none, "")?,
                 radius: radius_source(table, form, radius)?,
-            })
+            }))
         }
     }
 }

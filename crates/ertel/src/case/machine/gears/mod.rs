@@ -164,13 +164,8 @@ pub(super) fn read(
     warnings.extend(load::warnings(pair, sharing));
     Ok(Machine {
         bulk_temperature: limits.bulk_temperature,
-        contact,
-        motion,
-        load_key: load_key(stage),
-        body_radii: [f64::INFINITY; 2],
         warnings,
-        echo: rows.echo(),
-        whole: None,
+        ..Machine::of_contact(contact, motion, load_key(stage), rows)
     })
 }
 

@@ -155,12 +155,7 @@ pub(super) fn read(table: &mut Table<'_>, given: Given<'_>) -> Result<Machine, I
     );
     Ok(Machine {
         bulk_temperature: given.limits.bulk_temperature,
-        contact,
-        motion,
-        load_key: super::load_key(given.stage),
-        body_radii: [f64::INFINITY; 2],
         warnings,
-        echo: rows.echo(),
         whole: Some(WholeMachine {
             title,
             mechanics: Mechanics::Gears(Box::new(GearMechanics {
@@ -176,6 +171,7 @@ pub(super) fn read(table: &mut Table<'_>, given: Given<'_>) -> Result<Machine, I
             is_line: true,
             folders: given.folders,
         }),
+        ..Machine::of_contact(contact, motion, super::load_key(given.stage), rows)
     })
 }
 

@@ -8,7 +8,7 @@ use ertel_machines::bearing::catalogue::{self, Entry, Internal, Origin, Series, 
 use ertel_machines::bearing::geometry::{BallGeometry, Play};
 use ertel_quantity::Dimension;
 
-use super::super::{Rows, required_length};
+use super::super::Rows;
 use super::rollers;
 use crate::case::contact::RADIUS;
 use crate::words::{digits, length};
@@ -52,7 +52,7 @@ impl Elements {
     /// Those of a bearing of the catalogue.
     fn of(entry: &Entry) -> Elements {
         match entry.internal {
-            Internal::Ball { .. } => Elements::Balls,
+            Internal::Ball(_) => Elements::Balls,
             Internal::Cylindrical { .. } => Elements::Rollers,
             Internal::Tapered { .. } => Elements::TaperedRollers,
         }
@@ -198,12 +198,12 @@ fn find(table: &Table<'_>, given: &str, elements: Elements) -> Result<Entry, Inp
     })
 }
 
-/// Origin of a value, in words.
-pub(super) fn origin(origin: Origin) -> String {
+/// A value with its origin, in words.
+pub(super) fn with_origin(value: String, origin: Origin) -> String {
     match origin {
-        Origin::Published(source) => format!("published: {source}"),
-        Origin::Estimated(rule) => format!("estimated: {rule}"),
-        Origin::Given => "given".to_owned(),
+        Origin::Published(source) => format!("{value} (published: {source})"),
+        Origin::Estimated(rule) => format!("{value} (estimated: {rule})"),
+        Origin::Given => format!("{value} (given)"),
     }
 }
 
@@ -213,12 +213,17 @@ pub(super) fn length_or(
     key: &str,
     known: Option<Sourced<f64>>,
 ) -> Result<Sourced<f64>, InputError> {
-    let given = table.optional_quantity(key, Dimension::LENGTH, RADIUS)?;
-    match (given, known) {
-        (Some(given), _) => Ok(Sourced::given(given)),
-        (None, Some(known)) => Ok(known),
-        (None, None) => required_length(table, key).map(Sourced::given),
-    }
+    given_or(table, (key, Dimension::LENGTH, RADIUS), known)
+}
+
+/// A quantity of the file, or else that of the catalogue.
+pub(super) fn given_or(
+    table: &mut Table<'_>,
+    (key, dimension, bounds): (&str, Dimension, Bounds),
+    known: Option<Sourced<f64>>,
+) -> Result<Sourced<f64>, InputError> {
+    let given = table.optional_quantity(key, dimension, bounds)?;
+    (given.map(Sourced::given).or(known)).ok_or_else(|| table.missing(key))
 }
 
 /// The number of elements, likewise.
@@ -240,25 +245,17 @@ fn balls(
     entry: Option<&Entry>,
     rows: &mut Rows,
 ) -> Result<(BallGeometry, RatingBasis), InputError> {
-    let (mut d, mut pitch, mut number, mut groove, mut play) = (None, None, None, None, None);
-    if let Some(Internal::Ball {
-        ball_diameter,
-        pitch_diameter,
-        number: n,
-        groove: f,
-        play: p,
-    }) = entry.map(|entry| entry.internal)
-    {
-        (d, pitch, number) = (Some(ball_diameter), Some(pitch_diameter), Some(n));
-        (groove, play) = (Some(f), Some(p));
-    }
-    let ball_diameter = length_or(table, "ball_diameter", d)?;
-    let pitch_diameter = length_or(table, "pitch_diameter", pitch)?;
-    let number = number_or(table, "balls", number)?;
+    let known = match entry.map(|entry| entry.internal) {
+        Some(Internal::Ball(balls)) => Some(balls),
+        _ => None,
+    };
+    let ball_diameter = length_or(table, "ball_diameter", known.map(|k| k.diameter))?;
+    let pitch_diameter = length_or(table, "pitch_diameter", known.map(|k| k.pitch_diameter))?;
+    let number = number_or(table, "balls", known.map(|k| k.number))?;
     let mut curvature = |k: usize, key: &str| -> Result<Sourced<f64>, InputError> {
-        let known = groove.map(|f| Sourced {
-            value: f.value[k],
-            origin: f.origin,
+        let known = known.map(|balls| Sourced {
+            value: balls.groove.value[k],
+            origin: balls.groove.origin,
         });
         match (table.optional_number(key, CURVATURE)?, known) {
             (Some(given), _) => Ok(Sourced::given(given)),
@@ -272,8 +269,7 @@ fn balls(
         curvature(0, "inner_groove_curvature")?,
         curvature(1, "outer_groove_curvature")?,
     ];
-    let play = read_play(table, play)?;
-    let with_origin = |value: String, how: Origin| format!("{value} ({})", origin(how));
+    let play = read_play(table, known.map(|k| k.play))?;
     rows.text(
         "ball diameter D",
         with_origin(length(ball_diameter.value), ball_diameter.origin),

@@ -97,16 +97,15 @@ pub(super) fn read(
     };
     let inside = geometry::read(table, elements)?;
     let kind = contact_kind(table, elements, &inside.geometry)?;
-    let speed = |table: &mut Table<'_>, key: &str| {
-        table.optional_quantity(key, Dimension::ANGULAR_SPEED, ANGULAR_SPEED)
-    };
     let speeds = Speeds {
         inner: table.required_quantity(
             "inner_ring_speed",
             Dimension::ANGULAR_SPEED,
             ANGULAR_SPEED,
         )?,
-        outer: speed(table, "outer_ring_speed")?.unwrap_or(0.0),
+        outer: table
+            .optional_quantity("outer_ring_speed", Dimension::ANGULAR_SPEED, ANGULAR_SPEED)?
+            .unwrap_or(0.0),
     };
     let loads = loads(table, elements)?;
     check_axial_load(table, &inside, &loads)?;
@@ -118,22 +117,7 @@ pub(super) fn read(
             density: steel.density.unwrap_or(0.0),
         },
     };
-    let mut warnings = Vec::new();
-    if steel.density.is_none() {
-        warnings.push(Warning::new(
-            WarningKind::MissingData,
-            "the centrifugal force of the elements is neglected: [bodies] gives no density of body_2",
-        ));
-    }
-    let left_out = inside
-        .entry
-        .iter()
-        .flat_map(|entry| &entry.designation.left_out);
-    warnings.extend(left_out.map(|what| {
-        let text = format!("the designation names {what}");
-        Warning::new(WarningKind::DesignationSuffix, text)
-    }));
-    warnings.extend(too_fast(&bearing.geometry, speeds));
+    let warnings = input_warnings(&bearing, &inside, speeds, steel.density.is_some());
     let distribution = bearing
         .solve(&loads, speeds, &params)
         .map_err(|error| not_distributed(table, &error, &inside, &loads, (&bearing, speeds)))?;
@@ -157,18 +141,12 @@ pub(super) fn read(
     );
     rows.0.extend(inside.rows.clone());
     add_rows(&mut rows, &inside, &distribution, (governing, word));
-    let [x, y, axial] = distribution.force;
     let whole = chosen.is_none().then(|| {
         let contacts = contacts(&inside.geometry, kind, &distribution, word);
         let is_it = |c: &MachineContact| c.name == name(governing, word);
-        let named = inside.entry.as_ref().map(|e| e.designation.name());
+        let [x, y, axial] = distribution.force;
         WholeMachine {
-            title: format!(
-                "{}bearing with {} {word}s of {}",
-                named.map_or(String::new(), |name| format!("{name}, ")),
-                inside.geometry.number(),
-                length(inside.geometry.element_diameter()),
-            ),
+            title: title(&inside, word),
             axis: Axis::Around,
             governing: contacts.iter().position(is_it).unwrap_or(0),
             contacts,
@@ -191,15 +169,44 @@ pub(super) fn read(
         Elements::Rollers | Elements::TaperedRollers => f64::INFINITY,
     };
     Ok(Machine {
-        bulk_temperature: None,
-        contact,
-        motion,
-        load_key: "radial_load",
         body_radii: [0.5 * inside.geometry.element_diameter(), across],
         warnings,
-        echo: rows.echo(),
         whole,
+        ..Machine::of_contact(contact, motion, "radial_load", rows)
     })
+}
+
+fn title(inside: &Inside, word: &str) -> String {
+    let named = inside.entry.as_ref().map(|e| e.designation.name());
+    format!(
+        "{}bearing with {} {word}s of {}",
+        named.map_or(String::new(), |name| format!("{name}, ")),
+        inside.geometry.number(),
+        length(inside.geometry.element_diameter()),
+    )
+}
+
+/// Warnings about inertia, designation and speed.
+fn input_warnings(
+    bearing: &Bearing,
+    inside: &Inside,
+    speeds: Speeds,
+    has_density: bool,
+) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    if !has_density {
+        warnings.push(Warning::new(
+            WarningKind::MissingData,
+            "the centrifugal force of the elements is neglected: [bodies] gives no density of body_2",
+        ));
+    }
+    let left_out = (inside.entry.iter()).flat_map(|entry| &entry.designation.left_out);
+    warnings.extend(left_out.map(|what| {
+        let text = format!("the designation names {what}");
+        Warning::new(WarningKind::DesignationSuffix, text)
+    }));
+    warnings.extend(too_fast(&bearing.geometry, speeds));
+    warnings
 }
 
 /// Warns of a speed above that which makers recommend.
@@ -502,6 +509,20 @@ fn add_rows(
         let _ = write!(text, ", {heavy} with more than a tenth of the largest load");
     }
     rows.text("loaded elements", text);
+    add_contact_rows(rows, found, (governing, word));
+    let ribs = found.elements.iter().map(|e| e.rib_load);
+    let rib = ribs.fold(0.0, f64::max);
+    if rib > 0.0 {
+        rows.number("largest load of a roller on the rib", rib, "N");
+    }
+    rows.text(
+        "source",
+        "loads: ISO/TS 16281 with forces of inertia; motion: Jones 1959, Harris and Kotzalas 2007",
+    );
+}
+
+/// Rows of the report: an element and its contact.
+fn add_contact_rows(rows: &mut Rows, found: &Distribution, (governing, word): (Place, &str)) {
     let of = &found.elements[governing.0];
     rows.number("cage speed", of.cage_speed, "rad/s");
     rows.number("centrifugal force of an element", of.centrifugal_force, "N");
@@ -524,16 +545,4 @@ fn add_rows(
             "",
         );
     }
-    let rib = found
-        .elements
-        .iter()
-        .map(|e| e.rib_load)
-        .fold(0.0, f64::max);
-    if rib > 0.0 {
-        rows.number("largest load of a roller on the rib", rib, "N");
-    }
-    rows.text(
-        "source",
-        "loads: ISO/TS 16281 with forces of inertia; motion: Jones 1959, Harris and Kotzalas 2007",
-    );
 }

@@ -1,18 +1,13 @@
 //! Internal geometry of roller bearings.
 
-use ertel_input::{Bounds, InputError, Table};
+use ertel_input::{InputError, Table};
 use ertel_machines::bearing::catalogue::{Entry, Internal, Origin, Rollers, Sourced};
 use ertel_machines::bearing::geometry::{Ring, RollerGeometry, RollerProfile, TaperedGeometry};
 use ertel_quantity::Dimension;
 
 use super::super::Rows;
-use super::geometry::{ANGLE, CLEARANCE, RatingBasis, length_or, number_or, origin};
+use super::geometry::{ANGLE, CLEARANCE, RatingBasis, given_or, length_or, number_or, with_origin};
 use crate::words::{digits, length};
-
-/// A value with its origin, in words.
-fn with_origin(value: String, how: Origin) -> String {
-    format!("{value} ({})", origin(how))
-}
 
 /// Rollers of a table; what it does not have is that of the catalogue.
 fn read_rollers(
@@ -71,16 +66,6 @@ fn add_profile_rows(rollers: &Rollers, rows: &mut Rows) {
     };
     let shape = with_origin(shape.to_owned(), rollers.profile.origin);
     rows.text("relief", shape);
-}
-
-/// A value that a table gives, or that of the catalogue.
-fn given_or(
-    table: &mut Table<'_>,
-    (key, dimension, bounds): (&str, Dimension, Bounds),
-    known: Option<Sourced<f64>>,
-) -> Result<Sourced<f64>, InputError> {
-    let given = table.optional_quantity(key, dimension, bounds)?;
-    (given.map(Sourced::given).or(known)).ok_or_else(|| table.missing(key))
 }
 
 /// Cylindrical rollers.

@@ -205,6 +205,22 @@ impl Layout {
     }
 }
 
+/// A map of `counts` points, whose heights must be finite or missing.
+fn finite(
+    counts: [usize; 2],
+    spacing: [f64; 2],
+    heights: Vec<f64>,
+) -> Result<Topography, MapError> {
+    match heights.iter().any(|h| h.is_infinite()) {
+        true => Err(MapError::content("a height is infinite")),
+        false => Ok(Topography {
+            counts,
+            spacing,
+            heights,
+        }),
+    }
+}
+
 /// Refuses grids with too many points, or too few.
 fn checked(counts: [usize; 2]) -> Result<[usize; 2], MapError> {
     match counts[0].checked_mul(counts[1]) {

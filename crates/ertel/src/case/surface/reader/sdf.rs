@@ -79,7 +79,22 @@ pub(super) fn parse(text: &str) -> Result<Topography, MapError> {
         },
     ];
     let unit = scale("Zscale")?;
-    let mut heights = Vec::with_capacity(counts[0] * counts[1]);
+    let heights = heights(lines, counts, unit)?;
+    Ok(Topography {
+        counts,
+        spacing,
+        heights,
+    })
+}
+
+/// The heights of the lines below the header, with their unit in m.
+fn heights<'a>(
+    lines: impl Iterator<Item = (usize, &'a str)>,
+    counts: [usize; 2],
+    unit: f64,
+) -> Result<Vec<f64>, MapError> {
+    let n = counts[0] * counts[1];
+    let mut heights = Vec::with_capacity(n);
     'rows: for (line, content) in lines {
         for cell in content.split_whitespace() {
             if cell == "*" {
@@ -95,7 +110,7 @@ pub(super) fn parse(text: &str) -> Result<Topography, MapError> {
                     ));
                 }
             };
-            if heights.len() == counts[0] * counts[1] {
+            if heights.len() == n {
                 return Err(MapError::at(
                     line,
                     format!(
@@ -107,7 +122,7 @@ pub(super) fn parse(text: &str) -> Result<Topography, MapError> {
             heights.push(value);
         }
     }
-    if heights.len() != counts[0] * counts[1] {
+    if heights.len() != n {
         return Err(MapError::content(format!(
             "{} heights, where NumPoints times NumProfiles are {} x {}",
             heights.len(),
@@ -115,9 +130,5 @@ pub(super) fn parse(text: &str) -> Result<Topography, MapError> {
             counts[1]
         )));
     }
-    Ok(Topography {
-        counts,
-        spacing,
-        heights,
-    })
+    Ok(heights)
 }

@@ -8,7 +8,7 @@
 //! | 46 to 78 | distances along the rows and across them, unit of the heights, resolution: double precision, m |
 //! | 78 to 81 | compression (0: none), type of the heights, check |
 
-use super::super::{MapError, checked};
+use super::super::{MapError, checked, finite};
 use crate::contact::topography::Topography;
 
 const HEADER: usize = 81;
@@ -135,12 +135,5 @@ pub(in super::super) fn parse(bytes: &[u8]) -> Result<Topography, MapError> {
     let heights: Vec<f64> = (data.chunks_exact(kind.size()))
         .map(|own| unit * kind.read(own))
         .collect();
-    if heights.iter().any(|h| h.is_infinite()) {
-        return Err(MapError::content("a height is infinite"));
-    }
-    Ok(Topography {
-        counts,
-        spacing,
-        heights,
-    })
+    finite(counts, spacing, heights)
 }

@@ -7,7 +7,7 @@ mod placed;
 
 use roxmltree::Node;
 
-use super::{MapError, checked};
+use super::{MapError, checked, finite};
 use crate::contact::topography::Topography;
 use archive::{Archive, DESCRIPTION};
 use description::{Axis, LARGEST_DESCRIPTION, at, data, parsed, required};
@@ -87,14 +87,7 @@ fn grid<'a>(archive: &Archive<'_>, root: Node<'a, 'a>) -> Result<Topography, Map
             *h = f64::NAN;
         }
     }
-    if heights.iter().any(|h| h.is_infinite()) {
-        return Err(MapError::content("a height is infinite"));
-    }
-    Ok(Topography {
-        counts,
-        spacing,
-        heights,
-    })
+    finite(counts, spacing, heights)
 }
 
 /// The text of an element of `DataLink`, which names the files of points.
