@@ -111,7 +111,7 @@ pub fn write(
             table.display()
         )));
     }
-    let unresolved: Vec<&str> = figures.unresolved().map(|figure| figure.words).collect();
+    let unresolved: Vec<&str> = figures.unresolved().map(|row| row.figure.words).collect();
     if !unresolved.is_empty() && !arguments.report.accept_unresolved {
         return Err(Failure::Unresolved(format!(
             "not resolved: {}; see {}\n  = help: {TOTALS}",

@@ -3,10 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use ertel::case::{Case, Study};
-use ertel::machine::MachineFigures;
+use ertel::figures::Row;
 use ertel::output;
-use ertel::run::over_time::over_time;
-use ertel::run::transient::TransientSolution;
 use ertel::solution::Solution;
 use ertel::study::monte_carlo::{MonteCarlo, MonteCarloParams, study_of};
 use ertel::sweep::{SweepParams, finished_points, sweep};
@@ -70,10 +68,8 @@ pub fn samples(
 pub enum Solved<'a> {
     /// A contact.
     Contact(&'a Solution),
-    /// A whole machine.
-    Machine(&'a MachineFigures),
-    /// A case in time.
-    InTime(&'a TransientSolution),
+    /// The figures of a whole machine or of a case in time.
+    Rows(&'a [Row]),
 }
 
 /// Solves the remaining samples and writes their statistics.
@@ -102,11 +98,7 @@ pub fn run(samples: &Samples, solved: &Solved<'_>, arguments: &SolveArgs) -> Res
             let found = MonteCarlo::of(study, &records);
             (found, solution.uncertainty.as_ref())
         }
-        Solved::InTime(run) => {
-            let figures = over_time(run);
-            (MonteCarlo::in_time(study, &records, &figures), None)
-        }
-        Solved::Machine(figures) => (MonteCarlo::of_machines(study, &records, figures), None),
+        Solved::Rows(rows) => (MonteCarlo::of_rows(study, &records, rows), None),
     };
     let pictures = study.points[0].case.output.pictures;
     output::write_monte_carlo(&found, first_order, folder, pictures)?;

@@ -11,6 +11,7 @@ use ertel::machine::figures;
 use ertel::output;
 use ertel::params::SensitivityDemand;
 use ertel::run;
+use ertel::run::over_time::over_time;
 use ertel::solution::{Solution, Unresolved, Why};
 use ertel::study::{CurveSolution, solve_curve, solve_in_balance};
 use ertel::warning::{Warning, by_kind};
@@ -136,7 +137,8 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
         let is_written = matches!(written, Ok(_) | Err(Failure::Unresolved(_)));
         file.close(found.failure.is_none() && is_written)?;
         if let (Some(samples), true) = (&samples, is_written) {
-            monte_carlo::run(samples, &Solved::InTime(&found), arguments)?;
+            let rows = over_time(&found, case.contact.kind.is_line());
+            monte_carlo::run(samples, &Solved::Rows(&rows), arguments)?;
         }
         return written;
     }
@@ -158,7 +160,7 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
             let figures = figures(&solved.case, &solved.solution);
             let written = machine::write((&solved, &figures), folder, arguments, events);
             if let (Some(samples), Ok(_) | Err(Failure::Unresolved(_))) = (&samples, &written) {
-                monte_carlo::run(samples, &Solved::Machine(&figures), arguments)?;
+                monte_carlo::run(samples, &Solved::Rows(&figures.all), arguments)?;
             }
             return written;
         }

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use ertel::files::write_whole;
+use ertel::output::REPORT_PAGE;
 use ertel::output::html::{self, PageError};
 use ertel_input::file::{FileError, LARGEST_OWN, read_text};
 
@@ -51,7 +52,7 @@ pub fn run(arguments: &ViewArgs) -> Result<(), Failure> {
 /// The page in a folder of results; a file is taken for a page.
 fn page_of(path: &Path) -> PathBuf {
     match path.is_dir() {
-        true => path.join(html::REPORT_PAGE),
+        true => path.join(REPORT_PAGE),
         false => path.to_owned(),
     }
 }
@@ -69,7 +70,7 @@ fn read(page: &Path) -> Result<String, Failure> {
 /// The folder of results that is not there, or its page.
 fn missing(page: &Path) -> String {
     let folder = page.parent().filter(|folder| folder.is_dir());
-    match folder.filter(|_| page.ends_with(html::REPORT_PAGE)) {
+    match folder.filter(|_| page.ends_with(REPORT_PAGE)) {
         Some(folder) => format!(
             "{}: no such file\n  = help: result folders contain it; solve the case of {} again",
             page.display(),

@@ -65,6 +65,9 @@ pub fn digits(value: f64, n: usize) -> String {
     }
 }
 
+/// 0 °C, K.
+pub const CELSIUS: f64 = 273.15;
+
 /// Scale in which temperatures are shown first; the other one follows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TemperatureScale {
@@ -89,7 +92,7 @@ impl TemperatureScale {
     pub fn shown(self, kelvin: f64) -> f64 {
         match self {
             TemperatureScale::Kelvin => kelvin,
-            TemperatureScale::Celsius => kelvin - 273.15,
+            TemperatureScale::Celsius => kelvin - CELSIUS,
         }
     }
 

@@ -37,7 +37,7 @@
 //! | write the files of the program | [`output`] |
 //!
 //! The folder `examples` has a small program for each. The solver is the crate `ertel_ehl`, which reads and writes no files; its modules are re-exported
-//! here. Modules use only those below them, `ertel_ehl → files, case → problem → run → mark → point → machine → study → output → sweep`
+//! here. Modules use only those below them, `ertel_ehl → files, case → problem → mark → figures → run → point → machine → study → output → sweep`
 //! (`tests/arrows.rs`).
 
 pub use ertel_ehl::{
@@ -49,6 +49,7 @@ pub mod case;
 pub mod compare;
 pub mod cross_check;
 pub mod estimate;
+pub mod figures;
 pub mod files;
 pub mod fit;
 pub mod machine;

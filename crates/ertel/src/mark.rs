@@ -223,6 +223,13 @@ impl Marked {
     }
 }
 
+/// A number that a formula gives.
+impl From<f64> for Marked {
+    fn from(value: f64) -> Marked {
+        Marked::exact(value)
+    }
+}
+
 impl From<Estimate> for Marked {
     fn from(estimate: Estimate) -> Marked {
         Marked {

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::case::{CaseEcho, WholeMachine};
-use crate::mark::Marked;
-use crate::run::over_time::{TimeFigure, over_time};
+use crate::figures::{Row, find};
+use crate::run::over_time::over_time;
 use crate::run::transient::TransientSolution;
 use crate::solution::{Estimate, Figure, FilmReduction, FormulaFilm, Solution, ThermalReduction};
 use crate::warning::{Warning, by_kind};
@@ -51,6 +51,20 @@ impl PointSolution {
                 solved.filter_map(|(_, p)| p.outcome.solution()).collect()
             }
         }
+    }
+
+    /// The figures of a whole machine or of a run in time; none of single contacts.
+    pub fn rows(&self) -> &[Row] {
+        match (&self.machine, self.outcome.in_time()) {
+            (Some(machine), _) => &machine.figures.all,
+            (None, Some(run)) => &run.figures,
+            (None, None) => &[],
+        }
+    }
+
+    /// One of them by its name.
+    pub fn row(&self, name: &str) -> Option<&Row> {
+        find(self.rows(), name)
     }
 
     /// Whether it has figures that its mesh does not resolve.
@@ -136,7 +150,7 @@ pub enum Outcome {
 #[derive(Clone, Debug)]
 pub struct RunInTime {
     /// Figures of the whole run.
-    pub figures: Vec<TimeFigure>,
+    pub figures: Vec<Row>,
     /// Steps in time, and how many were refused.
     pub steps: [usize; 2],
     /// Newton iterations on all grids.
@@ -150,15 +164,15 @@ pub struct RunInTime {
 }
 
 impl RunInTime {
-    /// Outcome of a run that has reached its end; `keep` keeps its instants.
-    pub(crate) fn new(found: TransientSolution, keep: bool) -> RunInTime {
+    /// Outcome of a run that has reached its end, of a line or another contact; `keep` keeps its instants.
+    pub(crate) fn new(found: TransientSolution, is_line: bool, keep: bool) -> RunInTime {
         let films = [Figure::FilmCentral, Figure::FilmMinimum];
         let is_unresolved = |film: &Figure| {
             let mut instants = found.instants.iter();
             instants.any(|instant| !instant.measured.is_resolved(*film))
         };
         RunInTime {
-            figures: over_time(&found),
+            figures: over_time(&found, is_line),
             steps: [found.info.steps, found.info.refused],
             newton_iterations: found.info.newton_iterations,
             unresolved: (films.into_iter().filter(is_unresolved))
@@ -167,11 +181,6 @@ impl RunInTime {
             warnings: found.warnings.clone(),
             instants: keep.then(|| Arc::new(found)),
         }
-    }
-
-    /// A figure by its name.
-    pub fn find(&self, name: &str) -> Option<&TimeFigure> {
-        self.figures.iter().find(|figure| figure.name == name)
     }
 }
 
@@ -297,112 +306,23 @@ pub(crate) fn distinct(machine: &WholeMachine) -> Vec<usize> {
     own.map(|(i, _)| i).collect()
 }
 
-/// A figure of a whole machine.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MachineFigure {
-    /// Name in results and Python: `friction_torque`.
-    pub name: &'static str,
-    /// Description.
-    pub words: &'static str,
-    /// The figure, SI, with the marks of its parts; its bar is that of the solved contacts and of their distance, `None` where it comes from a
-    /// formula alone.
-    pub estimate: Marked,
-    /// Its SI unit; empty of a pure number.
-    pub unit: &'static str,
-    /// Part of the report.
-    pub section: Section,
-    /// Source of the formula, or omitted parts.
-    pub source: &'static str,
-}
-
-impl MachineFigure {
-    /// Whether it is a temperature rise, which is shown in K; temperatures are shown in °C.
-    pub fn is_rise(&self) -> bool {
-        ["flash_temperature", "flash_temperature_blok"].contains(&self.name)
-    }
-}
-
-/// Parts of the report of a machine, in their order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Section {
-    /// Loads and motion.
-    Mechanics,
-    /// Films over roughness.
-    Films,
-    /// Friction, power and heat.
-    Friction,
-    /// Surface and bulk temperatures.
-    Temperature,
-    /// Safety against damage.
-    Safety,
-    /// Rating life.
-    Life,
-}
-
-impl Section {
-    /// A figure of this part.
-    pub(crate) fn figure(
-        self,
-        name: &'static str,
-        words: &'static str,
-        estimate: Marked,
-        unit: &'static str,
-        source: &'static str,
-    ) -> MachineFigure {
-        MachineFigure {
-            name,
-            words,
-            estimate,
-            unit,
-            section: self,
-            source,
-        }
-    }
-}
-
-impl Section {
-    /// Every section in its order.
-    pub const ALL: [Section; 6] = [
-        Section::Mechanics,
-        Section::Films,
-        Section::Friction,
-        Section::Temperature,
-        Section::Safety,
-        Section::Life,
-    ];
-
-    /// Its heading.
-    pub fn heading(self) -> &'static str {
-        match self {
-            Section::Mechanics => "Loads and motion",
-            Section::Films => "Films",
-            Section::Friction => "Friction",
-            Section::Temperature => "Temperature",
-            Section::Safety => "Safety",
-            Section::Life => "Life",
-        }
-    }
-}
-
 /// The figures of a machine, and warnings about them.
 #[derive(Clone, Debug, Default)]
 pub struct MachineFigures {
     /// The figures in their order.
-    pub all: Vec<MachineFigure>,
+    pub all: Vec<Row>,
     /// Warnings.
     pub warnings: Vec<Warning>,
 }
 
 impl MachineFigures {
     /// Those that are not resolved.
-    pub fn unresolved(&self) -> impl Iterator<Item = &MachineFigure> {
-        self.all
-            .iter()
-            .filter(|figure| !figure.estimate.is_resolved())
+    pub fn unresolved(&self) -> impl Iterator<Item = &Row> {
+        self.all.iter().filter(|row| !row.estimate.is_resolved())
     }
 
     /// A figure by its name.
-    pub fn find(&self, name: &str) -> Option<&MachineFigure> {
-        self.all.iter().find(|figure| figure.name == name)
+    pub fn find(&self, name: &str) -> Option<&Row> {
+        find(&self.all, name)
     }
 }

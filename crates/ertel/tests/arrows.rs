@@ -30,17 +30,18 @@ const APART: [[&str; 2]; 3] = [
 ];
 
 /// The modules of the crate `ertel`, likewise; those of the solver are below them all.
-pub const CASES: [&str; 17] = [
+pub const CASES: [&str; 18] = [
     "files",
     "case",
     "reference",
     "problem",
     "sensitivity",
     "plausible",
+    "mark",
+    "figures",
     "run",
     "cross_check",
     "estimate",
-    "mark",
     "point",
     "machine",
     "study",

@@ -291,13 +291,13 @@ fn a_curve_of_whole_machines() {
         let found = &point.machine.as_ref().unwrap().figures;
         assert_eq!(found.all.len(), expected.all.len());
         for (found, expected) in found.all.iter().zip(&expected.all) {
-            assert_eq!(found.name, expected.name);
+            assert_eq!(found.figure, expected.figure);
             let (a, b) = (found.estimate, expected.estimate);
             let bars = [a, b].map(|e| e.error.unwrap_or(1e-9 * e.value.abs()));
             assert!(
                 (a.value - b.value).abs() <= bars[0] + bars[1],
                 "{torque}: {} is {a:?}, alone {b:?}",
-                found.name
+                found.figure.name
             );
         }
         let governing = machine.solution(machine.machine.governing).unwrap();

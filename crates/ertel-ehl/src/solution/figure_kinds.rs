@@ -3,7 +3,7 @@
 /// Physical quantity of a figure: its unit, and how it is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// A film thickness, m.
+    /// A film thickness or another length, m.
     Length,
     /// A place along the motion, m; shown in half-widths.
     Position,
@@ -25,6 +25,14 @@ pub enum Kind {
     Power,
     /// A temperature, K.
     Temperature,
+    /// A rise of a temperature, K.
+    Rise,
+    /// An angle, rad.
+    Angle,
+    /// A time, s.
+    Duration,
+    /// A number of turns in millions.
+    Revolutions,
 }
 
 impl Kind {
@@ -39,7 +47,10 @@ impl Kind {
             (Kind::Moment, _) => "N m",
             (Kind::Power, false) => "W",
             (Kind::Power, true) => "W/m",
-            (Kind::Temperature, _) => "K",
+            (Kind::Temperature | Kind::Rise, _) => "K",
+            (Kind::Angle, _) => "rad",
+            (Kind::Duration, _) => "s",
+            (Kind::Revolutions, _) => "million revolutions",
         }
     }
 }

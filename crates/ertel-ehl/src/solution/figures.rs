@@ -223,13 +223,15 @@ impl Figure {
     /// Size below which a figure is shown as zero, SI.
     pub fn zero_below(self, sizes: &Sizes) -> f64 {
         let size = match self.kind() {
-            Kind::Length | Kind::Temperature => 0.0,
+            Kind::Length | Kind::Temperature | Kind::Rise | Kind::Duration | Kind::Revolutions => {
+                0.0
+            }
             Kind::PeakPressure | Kind::Stress => sizes.pressure,
             Kind::Moment => sizes.load * sizes.length,
             Kind::Position | Kind::Offset => sizes.length,
             Kind::Force => sizes.load,
             Kind::Power => sizes.load * sizes.speed.abs(),
-            Kind::Coefficient | Kind::Share => 1.0,
+            Kind::Coefficient | Kind::Share | Kind::Angle => 1.0,
         };
         ROUNDING * size
     }

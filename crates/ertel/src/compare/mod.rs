@@ -26,6 +26,7 @@ use ertel_input::{Document, InputError};
 
 use crate::case::Study;
 use crate::case::study::PointColumn;
+use crate::figures::{bearing, gears};
 use crate::solution::Figure;
 use crate::study::journal::PointKey;
 
@@ -87,9 +88,9 @@ impl Measurand {
     /// Name of its columns, without the unit: that of the figure in results.
     pub fn name(self) -> &'static str {
         match self {
-            Measurand::FrictionTorque => "friction_torque",
-            Measurand::FrictionPower => "friction_power",
-            Measurand::MeshLoss => "mesh_loss",
+            Measurand::FrictionTorque => bearing::FRICTION_TORQUE.name,
+            Measurand::FrictionPower => bearing::FRICTION_POWER.name,
+            Measurand::MeshLoss => gears::MESH_LOSS.name,
             _ => self.figure().map_or("", Figure::name),
         }
     }

@@ -9,17 +9,22 @@
 use ertel_machines::bearing::Geometry;
 use ertel_machines::bearing::kinematics::deformed_radius;
 
-use super::heat::CELSIUS;
+use super::contacts::{figure_of, sum};
 use super::rolling::rolling_coefficient;
 use super::slip::{Slip, stress};
-use super::{MachineFigure, Section, figure_of, sum};
 use crate::case::{BearingMechanics, Case, ContactKind};
+use crate::figures::Row;
+use crate::figures::bearing::{
+    BEARING_TEMPERATURE, ELEMENT_LOAD_MAXIMUM, FRICTION_POWER, FRICTION_POWER_DIFFERENTIAL_SLIP,
+    FRICTION_POWER_SPIN, FRICTION_TORQUE, RIB_LOAD_MAXIMUM, SLICE_LOAD_RATIO,
+};
+use crate::figures::machine::{FRICTION_POWER_ROLLING, HERTZ_PRESSURE_MAXIMUM};
 use crate::mark::{Mark, Marked, Marks};
 use crate::plausible::LARGEST_TRACTION;
 use crate::point::{MachineSolution, PointSolution};
 use crate::solution::{Figure, limits};
 use crate::warning::{Warning, WarningKind};
-use crate::words::digits;
+use crate::words::{CELSIUS, digits};
 
 /// Smallest tilt of a roller that is reported, rad.
 const LEAST_TILT: f64 = 1e-9;
@@ -36,38 +41,21 @@ pub(super) fn figures(
     mechanics: &BearingMechanics,
     solved: &MachineSolution,
     warnings: &mut Vec<Warning>,
-) -> Vec<MachineFigure> {
-    let mut figures = Vec::new();
+) -> Vec<Row> {
     let heaviest = mechanics.distribution.elements.iter();
     let heaviest = heaviest.flat_map(|e| e.contacts.iter().map(|c| [c.load, c.pressure]));
     let [load, pressure] = heaviest.fold([0.0_f64; 2], |[q, p], [load, pressure]| {
         [q.max(load), p.max(pressure)]
     });
-    let figure = |name, words, value, unit| {
-        Section::Mechanics.figure(name, words, Marked::exact(value), unit, "")
-    };
-    figures.push(figure(
-        "element_load_maximum",
-        "maximum rolling-element load",
-        load,
-        "N",
-    ));
-    figures.push(figure(
-        "hertz_pressure_maximum",
-        "largest Hertz pressure",
-        pressure,
-        "Pa",
-    ));
+    let mut figures = vec![
+        ELEMENT_LOAD_MAXIMUM.row(load, ""),
+        HERTZ_PRESSURE_MAXIMUM.row(pressure, ""),
+    ];
     figures.extend(heaviest_slice(mechanics, warnings));
     let rib = mechanics.distribution.elements.iter().map(|e| e.rib_load);
     let rib = rib.fold(0.0, f64::max);
     if rib > 0.0 {
-        figures.push(figure(
-            "rib_load_maximum",
-            "largest load of a roller on the rib",
-            rib,
-            "N",
-        ));
+        figures.push(RIB_LOAD_MAXIMUM.row(rib, ""));
     }
     let length = match (mechanics.contacts, &mechanics.bearing.geometry) {
         // Lines are solved per length.
@@ -85,10 +73,7 @@ pub(super) fn figures(
 }
 
 /// The heaviest slice of the roller under the largest pressure, over the mean of that roller; warns where a line does not represent it.
-fn heaviest_slice(
-    mechanics: &BearingMechanics,
-    warnings: &mut Vec<Warning>,
-) -> Option<MachineFigure> {
+fn heaviest_slice(mechanics: &BearingMechanics, warnings: &mut Vec<Warning>) -> Option<Row> {
     let contacts = (mechanics.distribution.elements.iter()).flat_map(|e| &e.contacts);
     let heaviest = contacts.max_by(|a, b| a.pressure.total_cmp(&b.pressure))?;
     let share = heaviest.peak_slice()?;
@@ -110,13 +95,7 @@ fn heaviest_slice(
             ),
         ));
     }
-    Some(Section::Mechanics.figure(
-        "slice_load_ratio",
-        "its heaviest slice over the mean of the roller",
-        Marked::exact(share),
-        "",
-        "",
-    ))
+    Some(SLICE_LOAD_RATIO.row(share, ""))
 }
 
 /// Friction by its parts, torque and temperature, from the powers of films and of rolling.
@@ -126,47 +105,28 @@ fn friction(
     solved: &MachineSolution,
     [film, rolling]: [Marked; 2],
     warnings: &mut Vec<Warning>,
-) -> Vec<MachineFigure> {
-    let mut figures = Vec::new();
-    let mut add = |section: Section, name, words, estimate, unit, source| {
-        figures.push(section.figure(name, words, estimate, unit, source));
-    };
+) -> Vec<Row> {
     let is_ball = matches!(mechanics.bearing.geometry, Geometry::Ball(_));
-    add(
-        Section::Friction,
-        "friction_power_rolling",
-        "power lost by rolling",
+    let mut figures = vec![FRICTION_POWER_ROLLING.row(
         rolling,
-        "W",
         "rolling: resistance of the films to rolling, at both walls",
-    );
+    )];
     let elements = &mechanics.distribution.elements;
     let spins = elements
         .iter()
         .any(|e| e.contacts.iter().any(|c| c.spin[0] != c.spin[1]));
     if spins {
-        add(
-            Section::Friction,
-            "friction_power_spin",
-            "power lost by spin",
-            film - rolling,
-            "W",
-            "",
-        );
+        figures.push(FRICTION_POWER_SPIN.row(film - rolling, ""));
     }
     let slip = match is_ball {
         true => differential_slip(case, mechanics, solved),
         false => Some(0.0),
     };
     match slip {
-        Some(slip) if is_ball => add(
-            Section::Friction,
-            "friction_power_differential_slip",
-            "power lost by differential slip",
-            Marked::exact(slip),
-            "W",
+        Some(slip) if is_ball => figures.push(FRICTION_POWER_DIFFERENTIAL_SLIP.row(
+            slip,
             "differential slip (Heathcote 1921): by the laws of the lubricant at the dry pressure and the central film of each contact",
-        ),
+        )),
         Some(_) => {}
         None => warnings.push(Warning::new(
             WarningKind::Friction,
@@ -178,22 +138,11 @@ fn friction(
         value: film.value + slip.unwrap_or(0.0),
         ..film
     };
-    add(
-        Section::Friction,
-        "friction_power",
-        "power lost in all contacts",
-        power,
-        "W",
-        "",
-    );
+    figures.push(FRICTION_POWER.row(power, ""));
     let relative = mechanics.speeds.relative().abs();
     if relative > 0.0 {
-        add(
-            Section::Friction,
-            "friction_torque",
-            "friction torque of all contacts",
+        figures.push(FRICTION_TORQUE.row(
             power / relative,
-            "N m",
             match mechanics.bearing.geometry {
                 Geometry::TaperedRoller(_) => {
                     "torque of the raceway contacts: without rib, cage, seals and churning of the oil; only SKF's model includes the rib"
@@ -202,20 +151,16 @@ fn friction(
                     "torque of the contacts: without cage, seals and churning of the oil"
                 }
             },
-        );
+        ));
     }
     if let Some([resistance, ambient]) = mechanics.life.cooling {
         let temperature = (power * resistance).above(ambient);
         let melts = temperature.value > limits::TEMPERATURE;
         let temperature = temperature.with(Marks::when(melts, Mark::Unresolved));
-        add(
-            Section::Temperature,
-            "bearing_temperature",
-            "temperature from the heat of the contacts",
+        figures.push(BEARING_TEMPERATURE.row(
             temperature,
-            "K",
             "temperature: surroundings plus thermal resistance times the power of all contacts",
-        );
+        ));
         let own = case.lubricant.temperature;
         if (temperature.value - own).abs() > SAME && !temperature.is_doubtful() {
             warnings.push(Warning::new(

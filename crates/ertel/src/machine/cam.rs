@@ -13,9 +13,15 @@ use std::f64::consts::TAU;
 
 use ertel_machines::cam::CamPoint;
 
+use super::contacts::{self, figure_of};
 use super::curve::Curve;
-use super::{MachineFigure, Section, figure_of};
 use crate::case::CamMechanics;
+use crate::figures::Row;
+use crate::figures::cam::{
+    FILM_MINIMUM_ANGLE, FRICTION_POWER, FRICTION_TORQUE, HERTZ_PRESSURE_MAXIMUM_ANGLE,
+    PRESSURE_ANGLE_MAXIMUM, TORQUE_MAXIMUM,
+};
+use crate::figures::machine::HERTZ_PRESSURE_MAXIMUM;
 use crate::mark::{Mark, Marked, Marks};
 use crate::point::MachineSolution;
 use crate::solution::Figure;
@@ -24,7 +30,7 @@ use crate::solution::Figure;
 const ANGLES: usize = 1440;
 
 /// The figures of a cam.
-pub(super) fn figures(cam: &CamMechanics, solved: &MachineSolution) -> Vec<MachineFigure> {
+pub(super) fn figures(cam: &CamMechanics, solved: &MachineSolution) -> Vec<Row> {
     let turn = cam.cam.turn(&cam.operation, ANGLES);
     let turn = turn.unwrap_or_else(|_| cam.points.clone());
     let mut figures = mechanics(cam, &turn);
@@ -34,10 +40,7 @@ pub(super) fn figures(cam: &CamMechanics, solved: &MachineSolution) -> Vec<Machi
 }
 
 /// Pressure and torque.
-fn mechanics(cam: &CamMechanics, turn: &[CamPoint]) -> Vec<MachineFigure> {
-    let figure = |name, words, value, unit| {
-        Section::Mechanics.figure(name, words, Marked::exact(value), unit, "")
-    };
+fn mechanics(cam: &CamMechanics, turn: &[CamPoint]) -> Vec<Row> {
     let mut figures = Vec::new();
     // A slight excess, so that the first of equal values is taken.
     let is_higher = |a: &CamPoint, b: &CamPoint| a.hertz_pressure > b.hertz_pressure * (1.0 + 1e-9);
@@ -49,51 +52,30 @@ fn mechanics(cam: &CamMechanics, turn: &[CamPoint]) -> Vec<MachineFigure> {
         });
     if let Some(highest) = highest {
         let bar = (cam.cam.bars(&cam.operation, highest.angle)).hertz_pressure;
-        let mut pressure = figure(
-            "hertz_pressure_maximum",
-            "largest Hertz pressure",
-            highest.hertz_pressure,
-            "Pa",
-        );
-        // Of a table of lifts, by its digits.
-        pressure.estimate.error = (bar > 0.0).then_some(bar);
-        figures.push(pressure);
-        figures.push(figure(
-            "hertz_pressure_maximum_angle",
-            "at the angle of the cam",
-            highest.angle,
-            "rad",
-        ));
+        let pressure = Marked {
+            // Of a table of lifts, by its digits.
+            error: (bar > 0.0).then_some(bar),
+            ..Marked::exact(highest.hertz_pressure)
+        };
+        figures.push(HERTZ_PRESSURE_MAXIMUM.row(pressure, ""));
+        figures.push(HERTZ_PRESSURE_MAXIMUM_ANGLE.row(highest.angle, ""));
     }
     let angles = turn.iter().map(|point| point.pressure_angle.abs());
-    figures.push(figure(
-        "pressure_angle_maximum",
-        "largest pressure angle",
-        angles.fold(0.0, f64::max),
-        "rad",
-    ));
+    figures.push(PRESSURE_ANGLE_MAXIMUM.row(angles.fold(0.0, f64::max), ""));
     let torque = |point: &CamPoint| point.force.max(0.0) * point.lift_velocity;
     let torques = turn.iter().map(|point| torque(point).abs());
-    figures.push(MachineFigure {
-        source: "T = F ds/dθ, without friction; over a turn it cancels",
-        ..figure(
-            "torque_maximum",
-            "largest torque of the follower's force",
-            torques.fold(0.0, f64::max),
-            "N m",
-        )
-    });
+    figures.push(TORQUE_MAXIMUM.row(
+        torques.fold(0.0, f64::max),
+        "T = F ds/dθ, without friction; over a turn it cancels",
+    ));
     figures
 }
 
 /// Where the film is thinnest.
-fn thinnest(cam: &CamMechanics, solved: &MachineSolution) -> Option<MachineFigure> {
-    let i = super::thinnest(solved)?;
-    Some(Section::Films.figure(
-        "film_minimum_angle",
-        "smallest film at the angle of the cam",
-        Marked::exact(cam.points[i].angle),
-        "rad",
+fn thinnest(cam: &CamMechanics, solved: &MachineSolution) -> Option<Row> {
+    let i = contacts::thinnest(solved)?;
+    Some(FILM_MINIMUM_ANGLE.row(
+        cam.points[i].angle,
         "steady films: where the entrainment nearly vanishes, squeeze keeps the real film thicker",
     ))
 }
@@ -182,11 +164,7 @@ fn slide(point: &CamPoint) -> f64 {
 }
 
 /// Friction over a turn, where all contacts are solved. Its bar allows for the distance of the contacts: every second of them leads to another power.
-fn friction(
-    cam: &CamMechanics,
-    turn: &[CamPoint],
-    solved: &MachineSolution,
-) -> Option<[MachineFigure; 2]> {
+fn friction(cam: &CamMechanics, turn: &[CamPoint], solved: &MachineSolution) -> Option<[Row; 2]> {
     let all = Rubbing::of(cam, solved, |_| true)?;
     let value = all.power(cam, turn);
     // The bar of the rolling part is that of the whole power of a contact.
@@ -199,24 +177,12 @@ fn friction(
         marks: all.coefficient.marks(),
     };
     let power = power.wider(DIFFERENCES * spacing.fold(0.0, f64::max));
-    let figure = |name, words, estimate, unit, source| {
-        Section::Friction.figure(name, words, estimate, unit, source)
-    };
     Some([
-        figure(
-            "friction_power",
-            "mean power lost over a turn",
+        FRICTION_POWER.row(
             power,
-            "W",
             "where the entrainment reverses: friction of the neighbouring contacts",
         ),
-        figure(
-            "friction_torque",
-            "mean friction torque",
-            power / cam.operation.speed.abs(),
-            "N m",
-            "",
-        ),
+        FRICTION_TORQUE.row(power / cam.operation.speed.abs(), ""),
     ])
 }
 

@@ -14,10 +14,20 @@ use ertel_machines::gear::friction::schlenk;
 use ertel_machines::gear::safety::{micropitting, scuffing};
 use ertel_machines::gear::{FlashMethod, PathPoint, ThermalBody};
 
+use super::contacts::{self, figure_of};
 use super::curve::Curve;
 use super::rolling::rolling_coefficient;
-use super::{MachineFigure, Section, figure_of};
 use crate::case::{Body, Case, GearMechanics};
+use crate::figures::Row;
+use crate::figures::gears::{
+    BULK_TEMPERATURE, CONTACT_TEMPERATURE, CONTACT_TEMPERATURE_BLOK, FILM_MINIMUM_POSITION,
+    FLASH_TEMPERATURE, FLASH_TEMPERATURE_BLOK, FLASH_TEMPERATURE_POSITION,
+    FRICTION_COEFFICIENT_MEAN, FRICTION_COEFFICIENT_SCHLENK, FRICTION_POWER, FRICTION_POWER_MODELS,
+    FRICTION_POWER_SLIDING, HERTZ_PRESSURE_MAXIMUM_POSITION, LOSS_FACTOR, LOSS_FACTOR_OHLENDORF,
+    MESH_EFFICIENCY, MESH_LOSS, MICROPITTING_SAFETY, OVERLAP_RATIO, SCUFFING_SAFETY,
+    SPECIFIC_FILM_MINIMUM, TOTAL_CONTACT_RATIO, TRANSVERSE_CONTACT_RATIO,
+};
+use crate::figures::machine::{FRICTION_POWER_ROLLING, HERTZ_PRESSURE_MAXIMUM};
 use crate::mark::{Mark, Marked, Marks};
 use crate::point::{MachineSolution, PointSolution};
 use crate::solution::{FULL_FROM, Figure, limits, roughness_warning};
@@ -33,7 +43,7 @@ pub(super) fn figures(
     gears: &GearMechanics,
     solved: &MachineSolution,
     warnings: &mut Vec<Warning>,
-) -> Vec<MachineFigure> {
+) -> Vec<Row> {
     let mut figures = mechanics(gears);
     figures.extend(thinnest(gears, solved));
     warnings.extend(rough(gears, solved));
@@ -45,61 +55,27 @@ pub(super) fn figures(
 }
 
 /// Contact ratios and the largest pressure.
-fn mechanics(gears: &GearMechanics) -> Vec<MachineFigure> {
-    let figure = |name, words, value, unit| {
-        Section::Mechanics.figure(name, words, Marked::exact(value), unit, "")
-    };
+fn mechanics(gears: &GearMechanics) -> Vec<Row> {
     let pair = &gears.pair;
-    let mut figures = vec![figure(
-        "transverse_contact_ratio",
-        "transverse contact ratio",
-        pair.contact_ratio,
-        "",
-    )];
+    let mut figures = vec![TRANSVERSE_CONTACT_RATIO.row(pair.contact_ratio, "")];
     if pair.overlap_ratio > 0.0 {
-        figures.push(figure(
-            "overlap_ratio",
-            "overlap ratio",
-            pair.overlap_ratio,
-            "",
-        ));
         let total = pair.contact_ratio + pair.overlap_ratio;
-        figures.push(figure(
-            "total_contact_ratio",
-            "total contact ratio",
-            total,
-            "",
-        ));
+        figures.push(OVERLAP_RATIO.row(pair.overlap_ratio, ""));
+        figures.push(TOTAL_CONTACT_RATIO.row(total, ""));
     }
     let finite = gears.path.iter().filter(|p| p.hertz_pressure.is_finite());
     let highest = finite.max_by(|a, b| a.hertz_pressure.total_cmp(&b.hertz_pressure));
     if let Some(highest) = highest {
-        figures.push(figure(
-            "hertz_pressure_maximum",
-            "largest Hertz pressure",
-            highest.hertz_pressure,
-            "Pa",
-        ));
-        figures.push(figure(
-            "hertz_pressure_maximum_position",
-            "at the distance from the pitch point",
-            highest.position,
-            "m",
-        ));
+        figures.push(HERTZ_PRESSURE_MAXIMUM.row(highest.hertz_pressure, ""));
+        figures.push(HERTZ_PRESSURE_MAXIMUM_POSITION.row(highest.position, ""));
     }
     figures
 }
 
 /// Where the film is thinnest.
-fn thinnest(gears: &GearMechanics, solved: &MachineSolution) -> Option<MachineFigure> {
-    let i = super::thinnest(solved)?;
-    Some(Section::Films.figure(
-        "film_minimum_position",
-        "smallest film at the distance from the pitch point",
-        Marked::exact(gears.path[i].position),
-        "m",
-        "",
-    ))
+fn thinnest(gears: &GearMechanics, solved: &MachineSolution) -> Option<Row> {
+    let i = contacts::thinnest(solved)?;
+    Some(FILM_MINIMUM_POSITION.row(gears.path[i].position, ""))
 }
 
 /// Composite rms roughness of the flanks by their Ra, m.
@@ -108,9 +84,16 @@ fn composite(gears: &GearMechanics) -> Option<f64> {
     Some(RMS_OVER_RA * pinion.hypot(wheel))
 }
 
+/// The smallest film of the path; its bar allows for what lies between the contacts.
+fn thinnest_film(gears: &GearMechanics, solved: &MachineSolution) -> Option<Marked> {
+    let films = (gears.path.iter().enumerate())
+        .filter_map(|(i, at)| Some((at.position, figure_of(solved.of(i)?, Figure::FilmMinimum)?)));
+    Some(Curve::new(films.collect())?.smallest().1)
+}
+
 /// Warns where the smallest film does not separate flanks whose Ra is given.
 fn rough(gears: &GearMechanics, solved: &MachineSolution) -> Option<Warning> {
-    let film = super::smallest(solved, |point| figure_of(point, Figure::FilmMinimum))?;
+    let film = thinnest_film(gears, solved)?;
     let words = format!("the smallest film of the path, {},", length(film.value));
     let warning = roughness_warning(&words, film.value, composite(gears)?)?;
     let text = format!(
@@ -164,80 +147,35 @@ fn rubbing(gears: &GearMechanics, at: &PathPoint, point: &PointSolution) -> Opti
 }
 
 /// Losses of the mesh, from the solved contacts and from separate models.
-fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec<MachineFigure> {
-    let figure = |name, words, estimate, unit, source| {
-        Section::Friction.figure(name, words, estimate, unit, source)
-    };
+fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec<Row> {
     let mut figures = Vec::new();
     if let Some(loss) = loss(gears, solved) {
-        let input = gears.operation.power();
+        let share = loss.total / gears.operation.power();
         figures.extend([
-            figure(
-                "friction_coefficient_mean",
-                "mean coefficient of friction of sliding",
+            FRICTION_COEFFICIENT_MEAN.row(
                 loss.mean_friction,
-                "",
                 "over the path of contact, by load and sliding speed",
             ),
-            figure(
-                "friction_power_sliding",
-                "power lost by sliding",
-                loss.sliding,
-                "W",
-                "",
-            ),
-            figure(
-                "friction_power_rolling",
-                "power lost by rolling",
+            FRICTION_POWER_SLIDING.row(loss.sliding, ""),
+            FRICTION_POWER_ROLLING.row(
                 loss.rolling,
-                "W",
                 "rolling: resistance of the films to rolling, at both walls",
             ),
-            figure(
-                "friction_power",
-                "power lost in the mesh",
+            FRICTION_POWER.row(
                 loss.total,
-                "W",
                 "without bearings, seals and churning of the oil",
             ),
-            figure(
-                "mesh_loss",
-                "over the power at the pinion",
-                loss.total / input,
-                "",
-                "",
-            ),
-            figure(
-                "mesh_efficiency",
-                "efficiency of the mesh",
-                efficiency(loss.total / input),
-                "",
-                "",
-            ),
-            figure(
-                "loss_factor",
-                "loss factor H_V of this load sharing",
-                Marked::exact(loss.factor),
-                "",
-                "H_V: Wimmer 2006",
-            ),
+            MESH_LOSS.row(share, ""),
+            MESH_EFFICIENCY.row(efficiency(share), ""),
+            LOSS_FACTOR.row(loss.factor, "H_V: Wimmer 2006"),
         ]);
     }
     let ohlendorf = gears.pair.ohlendorf_loss_factor();
-    figures.push(figure(
-        "loss_factor_ohlendorf",
-        "loss factor H_V after Ohlendorf",
-        Marked::exact(ohlendorf),
-        "",
-        "Ohlendorf 1958, for even load sharing",
-    ));
+    figures.push(LOSS_FACTOR_OHLENDORF.row(ohlendorf, "Ohlendorf 1958, for even load sharing"));
     if let Some((roughness, source)) = roughness(case, gears) {
         let model = schlenk_coefficient(case, gears, 0.5 * (roughness[0] + roughness[1]));
-        figures.push(figure(
-            "friction_coefficient_schlenk",
-            "mean coefficient of friction after Schlenk",
-            Marked::exact(model),
-            "",
+        figures.push(FRICTION_COEFFICIENT_SCHLENK.row(
+            model,
             match (gears.limits.oil_factor, source) {
                 (Some(_), RoughnessFrom::Gears) => {
                     "Schlenk 1994, a fit to tests, with w = F_bt/b, from the Ra and the oil factor X_L given"
@@ -253,13 +191,8 @@ fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec
                 }
             },
         ));
-        figures.push(figure(
-            "friction_power_models",
-            "power lost after Ohlendorf and Schlenk",
-            Marked::exact(gears.operation.power() * ohlendorf * model),
-            "W",
-            "",
-        ));
+        let power = gears.operation.power() * ohlendorf * model;
+        figures.push(FRICTION_POWER_MODELS.row(power, ""));
     }
     figures
 }
@@ -408,11 +341,7 @@ fn thermal_body(body: &Body, temperature: f64) -> Option<ThermalBody> {
 }
 
 /// Bulk, flash and contact temperatures, and safety against scuffing.
-fn temperatures(
-    case: &Case,
-    gears: &GearMechanics,
-    solved: &MachineSolution,
-) -> Vec<MachineFigure> {
+fn temperatures(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec<Row> {
     let heat = case.heat().ok().flatten();
     let given = gears.limits.bulk_temperature;
     // The hotter of both gears where `[thermal]` gives them other temperatures.
@@ -420,22 +349,13 @@ fn temperatures(
         Some(heat) => heat.body_1.temperature.max(heat.body_2.temperature),
         None => given.unwrap_or(case.lubricant.temperature),
     };
-    let figure = |name, words, estimate, unit, source| {
-        Section::Temperature.figure(name, words, estimate, unit, source)
-    };
     let of_films = match given {
         Some(_) => "films and specific films are those at the bulk temperature of the teeth",
         None => {
             "no `bulk_temperature` is given, so that of the lubricant is used: real teeth are hotter, and films thinner"
         }
     };
-    let mut figures = vec![figure(
-        "bulk_temperature",
-        "bulk temperature of the teeth",
-        Marked::exact(bulk),
-        "K",
-        of_films,
-    )];
+    let mut figures = vec![BULK_TEMPERATURE.row(bulk, of_films)];
     let blok = blok_rises(case, gears, solved, bulk);
     let of_flanks = heat.map(|_| solved_rises(gears, solved, bulk));
     let is_solved = of_flanks.is_some();
@@ -449,44 +369,17 @@ fn temperatures(
         false => BLOK,
     };
     figures.extend([
-        figure(
-            "flash_temperature",
-            "largest flash temperature (rise)",
-            flash,
-            "K",
-            source,
-        ),
-        figure(
-            "flash_temperature_position",
-            "at the distance from the pitch point",
-            Marked::exact(position),
-            "m",
-            "",
-        ),
-        figure(
-            "contact_temperature",
-            "largest contact temperature",
+        FLASH_TEMPERATURE.row(flash, source),
+        FLASH_TEMPERATURE_POSITION.row(position, ""),
+        CONTACT_TEMPERATURE.row(
             contact(flash, bulk),
-            "K",
             "contact temperature: bulk temperature and flash temperature",
         ),
     ]);
     if let Some((_, flash)) = hottest(&blok).filter(|_| is_solved) {
         figures.extend([
-            figure(
-                "flash_temperature_blok",
-                "flash temperature after Blok, to compare",
-                flash,
-                "K",
-                BLOK,
-            ),
-            figure(
-                "contact_temperature_blok",
-                "contact temperature after Blok, to compare",
-                contact(flash, bulk),
-                "K",
-                "",
-            ),
+            FLASH_TEMPERATURE_BLOK.row(flash, BLOK),
+            CONTACT_TEMPERATURE_BLOK.row(contact(flash, bulk), ""),
         ]);
     }
     figures.extend(scuffing_safety(case, gears, rises, bulk));
@@ -552,53 +445,33 @@ fn solved_rises(gears: &GearMechanics, solved: &MachineSolution, bulk: f64) -> R
 }
 
 /// S_B where the file gives the scuffing temperature; without heat, or an oil as hot as the limit, there is no safety to give.
-fn scuffing_safety(
-    case: &Case,
-    gears: &GearMechanics,
-    rises: &Rises,
-    bulk: f64,
-) -> Option<MachineFigure> {
+fn scuffing_safety(case: &Case, gears: &GearMechanics, rises: &Rises, bulk: f64) -> Option<Row> {
     let limit = gears.limits.scuffing_temperature?;
     let oil = case.lubricant.oil_temperature();
     let (_, flash) = hottest(rises)?;
     let safety = |flash: f64| scuffing(&[flash.max(0.0)], bulk, oil, limit).map(|s| s.safety);
     let nominal = safety(flash.value).ok()?;
-    Some(Section::Safety.figure(
-        "scuffing_safety",
-        "safety against scuffing S_B",
+    Some(SCUFFING_SAFETY.row(
         flash.map(|flash| safety(flash).unwrap_or(nominal)),
-        "",
         "S_B = (Θ_S − Θ_oil)/(Θ_B,max − Θ_oil): ISO/TS 6336-20",
     ))
 }
 
 /// Specific film and safety against micropitting.
-fn specific_film(
-    case: &Case,
-    gears: &GearMechanics,
-    solved: &MachineSolution,
-) -> Vec<MachineFigure> {
+fn specific_film(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec<Row> {
     let Some((roughness, source)) = roughness(case, gears) else {
         return Vec::new();
     };
-    let films = (gears.path.iter().enumerate())
-        .filter_map(|(i, at)| Some((at.position, figure_of(solved.of(i)?, Figure::FilmMinimum)?)));
-    let Some(films) = Curve::new(films.collect()) else {
+    let Some(thinnest) = thinnest_film(gears, solved) else {
         return Vec::new();
     };
-    let (_, thinnest) = films.smallest();
     let limit = gears.limits.permissible_lambda;
     let Ok(found) = micropitting(&[thinnest.value], roughness, limit.unwrap_or(1.0)) else {
         return Vec::new();
     };
-    let figure = |name, words, value: f64, source| {
-        let estimate = thinnest * (value / thinnest.value);
-        Section::Safety.figure(name, words, estimate, "", source)
-    };
-    let mut figures = vec![figure(
-        "specific_film_minimum",
-        "smallest specific film λ_GF",
-        found.specific_film,
+    let scaled = |value: f64| thinnest * (value / thinnest.value);
+    let mut figures = vec![SPECIFIC_FILM_MINIMUM.row(
+        scaled(found.specific_film),
         match source {
             RoughnessFrom::Gears => {
                 "λ_GF = h/Ra, Ra = (Ra_1 + Ra_2)/2, of the smallest solved film: ISO/TS 6336-22"
@@ -609,12 +482,7 @@ fn specific_film(
         },
     )];
     if limit.is_some() {
-        figures.push(figure(
-            "micropitting_safety",
-            "safety against micropitting S_λ",
-            found.safety,
-            "S_λ = λ_GF/λ_GFP",
-        ));
+        figures.push(MICROPITTING_SAFETY.row(scaled(found.safety), "S_λ = λ_GF/λ_GFP"));
     }
     figures
 }

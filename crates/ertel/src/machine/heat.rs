@@ -9,15 +9,15 @@ use ertel_input::InputError;
 
 use super::figures;
 use crate::case::{Case, MachineContacts, Mechanics};
+use crate::figures::bearing::BEARING_TEMPERATURE;
 use crate::mark::Marked;
 use crate::point::MachineSolution;
+use crate::words::CELSIUS;
 
 /// Largest difference between the temperature from the heat of the contacts and that of the lubricant, K.
 const TOLERANCE: f64 = 0.1;
 /// Largest number of rounds.
 const ROUNDS: usize = 8;
-/// 0 °C, K.
-pub(super) const CELSIUS: f64 = 273.15;
 /// Largest step, K.
 const STEP: f64 = 40.0;
 
@@ -119,16 +119,14 @@ pub(crate) fn solve_by(
 
 /// Whether the case asks for a balance.
 fn asks_for_balance(solution: &MachineSolution) -> bool {
-    match &solution.machine.mechanics {
-        Mechanics::Bearing(bearing) => bearing.life.heat_balance,
-        Mechanics::Gears(_) | Mechanics::Cam(_) => false,
-    }
+    let mechanics = &solution.machine.mechanics;
+    matches!(mechanics, Mechanics::Bearing(bearing) if bearing.life.heat_balance)
 }
 
 /// The temperature from the heat of all contacts, K.
 fn temperature(solved: &SolvedMachine) -> Option<Marked> {
     let figures = figures(&solved.case, &solved.solution);
-    Some(figures.find("bearing_temperature")?.estimate)
+    Some(figures.find(BEARING_TEMPERATURE.name)?.estimate)
 }
 
 /// The next step, K, from the points (temperature, rest) before and now: half of the residual at first, then by the secant, which must fall.

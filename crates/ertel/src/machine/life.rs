@@ -10,8 +10,16 @@ use std::f64::consts::TAU;
 use ertel_machines::bearing::geometry::{BallGeometry, Ring};
 use ertel_machines::bearing::{Geometry, Material, life};
 
-use super::{MachineFigure, Section};
+use super::collected::Collected;
 use crate::case::{BearingMechanics, Case, Contamination, RatingBasis};
+use crate::figures::bearing::{
+    BASIC_RATING_LIFE, BASIC_RATING_LIFE_TIME, CONTAMINATION_FACTOR, DYNAMIC_LOAD_RATING,
+    EQUIVALENT_LOAD, FATIGUE_LOAD_LIMIT, KAPPA, LIFE_FACTOR, MODIFIED_RATING_LIFE,
+    MODIFIED_RATING_LIFE_TIME, REFERENCE_EQUIVALENT_LOAD, REFERENCE_RATING_LIFE,
+    REFERENCE_RATING_LIFE_TIME, RELIABILITY_FACTOR, STATIC_LOAD_RATING, STATIC_SAFETY_FACTOR,
+};
+use crate::figures::{Definition, Row};
+use crate::mark::Marked;
 use crate::solution::Estimate;
 use crate::warning::{Warning, WarningKind};
 
@@ -23,7 +31,7 @@ pub(super) fn figures(
     case: &Case,
     mechanics: &BearingMechanics,
     warnings: &mut Vec<Warning>,
-) -> Vec<MachineFigure> {
+) -> Vec<Row> {
     let mut out = Collected::default();
     if let Err(error) = collect(case, mechanics, &mut out) {
         warnings.push(Warning::new(
@@ -33,43 +41,6 @@ pub(super) fn figures(
     }
     warnings.append(&mut out.warnings);
     out.figures
-}
-
-/// Figures and warnings found so far.
-#[derive(Default)]
-pub(super) struct Collected {
-    figures: Vec<MachineFigure>,
-    warnings: Vec<Warning>,
-}
-
-impl Collected {
-    pub(super) fn add(
-        &mut self,
-        section: Section,
-        names: (&'static str, &'static str),
-        value: f64,
-        unit: &'static str,
-        source: &'static str,
-    ) {
-        let estimate = Estimate { value, error: None };
-        self.add_estimate(section, names, estimate, unit, source);
-    }
-
-    pub(super) fn warn(&mut self, kind: WarningKind, text: impl Into<String>) {
-        self.warnings.push(Warning::new(kind, text));
-    }
-
-    fn add_estimate(
-        &mut self,
-        section: Section,
-        (name, words): (&'static str, &'static str),
-        estimate: Estimate,
-        unit: &'static str,
-        source: &'static str,
-    ) {
-        let figure = section.figure(name, words, estimate.into(), unit, source);
-        self.figures.push(figure);
-    }
 }
 
 const ISO_281: &str = "ISO 281:2007; ISO 76 for C_0";
@@ -271,49 +242,25 @@ fn collect(
     let kappa = match relative > 0.0 {
         true => {
             let kappa = life::viscosity_ratio(viscosity, relative, pitch)?;
-            out.add(
-                Section::Life,
-                ("kappa", "viscosity ratio κ"),
-                kappa,
-                "",
-                ISO_281,
-            );
+            out.add(KAPPA, kappa, ISO_281);
             Some(kappa)
         }
         false => None,
     };
     let rated = Rated::of(mechanics);
     let dynamic = rating(mechanics, 0, || rated.dynamic_rating())?;
-    out.add_estimate(
-        Section::Life,
-        ("dynamic_load_rating", "dynamic load rating C"),
-        dynamic.estimate(),
-        "N",
-        dynamic.source,
-    );
+    out.add(DYNAMIC_LOAD_RATING, dynamic.estimate(), dynamic.source);
     let equivalent = rated.equivalent_load(mechanics.loads)?;
-    out.add(
-        Section::Life,
-        ("equivalent_load", "equivalent load P"),
-        equivalent,
-        "N",
-        ISO_281,
-    );
+    out.add(EQUIVALENT_LOAD, equivalent, ISO_281);
     let basic = life::basic_life(dynamic.value, equivalent, rated.exponent())?;
     // A life is proportional to C^p: the upper bound of its bar.
     let of_rating = (1.0 + dynamic.error).powf(rated.exponent()) - 1.0;
-    lives(out, &BASIC, with_error(basic, of_rating), relative, ISO_281);
+    lives(out, BASIC, with_error(basic, of_rating), relative, ISO_281);
     let fixed = rating(mechanics, 1, || rated.static_rating());
     // Ratings of some geometries are beyond the tables of ISO 76: the life goes on without them.
     let fixed = fixed.ok();
     if let Some(fixed) = &fixed {
-        out.add_estimate(
-            Section::Life,
-            ("static_load_rating", "static load rating C_0"),
-            fixed.estimate(),
-            "N",
-            fixed.source,
-        );
+        out.add(STATIC_LOAD_RATING, fixed.estimate(), fixed.source);
         let load = rated.static_equivalent_load(mechanics.loads)?;
         static_safety(out, fixed, load);
         super::moments::add(mechanics, viscosity, [fixed.value, load], out);
@@ -324,17 +271,8 @@ fn collect(
         Rated::Rollers(_) => ISO_16281_ROLLERS,
     };
     let life = with_error(reference.life, of_rating);
-    lives(out, &REFERENCE, life, relative, source);
-    out.add(
-        Section::Life,
-        (
-            "reference_equivalent_load",
-            "reference equivalent load P_ref",
-        ),
-        reference.equivalent_load,
-        "N",
-        source,
-    );
+    lives(out, REFERENCE, life, relative, source);
+    out.add(REFERENCE_EQUIVALENT_LOAD, reference.equivalent_load, source);
     let limit = match (inputs.fatigue_limit, &fixed) {
         (Some(value), _) => Some(Rating {
             value,
@@ -345,13 +283,7 @@ fn collect(
         (None, None) => None,
     };
     if let Some(limit) = &limit {
-        out.add_estimate(
-            Section::Life,
-            ("fatigue_load_limit", "fatigue load limit C_u"),
-            limit.estimate(),
-            "N",
-            limit.source,
-        );
+        out.add(FATIGUE_LOAD_LIMIT, limit.estimate(), limit.source);
     }
     let (Some(limit), Some(kappa), Some(contamination)) = (limit, kappa, inputs.contamination)
     else {
@@ -361,13 +293,7 @@ fn collect(
         return Ok(());
     };
     let (factor, source) = contamination_factor(mechanics, contamination, kappa)?;
-    out.add(
-        Section::Life,
-        ("contamination_factor", "contamination factor e_C"),
-        factor,
-        "",
-        source,
-    );
+    out.add(CONTAMINATION_FACTOR, factor, source);
     let oil = life::Lubrication {
         viscosity_ratio: kappa,
         contamination: factor,
@@ -377,26 +303,14 @@ fn collect(
     let factor_of = |limit: f64| life::life_factor(rated.kind(), oil, limit, load);
     let a_iso = factor_of(limit.value)?;
     let high = factor_of(limit.value * (1.0 + limit.error))?;
-    out.add_estimate(
-        Section::Life,
-        ("life_factor", "life factor a_ISO"),
-        with_error(a_iso, high / a_iso - 1.0),
-        "",
-        ISO_281,
-    );
+    out.add(LIFE_FACTOR, with_error(a_iso, high / a_iso - 1.0), ISO_281);
     let a_1 = life::reliability_factor(inputs.reliability.unwrap_or(90.0))?;
-    out.add(
-        Section::Life,
-        ("reliability_factor", "reliability factor a_1"),
-        a_1,
-        "",
-        ISO_281,
-    );
+    out.add(RELIABILITY_FACTOR, a_1, ISO_281);
     let modified = life::modified_life(reference.life, a_1, a_iso);
     let error = (1.0 + of_rating) * high / a_iso - 1.0;
     lives(
         out,
-        &MODIFIED,
+        MODIFIED,
         with_error(modified, error),
         relative,
         "L_nmr = a_1 a_ISO(P_ref) L_10r",
@@ -428,11 +342,9 @@ fn contamination_factor(
 /// C_0/P_0, with a warning of damage where it is too low.
 fn static_safety(out: &mut Collected, rating: &Rating, load: f64) {
     let safety = rating.value / load;
-    out.add_estimate(
-        Section::Safety,
-        ("static_safety_factor", "static safety C_0/P_0"),
+    out.add(
+        STATIC_SAFETY_FACTOR,
         with_error(safety, rating.error),
-        "",
         "static safety: ISO 76",
     );
     if safety < 1.0 {
@@ -446,44 +358,25 @@ fn static_safety(out: &mut Collected, rating: &Rating, load: f64) {
     }
 }
 
-/// Names and words of a life in revolutions, and of the same in time.
-type LifeNames = [(&'static str, &'static str); 2];
+/// A life in revolutions, and the same in time.
+type Lives = [Definition; 2];
 
-const BASIC: LifeNames = [
-    ("basic_rating_life", "basic rating life L_10"),
-    ("basic_rating_life_time", "basic rating life L_10h"),
-];
-const REFERENCE: LifeNames = [
-    ("reference_rating_life", "reference rating life L_10r"),
-    ("reference_rating_life_time", "reference rating life L_10rh"),
-];
-const MODIFIED: LifeNames = [
-    ("modified_rating_life", "modified rating life L_nmr"),
-    ("modified_rating_life_time", "modified rating life L_nmrh"),
-];
+const BASIC: Lives = [BASIC_RATING_LIFE, BASIC_RATING_LIFE_TIME];
+const REFERENCE: Lives = [REFERENCE_RATING_LIFE, REFERENCE_RATING_LIFE_TIME];
+const MODIFIED: Lives = [MODIFIED_RATING_LIFE, MODIFIED_RATING_LIFE_TIME];
 
 /// A life, given in revolutions, in revolutions and in time.
 fn lives(
     out: &mut Collected,
-    [in_turns, in_time]: &LifeNames,
+    [in_turns, in_time]: Lives,
     life: Estimate,
     speed: f64,
     source: &'static str,
 ) {
-    let scaled = |factor: f64| Estimate {
-        value: life.value * factor,
-        error: life.error.map(|error| error * factor),
-    };
-    let millions = scaled(1e-6);
-    out.add_estimate(
-        Section::Life,
-        *in_turns,
-        millions,
-        "million revolutions",
-        source,
-    );
+    let life = Marked::from(life);
+    out.add(in_turns, life * 1e-6, source);
     if speed > 0.0 {
-        out.add_estimate(Section::Life, *in_time, scaled(TAU / speed), "s", source);
+        out.add(in_time, life * (TAU / speed), source);
     }
 }
 

@@ -2,6 +2,8 @@
 
 mod bearing;
 mod cam;
+mod collected;
+mod contacts;
 mod curve;
 mod gears;
 mod heat;
@@ -13,10 +15,13 @@ mod slip;
 pub(crate) use heat::solve_by;
 pub use heat::{Balance, SolvedMachine};
 
+use self::contacts::figure_of;
 use self::curve::Curve;
 use crate::case::{Case, Mechanics};
+use crate::figures::Row;
+use crate::figures::machine::{FILM_CENTRAL, FILM_MINIMUM, LAMBDA_MINIMUM};
 use crate::mark::Marked;
-pub use crate::point::{MachineFigure, MachineFigures, Section};
+pub use crate::point::MachineFigures;
 use crate::point::{MachineSolution, PointSolution};
 use crate::solution::Figure;
 use crate::warning::silence;
@@ -56,36 +61,6 @@ pub fn unsolved(case: &Case) -> Option<(MachineSolution, MachineFigures)> {
     Some((solution, figures))
 }
 
-/// The contact with the smallest film, by its place among the contacts.
-fn thinnest(solved: &MachineSolution) -> Option<usize> {
-    let films = solved
-        .solved()
-        .filter_map(|(i, point)| Some((i, figure_of(point, Figure::FilmMinimum)?.value)));
-    let (i, _) = films.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    Some(i)
-}
-
-/// A figure of a contact.
-fn figure_of(point: &PointSolution, figure: Figure) -> Option<Marked> {
-    Marked::of(point.outcome.solution()?, figure)
-}
-
-/// Sum over all loaded contacts, identical ones counted as often as they occur. `None` where one of them has no value.
-fn sum(
-    solved: &MachineSolution,
-    value: impl Fn(usize, &PointSolution) -> Option<Marked>,
-) -> Option<Marked> {
-    let machine = &solved.machine;
-    let own = machine.contacts.iter().enumerate();
-    let own = own.filter(|(i, contact)| contact.like == Some(*i));
-    let of = own.map(|(i, _)| Some(value(i, solved.of(i)?)? * machine.count(i) as f64));
-    let nothing = Marked {
-        error: Some(0.0),
-        ..Marked::exact(0.0)
-    };
-    of.into_iter().try_fold(nothing, |sum, of| Some(sum + of?))
-}
-
 /// The smallest value of all contacts. Along a path and over a turn its bar allows for what lies between the contacts.
 fn smallest(
     solved: &MachineSolution,
@@ -105,22 +80,19 @@ fn smallest(
 }
 
 /// The smallest film of all, and the smallest film over roughness.
-fn films(solved: &MachineSolution) -> Vec<MachineFigure> {
+fn films(solved: &MachineSolution) -> Vec<Row> {
     let film = smallest(solved, |point| figure_of(point, Figure::FilmMinimum));
     let central = smallest(solved, |point| figure_of(point, Figure::FilmCentral));
     let lambda = smallest(solved, |point| {
         let mixed = point.outcome.solution()?.mixed.as_ref()?;
         Some(Marked::from(mixed.lambda_minimum))
     });
-    let figure = |name, words, unit, estimate: Option<Marked>| {
-        Some(Section::Films.figure(name, words, estimate?, unit, ""))
-    };
     [
-        figure("film_central", "smallest central film", "m", central),
-        figure("film_minimum", "smallest film", "m", film),
-        figure("lambda_minimum", "λ (minimum film / σ)", "", lambda),
+        (FILM_CENTRAL, central),
+        (FILM_MINIMUM, film),
+        (LAMBDA_MINIMUM, lambda),
     ]
     .into_iter()
-    .flatten()
+    .filter_map(|(figure, estimate)| Some(figure.row(estimate?, "")))
     .collect()
 }

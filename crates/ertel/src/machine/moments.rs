@@ -5,9 +5,9 @@ use ertel_machines::bearing::friction::{
 };
 use ertel_machines::bearing::{Geometry, life};
 
-use super::Section;
-use super::life::Collected;
+use super::collected::Collected;
 use crate::case::BearingMechanics;
+use crate::figures::bearing::{FRICTION_TORQUE_PALMGREN, FRICTION_TORQUE_SKF};
 use crate::warning::WarningKind;
 use crate::words::digits;
 
@@ -53,10 +53,8 @@ pub(super) fn add(
     }
     if let Some(moment) = skf.filter(SkfMoment::rises_with_viscosity) {
         out.add(
-            Section::Friction,
-            ("friction_torque_skf", "for comparison: torque, SKF model"),
+            FRICTION_TORQUE_SKF,
             moment.total(),
-            "N m",
             match series.is_tapered() {
                 true => {
                     "SKF: a mineral oil, without seals and churning; the sliding part includes the rib, the rolling part cage and oil"
@@ -78,13 +76,8 @@ pub(super) fn add(
         .and_then(|factors| palmgren_moment(factors, mean, speed, viscosity, load).ok());
     if let Some(moment) = moment {
         out.add(
-            Section::Friction,
-            (
-                "friction_torque_palmgren",
-                "for comparison: torque, Palmgren model",
-            ),
+            FRICTION_TORQUE_PALMGREN,
             moment.total(),
-            "N m",
             "Palmgren: with the churning of an oil bath, or run-in grease (Schaeffler HR 1, 2006)",
         );
     }

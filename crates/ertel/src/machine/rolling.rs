@@ -6,7 +6,7 @@
 //! Traction of sliding and spin is the same at both walls: its error cancels in the difference, and so do the marks of friction that no lubricant
 //! transmits.
 
-use super::figure_of;
+use super::contacts::figure_of;
 use crate::mark::{Marked, Marks};
 use crate::point::PointSolution;
 use crate::solution::Figure;

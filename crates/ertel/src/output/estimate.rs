@@ -5,9 +5,10 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use super::FORMAT_VERSION;
+use super::figure::{percent_or_power, power};
 use super::lines::Lines;
 use super::mixed::ASPERITY_SOURCE;
-use super::report::{percent_or_power, power, write_case, write_contact};
+use super::report::{write_case, write_contact};
 use super::result_json::units;
 use crate::case::CaseEcho;
 use crate::estimate::{CaseEstimate, NEGLIGIBLE_INERTIA};

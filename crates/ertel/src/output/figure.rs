@@ -4,8 +4,7 @@ use crate::contact::Symmetry;
 use crate::solution::{
     Estimate, Figure, Kind, LEAST_RISE, Located, Solution, Unresolved, WIDEST, WIDEST_OF_PLACE, Why,
 };
-use crate::words::digits;
-use crate::words::{length_unit, pressure_unit};
+use crate::words::{CELSIUS, digits, length_unit, pressure_unit};
 
 /// Maximum number of significant digits of a figure.
 const MOST_DIGITS: i32 = 6;
@@ -144,8 +143,26 @@ pub fn percent(e: Estimate) -> String {
     }
 }
 
-/// 0 °C, K.
-pub const CELSIUS: f64 = 273.15;
+/// A number with a power of ten.
+pub fn power(value: f64) -> String {
+    format!("{value:.3e}")
+}
+
+/// Smaller shares are round-off.
+const ROUND_OFF: f64 = 1e-9;
+
+/// A share in per cent, or with a power of ten where it is small.
+pub fn percent_or_power(share: f64) -> String {
+    if share == 0.0 {
+        "0".to_owned()
+    } else if share.abs() < ROUND_OFF {
+        "below 1e-9".to_owned()
+    } else if share.abs() < 1e-4 {
+        power(share)
+    } else {
+        format!("{} %", digits(100.0 * share, 3))
+    }
+}
 
 /// A temperature (K) in °C, with its rise above the inlet temperature in K.
 pub fn temperature(e: Estimate, inlet: Option<f64>) -> String {
@@ -244,9 +261,15 @@ pub fn unit_of_size(kind: Kind, size: f64) -> (f64, &'static str) {
         Kind::Length | Kind::Position | Kind::Offset => length_unit(size),
         Kind::PeakPressure | Kind::Stress => pressure_unit(size),
         Kind::Share => (100.0, "%"),
-        Kind::Temperature | Kind::Coefficient | Kind::Force | Kind::Moment | Kind::Power => {
-            (1.0, kind.unit(false))
-        }
+        Kind::Temperature
+        | Kind::Coefficient
+        | Kind::Force
+        | Kind::Moment
+        | Kind::Power
+        | Kind::Rise
+        | Kind::Angle
+        | Kind::Duration
+        | Kind::Revolutions => (1.0, kind.unit(false)),
     }
 }
 
@@ -337,6 +360,13 @@ mod tests {
             value,
             error: Some(error),
         }
+    }
+
+    #[test]
+    fn round_off_is_not_shown() {
+        let shown = [0.0, 2.2e-16, -3.3e-10, 6.158e-6, -0.0192].map(percent_or_power);
+        let expected = ["0", "below 1e-9", "below 1e-9", "6.158e-6", "-1.92 %"];
+        assert_eq!(shown, expected);
     }
 
     #[test]

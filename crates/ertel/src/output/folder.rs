@@ -5,6 +5,8 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use serde_json::Value;
+
 use super::OutputError;
 use super::target::{POINTS, check_target, is_own_name};
 use super::workplace::{Workplace, clear, exchange};
@@ -121,8 +123,20 @@ impl Part {
     }
 
     /// Final path of a file of this folder.
-    pub fn shown(&self, name: &str) -> PathBuf {
+    fn shown(&self, name: &str) -> PathBuf {
         self.target.join(name)
+    }
+
+    /// Writes a JSON document.
+    pub fn json(&self, name: &str, document: serde_json::Result<Value>) -> Result<(), OutputError> {
+        let text = document.and_then(|json| serde_json::to_string_pretty(&json));
+        let text = text.map_err(|e| OutputError::io(&self.shown(name), e.into()))?;
+        self.bytes(name, text + "\n")
+    }
+
+    /// Writes a file with this content, as [`Part::file`] does.
+    pub fn bytes(&self, name: &str, content: impl AsRef<[u8]>) -> Result<(), OutputError> {
+        self.file(name, |out| out.write_all(content.as_ref()))
     }
 
     /// Writes one file and syncs it to disk; errors name the file in the target.

@@ -2,14 +2,13 @@
 
 use std::io::{self, Write};
 
-use super::figure::{CELSIUS, number, percent};
+use super::figure::{number, percent, power};
 use super::lines::Lines;
-use super::report::power;
 use super::results::write_section;
 use crate::case::{HeatEcho, ThermalEcho};
 use crate::output::BODIES;
 use crate::solution::{CrossProfile, Section, Solution, Thermal};
-use crate::words::digits;
+use crate::words::{CELSIUS, digits};
 
 /// The thermal data of lubricant and bodies.
 pub(super) fn write(out: &mut Lines, thermal: &ThermalEcho) {

@@ -7,6 +7,16 @@ use crate::warning::Warning;
 /// Width of the name column.
 pub(super) const NAME_WIDTH: usize = 34;
 
+/// Width of the value column in rows with a second column.
+pub(super) const VALUE_WIDTH: usize = 26;
+
+/// A figure and a second column.
+pub(super) fn two_columns(text: &str, other: &str) -> String {
+    format!("{text:<VALUE_WIDTH$}  {other}")
+        .trim_end()
+        .to_owned()
+}
+
 /// A block of a report.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Block {
@@ -126,8 +136,7 @@ impl Block {
             }
             Block::Line(text) => writeln!(out, "  {}", text.trim_end()),
             Block::Note(text) => writeln!(out, "  · {text}"),
-            Block::Table(table) => (std::iter::once(&table.head).chain(&table.rows))
-                .try_for_each(|row| writeln!(out, "{}", table.line(row))),
+            Block::Table(table) => out.write_str(&table.text()),
             Block::Warnings(warnings) => warnings
                 .iter()
                 .try_for_each(|warning| writeln!(out, "  ! {warning}")),
@@ -136,6 +145,22 @@ impl Block {
 }
 
 impl Table {
+    /// A table whose columns are as wide as their cells.
+    pub fn fitted(head: Vec<String>, rows: Vec<Vec<String>>) -> Table {
+        let width = |j: usize| {
+            let cells = rows.iter().map(|row: &Vec<String>| row[j].chars().count());
+            cells.chain([head[j].chars().count()]).max().unwrap_or(0)
+        };
+        let widths = (0..head.len()).map(|j| (width(j), 2)).collect();
+        Table { head, rows, widths }
+    }
+
+    /// As text, a line for the head and for each row.
+    pub fn text(&self) -> String {
+        let rows = std::iter::once(&self.head).chain(&self.rows);
+        rows.map(|row| self.line(row) + "\n").collect()
+    }
+
     fn line(&self, row: &[String]) -> String {
         let mut line = "  ".to_owned();
         for (cell, (width, gap)) in row.iter().zip(&self.widths) {

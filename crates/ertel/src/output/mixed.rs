@@ -2,9 +2,8 @@
 
 use std::fmt::Write;
 
-use super::figure::{in_unit, number, percent};
+use super::figure::{in_unit, number, percent, percent_or_power};
 use super::lines::Lines;
-use super::report::percent_or_power;
 use crate::mixed::Asperities;
 use crate::solution::{Estimate, Solution};
 use crate::words::{digits, pressure};

@@ -7,6 +7,7 @@ mod check;
 pub mod compare;
 mod cross_check;
 pub mod curve;
+mod drawn;
 mod estimate;
 mod figure;
 mod finite;
@@ -23,6 +24,7 @@ pub mod pictures;
 mod report;
 mod result_json;
 mod results;
+mod rows;
 mod study;
 mod surfaces;
 mod target;
@@ -49,7 +51,7 @@ pub use monte_carlo::{MONTE_CARLO, monte_carlo_report, write_monte_carlo};
 pub use report::report;
 pub use result_json::{FORMAT, FORMAT_VERSION, result_json};
 pub use study::{StudyPicture, study_pictures};
-pub use target::{check_target, place_of_partial};
+pub use target::{REPORT_PAGE, check_target, place_of_partial};
 pub use transient::{
     transient_files, transient_json, transient_report, transient_table, write_transient,
 };
@@ -172,15 +174,10 @@ fn write_files(
     solution: &Solution,
     params: &OutputParams,
 ) -> Result<(), OutputError> {
-    let json = result_json(case, solution)
-        .and_then(|json| serde_json::to_string_pretty(&json))
-        .map_err(|e| OutputError::io(&folder.shown("result.json"), e.into()))?;
-    folder.file("result.json", |out| writeln!(out, "{json}"))?;
-    folder.file("report.txt", |out| {
-        out.write_all(report(case, solution, None).as_bytes())
-    })?;
+    folder.json("result.json", result_json(case, solution))?;
+    folder.bytes("report.txt", report(case, solution, None))?;
     if let Some(text) = &case.case_file {
-        folder.file("case.toml", |out| out.write_all(text.as_bytes()))?;
+        folder.bytes("case.toml", text)?;
     }
     let half_width = solution.hertz.half_width;
     let thermal = solution.thermal.as_ref();
@@ -220,17 +217,16 @@ fn write_files(
         })?;
     }
     if params.netcdf {
-        let bytes = netcdf::of_solution(&case.title, solution);
-        folder.file("result.nc", |out| out.write_all(&bytes))?;
+        folder.bytes("result.nc", netcdf::of_solution(&case.title, solution))?;
     }
-    folder.file(html::REPORT_PAGE, |out| out.write_all(page.as_bytes()))?;
+    folder.bytes(REPORT_PAGE, page)?;
     for picture in pictures {
         write_picture(folder, &picture, params.pictures)?;
     }
     if let Some(light) = &params.interferogram {
         let image = pictures::Image::new(solution, light, case.fluid.density);
         let png = image.png()?;
-        folder.file("interferogram.png", |out| out.write_all(&png))?;
+        folder.bytes("interferogram.png", &png)?;
         // The PNG file is the image alone; SVG and PDF have axes.
         let picture = pictures::Picture::new("interferogram", image.drawing(&case.title, &png));
         let formats = PictureFormats {
@@ -250,7 +246,7 @@ fn write_picture(
 ) -> Result<(), OutputError> {
     let write = |suffix: &str, content: &[u8]| {
         let name = format!("{}.{suffix}", picture.name);
-        folder.file(&name, |out| out.write_all(content))
+        folder.bytes(&name, content)
     };
     if formats.svg {
         write("svg", picture.svg.as_bytes())?;

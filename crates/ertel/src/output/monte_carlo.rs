@@ -7,13 +7,13 @@ use serde_json::{Value, json};
 
 use super::figure::{axis_name, unit_of_size};
 use super::lines::Lines;
-use super::machine::{REPORTED, REPORTED_IN_TIME};
 use super::pictures::film_unit;
 use super::result_json::FORMAT_VERSION;
+use super::rows::REPORTED;
 use super::{OutputError, replace_picture};
 use crate::files::write_whole;
 use crate::params::PictureFormats;
-use crate::solution::{FigureUncertainty, Uncertainties};
+use crate::solution::{FigureUncertainty, Kind, Uncertainties};
 use crate::study::monte_carlo::{Distribution, MonteCarlo, QUANTILES, Sampled};
 use crate::words::digits;
 use ertel_plot::{Axis, Chart, Drawing, Look, PALETTE, Series, Side, side_by_side};
@@ -106,9 +106,7 @@ fn reading<'a>(
 fn shown(found: &MonteCarlo) -> impl Iterator<Item = &Distribution> {
     let is_shown = |figure: &&Distribution| match figure.figure {
         Sampled::Contact(_) => true,
-        Sampled::Machine { name, .. } => {
-            REPORTED.contains(&name) || REPORTED_IN_TIME.contains(&name)
-        }
+        Sampled::Machine { figure, .. } => REPORTED.iter().any(|of| of.name == figure.name),
     };
     found.figures.iter().filter(is_shown)
 }
@@ -157,7 +155,7 @@ pub fn monte_carlo_report(found: &MonteCarlo, first_order: Option<&Uncertainties
 fn title(figure: &Distribution) -> String {
     match figure.figure {
         Sampled::Contact(figure) => figure.title(),
-        Sampled::Machine { words, .. } => words.to_owned(),
+        Sampled::Machine { figure, .. } => figure.words.to_owned(),
     }
 }
 
@@ -165,10 +163,12 @@ fn title(figure: &Distribution) -> String {
 fn unit(figure: &Distribution) -> (f64, String) {
     let (factor, unit) = match figure.figure {
         Sampled::Contact(of) => unit_of_size(of.kind(), figure.mean),
-        Sampled::Machine { unit: "m", .. } => film_unit(figure.mean),
-        Sampled::Machine { unit: "Pa", .. } => (1e-9, "GPa"),
-        Sampled::Machine { unit: "N m", .. } if figure.mean < 1.0 => (1e3, "N mm"),
-        Sampled::Machine { unit, .. } => (1.0, unit),
+        Sampled::Machine { figure: of, unit } => match of.kind {
+            Kind::Length => film_unit(figure.mean),
+            Kind::PeakPressure | Kind::Stress => (1e-9, "GPa"),
+            Kind::Moment if figure.mean < 1.0 => (1e3, "N mm"),
+            _ => (1.0, unit),
+        },
     };
     let space = if unit.is_empty() { "" } else { " " };
     (factor, format!("{space}{unit}"))
@@ -184,7 +184,7 @@ fn chart(figure: &Distribution, first_order: Option<&Uncertainties>) -> Chart {
     let (factor, unit) = unit(figure);
     let name = match figure.figure {
         Sampled::Contact(figure) => axis_name(figure),
-        Sampled::Machine { words, .. } => words.to_owned(),
+        Sampled::Machine { figure, .. } => figure.words.to_owned(),
     };
     let values: Vec<f64> = figure.values.iter().map(|v| factor * v).collect();
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);

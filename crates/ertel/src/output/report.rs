@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use super::BODIES;
-use super::figure::{CELSIUS, estimate, number, percent};
-use super::lines::{Lines, NAME_WIDTH, Table};
+use super::figure::{estimate, number, percent, percent_or_power, power};
+use super::lines::{Lines, NAME_WIDTH, Table, VALUE_WIDTH, two_columns};
 use super::results::write_section;
 use super::{heat, inputs, mixed, surfaces};
 use crate::case::CaseEcho;
@@ -13,10 +13,7 @@ use crate::contact::{Contact, ContactKind, Groups, Hertz, Supply};
 use crate::params::Method;
 use crate::plausible::neglected::words;
 use crate::solution::{Balance, Estimate, Figure, FormulaFilm, Section, Solution, Timings};
-use crate::words::{digits, force, length, pressure};
-
-/// Width of the value column in rows with a second column.
-const VALUE_WIDTH: usize = 26;
+use crate::words::{CELSIUS, digits, force, length, pressure};
 
 /// The report as text: the case in SI, Hertz contact, groups, results compared with published formulas,
 /// effort, warnings and, where given, the folder of the files.
@@ -337,13 +334,6 @@ fn write_checks(out: &mut Lines, solution: &Solution) {
     }
 }
 
-/// A figure and a second column.
-pub(super) fn two_columns(text: &str, other: &str) -> String {
-    format!("{text:<VALUE_WIDTH$}  {other}")
-        .trim_end()
-        .to_owned()
-}
-
 fn write_starvation(out: &mut Lines, solution: &Solution) {
     let Some(s) = &solution.starvation else {
         return;
@@ -476,37 +466,11 @@ fn viscosity(value: f64) -> String {
     }
 }
 
-pub(super) fn power(value: f64) -> String {
-    format!("{value:.3e}")
-}
-
-/// Smaller shares are round-off.
-const ROUND_OFF: f64 = 1e-9;
-
-pub(super) fn percent_or_power(share: f64) -> String {
-    if share == 0.0 {
-        "0".to_owned()
-    } else if share.abs() < ROUND_OFF {
-        "below 1e-9".to_owned()
-    } else if share.abs() < 1e-4 {
-        power(share)
-    } else {
-        format!("{} %", digits(100.0 * share, 3))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::sample;
     use super::*;
     use crate::warning::{Warning, WarningKind};
-
-    #[test]
-    fn round_off_is_not_shown() {
-        let shown = [0.0, 2.2e-16, -3.3e-10, 6.158e-6, -0.0192].map(percent_or_power);
-        let expected = ["0", "below 1e-9", "below 1e-9", "6.158e-6", "-1.92 %"];
-        assert_eq!(shown, expected);
-    }
 
     #[test]
     fn viscosities_are_readable() {

@@ -3,8 +3,7 @@
 use super::figure::{
     estimate, in_unit, number, peak, percent, place, position, pressure_estimate, temperature,
 };
-use super::lines::Lines;
-use super::report::two_columns;
+use super::lines::{Lines, two_columns};
 use crate::contact::Symmetry;
 use crate::solution::{ErrorClass, Estimate, Figure, Kind, Located, Section, Solution};
 
@@ -58,7 +57,12 @@ pub(super) fn value(solution: &Solution, figure: Figure, at: &Located) -> String
         Kind::Coefficient => number(e),
         Kind::Share => percent(e),
         Kind::Power if is_round_off(solution, figure, e) => format!("0 {unit}"),
-        Kind::Force | Kind::Power => in_unit(e, 1.0, unit),
+        Kind::Force
+        | Kind::Power
+        | Kind::Rise
+        | Kind::Angle
+        | Kind::Duration
+        | Kind::Revolutions => in_unit(e, 1.0, unit),
         Kind::Moment => match e.value.abs().max(e.error.unwrap_or(0.0)) < 1.0 {
             true => in_unit(e, 1e3, "N mm"),
             false => in_unit(e, 1.0, unit),

@@ -4,9 +4,10 @@ use std::collections::{HashMap, HashSet};
 
 use ertel_quantity::Unit;
 
-use super::machine::{DRAWN, DRAWN_IN_TIME, Drawn};
+use super::drawn::{DRAWN, Drawn};
 use super::pictures::{ERROR_BARS, film_unit, is_wide, legend_entry};
-use crate::run::over_time::words_of;
+use crate::figures::Definition;
+use crate::figures::run::FILM_CENTRAL_LOWEST;
 use crate::solution::Figure;
 use crate::study::journal::{PointKey, Record};
 use crate::study::{Column, ISOTHERMAL, StudyEcho, titled};
@@ -51,49 +52,32 @@ pub struct StudyPicture {
     pub drawing: Option<Drawing>,
 }
 
-/// Every picture that studies may have: films and tractions of contacts, and figures of machines.
+/// Every picture that studies may have: films and tractions of contacts, and figures of machines and runs in time.
 pub fn study_pictures(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Vec<StudyPicture> {
-    let is_machine = |record: &Record| record.field("contacts").is_some();
-    let machine = (study.points.iter())
-        .filter_map(|(key, _)| records.get(key))
-        .find(|record| is_machine(record));
-    let finished = (study.points.iter()).filter_map(|(key, _)| records.get(key));
-    let is_in_time = { finished }.any(|record| record.field(IN_TIME).is_some());
-    let of_time = |drawn: &Drawn| {
-        let drawing = is_in_time.then(|| study_figures(study, records, drawn));
-        StudyPicture {
-            name: drawn.name,
-            drawing: drawing.flatten(),
-        }
+    let has = |column: &str| {
+        let mut finished = (study.points.iter()).filter_map(|(key, _)| records.get(key));
+        finished.any(|record| record.field(column).is_some())
     };
-    let (shared, own): (Vec<&Drawn>, Vec<&Drawn>) =
-        (DRAWN_IN_TIME.iter()).partition(|drawn| ["film", "traction"].contains(&drawn.name));
-    let mut pictures: Vec<StudyPicture> = own.into_iter().map(of_time).collect();
-    if is_in_time {
-        pictures.extend(shared.into_iter().map(of_time));
-    } else {
-        pictures.push(StudyPicture {
-            name: "traction",
-            drawing: study_tractions(study, records),
-        });
-    }
-    let of_steady = |drawn: &&Drawn| !is_in_time || drawn.name != "film";
-    for drawn in DRAWN.iter().filter(of_steady) {
-        let drawing = match (machine.is_some(), drawn.name) {
-            (true, _) => study_figures(study, records, drawn),
+    let is_in_time = has(&titled(FILM_CENTRAL_LOWEST.name, "m"));
+    let has_figures = is_in_time || has("contacts");
+    let mut pictures: Vec<StudyPicture> = Vec::new();
+    for name in DRAWN.iter().map(|drawn| drawn.name) {
+        if pictures.iter().any(|picture| picture.name == name) {
+            continue;
+        }
+        let mut drawn = DRAWN.iter().filter(|drawn| drawn.name == name);
+        let drawing = match (has_figures, name) {
+            (true, _) => drawn
+                .find(|drawn| drawn.is_of_run() == is_in_time)
+                .and_then(|drawn| study_figures(study, records, drawn)),
             (false, "film") => study_films(study, records),
+            (false, "traction") => study_tractions(study, records),
             (false, _) => None,
         };
-        pictures.push(StudyPicture {
-            name: drawn.name,
-            drawing,
-        });
+        pictures.push(StudyPicture { name, drawing });
     }
     pictures
 }
-
-/// A column that only transient points have.
-const IN_TIME: &str = "film_central_lowest_m";
 
 /// The same for figures of machines and transient runs.
 fn study_figures(
@@ -102,15 +86,22 @@ fn study_figures(
     drawn: &Drawn,
 ) -> Option<Drawing> {
     let layout = Layout::new(study)?;
+    let titles = |figure: &Definition| {
+        let unit = figure.kind.unit(false);
+        [figure.name, &format!("{}_error", figure.name)].map(|name| titled(name, unit))
+    };
     let figures: Vec<Shown> = (drawn.figures.iter())
-        .map(|name| [name.to_string(), format!("{name}_error")].map(|n| titled(&n, drawn.unit())))
-        .zip(drawn.figures)
-        .filter(|(titles, _)| has_field(study, records, &titles[0]))
+        .map(|figure| (figure, titles(figure)))
+        .filter(|(_, titles)| has_field(study, records, &titles[0]))
         .enumerate()
-        .map(|(i, (titles, name))| Shown {
+        .map(|(i, (figure, titles))| Shown {
             look: drawn.look(i, has_field(study, records, &titles[1])),
             titles,
-            words: words_of(name).map_or_else(|| name.replace('_', " "), str::to_owned),
+            // The words for a machine's figure depend on the machine, which tables do not state.
+            words: match figure.is_of_run() {
+                true => figure.words.to_owned(),
+                false => figure.name.replace('_', " "),
+            },
         })
         .collect();
     let largest = layout.values(study, records, &figures);

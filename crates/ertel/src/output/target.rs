@@ -9,117 +9,66 @@ use ertel_input::file::{LARGEST_OWN, open};
 
 use super::OutputError;
 use super::curve::CURVE_FORMAT;
+use super::drawn::DRAWN;
 use super::machine::MACHINE_FORMAT;
 use super::result_json::FORMAT;
-use super::transient::{TRANSIENT_FORMAT, is_file_of_instant};
+use super::transient::TRANSIENT_FORMAT;
+use crate::params::PictureFormats;
 
-/// Files of a result; a folder with any other file is not replaced.
-const OWN_FILES: [&str; 102] = [
+/// Name of the page in a result folder.
+pub const REPORT_PAGE: &str = "report.html";
+
+/// Prefix and suffix of the fields at an output time; its number, from 1, is between them.
+pub(super) const FIELDS: [&str; 2] = ["fields-", ".vtu"];
+
+/// Files of a result that are no pictures; a folder with any other file is not replaced.
+const FILES: [&str; 18] = [
     "result.json",
-    super::html::REPORT_PAGE,
+    REPORT_PAGE,
     "curve.json",
     "curve.csv",
-    "film-curve.svg",
-    "film-curve.png",
-    "traction-curve.svg",
-    "traction-curve.png",
-    "stribeck.svg",
-    "stribeck.png",
     "report.txt",
     "case.toml",
     "centreline.csv",
     "surface.vtu",
     "body.vtu",
     "result.nc",
-    "centreline.svg",
-    "pressure.svg",
-    "film.svg",
-    "convergence.svg",
-    "centreline.png",
-    "pressure.png",
-    "film.png",
-    "convergence.png",
     "cross-film.csv",
     "temperature.vtu",
-    "temperature.svg",
-    "temperature.png",
-    "temperature-mid.svg",
-    "temperature-mid.png",
-    "temperature-body-1.svg",
-    "temperature-body-1.png",
-    "temperature-body-2.svg",
-    "temperature-body-2.png",
-    "film-curve.pdf",
-    "traction-curve.pdf",
-    "stribeck.pdf",
-    "centreline.pdf",
-    "pressure.pdf",
-    "film.pdf",
-    "convergence.pdf",
-    "temperature.pdf",
-    "temperature-mid.pdf",
-    "temperature-body-1.pdf",
-    "temperature-body-2.pdf",
-    "interferogram.pdf",
-    "cross-film.pdf",
     "cross-check.csv",
     "transient.json",
     "transient.csv",
     "profiles.csv",
     "fields.pvd",
     "animation.png",
-    "film-time.svg",
-    "film-time.png",
-    "film-time.pdf",
-    "film-map.svg",
-    "film-map.png",
-    "film-map.pdf",
-    "friction-torque-curve.svg",
-    "friction-torque-curve.png",
-    "friction-torque-curve.pdf",
-    "friction-power-curve.svg",
-    "friction-power-curve.png",
-    "friction-power-curve.pdf",
-    "mesh-loss-curve.svg",
-    "mesh-loss-curve.png",
-    "mesh-loss-curve.pdf",
-    "friction-coefficient-curve.svg",
-    "friction-coefficient-curve.png",
-    "friction-coefficient-curve.pdf",
-    "temperature-curve.svg",
-    "temperature-curve.png",
-    "temperature-curve.pdf",
-    "safety-curve.svg",
-    "safety-curve.png",
-    "safety-curve.pdf",
-    "life-curve.svg",
-    "life-curve.png",
-    "life-curve.pdf",
-    "pressure-curve.svg",
-    "pressure-curve.png",
-    "pressure-curve.pdf",
-    "amplitude-ratio-curve.svg",
-    "amplitude-ratio-curve.png",
-    "amplitude-ratio-curve.pdf",
-    "machine.json",
-    "machine.csv",
-    "around.svg",
-    "around.png",
-    "around.pdf",
-    "path.svg",
-    "path.png",
-    "path.pdf",
-    // Former names.
+];
+
+/// Former names of pictures, which were written in some formats only.
+const FORMER: [&str; 4] = [
     "temperature-plane.svg",
     "temperature-plane.png",
     "temperature-ball.svg",
     "temperature-ball.png",
-    "interferogram.svg",
-    "interferogram.png",
-    "cross-film.svg",
-    "cross-film.png",
 ];
 
+/// Pictures of a result without suffix, in addition to those of [`DRAWN`].
+const PICTURES: [&str; 15] = [
+    "stribeck",
+    "centreline",
+    "pressure",
+    "film",
+    "convergence",
+    "temperature",
+    "temperature-mid",
+    "temperature-body-1",
+    "temperature-body-2",
+    "interferogram",
+    "cross-film",
+    "film-time",
+    "film-map",
+    "around",
+    "path",
+];
 /// Subfolder with the point folders of a curve.
 pub(super) const POINTS: &str = "points";
 
@@ -248,7 +197,22 @@ fn is_own_file(name: &OsStr, kind: fs::FileType) -> bool {
 
 /// Whether a result may have a file of this name.
 pub(super) fn is_own_name(name: &str) -> bool {
-    OWN_FILES.contains(&name) || is_file_of_instant(name)
+    FILES.contains(&name) || FORMER.contains(&name) || is_picture(name) || is_file_of_instant(name)
+}
+
+fn is_picture(name: &str) -> bool {
+    let is_own = |(stem, suffix): (&str, &str)| {
+        let is_known = PICTURES.contains(&stem) || DRAWN.iter().any(|drawn| drawn.curve == stem);
+        is_known && PictureFormats::NAMES.contains(&suffix)
+    };
+    name.rsplit_once('.').is_some_and(is_own)
+}
+
+/// Whether a file has the name of an instant's fields: `fields-001.vtu`.
+fn is_file_of_instant(name: &str) -> bool {
+    name.strip_prefix(FIELDS[0])
+        .and_then(|rest| rest.strip_suffix(FIELDS[1]))
+        .is_some_and(|number| !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()))
 }
 
 /// `007`

@@ -1,7 +1,7 @@
 //! Solves a case by finite elements.
 
-use super::Recorder;
 use super::describe::{Found, describe, has_derivatives, note_sensitivities};
+use super::recorder::Recorder;
 use crate::case::Case;
 use crate::contact::Scales;
 use crate::engine::{Observer, SolveError};

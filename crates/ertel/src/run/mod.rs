@@ -16,6 +16,7 @@ pub mod checkpoint;
 mod describe;
 mod elements;
 pub mod over_time;
+mod recorder;
 pub mod transient;
 mod volumes;
 
@@ -27,7 +28,7 @@ use crate::engine::{Observer, SolveError};
 use crate::params::{Method, SolverParams};
 use crate::problem::has_thick_film;
 pub use crate::problem::{estimated_film, groups, predicted_film, problem};
-use crate::solution::{Figure, HeatRound, IterationRecord, Solution, Unresolved, Why};
+use crate::solution::{Figure, Solution, Unresolved, Why};
 use crate::solve::sequence;
 use crate::warning::{Warning, WarningKind, silence};
 
@@ -271,42 +272,6 @@ fn may_use_other_method(case: &Case, first: Method) -> bool {
         Method::FiniteVolumes => case.standing_reliefs().is_empty(),
     };
     is_open && other_solves
-}
-
-/// Forwards everything and keeps the iterations.
-struct Recorder<'a> {
-    observer: &'a mut dyn Observer,
-    history: Vec<IterationRecord>,
-}
-
-impl Observer for Recorder<'_> {
-    fn level(&mut self, level: usize, n_levels: usize, n_pressure: usize, n_displacement: usize) {
-        self.observer
-            .level(level, n_levels, n_pressure, n_displacement);
-    }
-
-    fn grid(&mut self, grid: usize, n_pressure: usize) {
-        self.observer.grid(grid, n_pressure);
-    }
-
-    fn iteration(&mut self, record: &IterationRecord) {
-        self.history.push(record.clone());
-        self.observer.iteration(record);
-    }
-
-    fn round(&mut self, round: usize, change: f64, rise: f64) {
-        if let Some(last) = self.history.last_mut() {
-            last.heat = Some(HeatRound {
-                change,
-                temperature_rise: rise,
-            });
-        }
-        self.observer.round(round, change, rise);
-    }
-
-    fn cancelled(&self) -> bool {
-        self.observer.cancelled()
-    }
 }
 
 /// Peak resident memory of this process in bytes, from Linux's process status.

@@ -7,31 +7,16 @@
 //! It may also be between two instants: the error bar covers both ends of this interval, and the overshoot of the parabola through an extreme and its neighbours.
 
 use super::transient::{InstantSolution, TransientSolution};
-use crate::solution::{Estimate, Figure, Kind};
-
-/// A figure of a whole run, SI.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TimeFigure {
-    /// Name in results: `film_minimum_lowest`.
-    pub name: &'static str,
-    /// Description for users.
-    pub words: &'static str,
-    /// Kind of quantity.
-    pub kind: Kind,
-    /// The figure with its bar.
-    pub estimate: Estimate,
-    /// Instant of the figure, s; `None` for means.
-    pub time: Option<f64>,
-    /// Whether its error bar is narrow enough for a number.
-    pub resolved: bool,
-}
-
-impl TimeFigure {
-    /// Whether it is a figure with an error bar, if one is known.
-    pub fn has_bar(&self) -> bool {
-        REPORTED.iter().any(|row| row.name == self.name)
-    }
-}
+use crate::figures::run::{
+    AMPLITUDE_RATIO_HIGHEST, AMPLITUDE_RATIO_LAST, AMPLITUDE_RATIO_LOWEST, APPROACH_HIGHEST,
+    COEFFICIENT_OF_RESTITUTION, FILM_CENTRAL_HIGHEST, FILM_CENTRAL_LAST, FILM_CENTRAL_LOWEST,
+    FILM_FORCE_HIGHEST, FILM_MINIMUM_LAST, FILM_MINIMUM_LOWEST, FILM_TEMPERATURE_MAXIMUM_HIGHEST,
+    FRICTION_POWER_MEAN, MASS_ERROR_HIGHEST, PRESSURE_MAXIMUM_HIGHEST,
+    TRACTION_COEFFICIENT_HIGHEST, TRACTION_COEFFICIENT_MEAN,
+};
+use crate::figures::{Definition, Row};
+use crate::mark::{Mark, Marked, Marks};
+use crate::solution::{Estimate, Figure};
 
 /// Reduction of a figure over time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,125 +27,35 @@ enum Over {
     Last,
 }
 
-/// A reported figure of a whole run.
-struct Row {
-    figure: Figure,
-    over: Over,
-    name: &'static str,
-    words: &'static str,
-}
-
-const fn row(figure: Figure, over: Over, name: &'static str, words: &'static str) -> Row {
-    Row {
-        figure,
-        over,
-        name,
-        words,
-    }
-}
-
-/// Instantaneous figures reported for a whole run, in order. The sign of friction is its direction: extremes are of its magnitude.
-const REPORTED: [Row; 10] = [
-    row(
-        Figure::FilmCentral,
-        Over::Lowest,
-        "film_central_lowest",
-        "lowest central film thickness",
-    ),
-    row(
-        Figure::FilmCentral,
-        Over::Highest,
-        "film_central_highest",
-        "highest central film thickness",
-    ),
-    row(
-        Figure::FilmCentral,
-        Over::Last,
-        "film_central_last",
-        "central film thickness at the end",
-    ),
-    row(
-        Figure::FilmMinimum,
-        Over::Lowest,
-        "film_minimum_lowest",
-        "lowest minimum film thickness",
-    ),
-    row(
-        Figure::FilmMinimum,
-        Over::Last,
-        "film_minimum_last",
-        "minimum film thickness at the end",
-    ),
-    row(
+/// Reported reductions of the figures of instants, in order. The sign of friction is its direction: extremes are of its magnitude.
+const REDUCTIONS: [(Figure, Over, Definition); 10] = [
+    (Figure::FilmCentral, Over::Lowest, FILM_CENTRAL_LOWEST),
+    (Figure::FilmCentral, Over::Highest, FILM_CENTRAL_HIGHEST),
+    (Figure::FilmCentral, Over::Last, FILM_CENTRAL_LAST),
+    (Figure::FilmMinimum, Over::Lowest, FILM_MINIMUM_LOWEST),
+    (Figure::FilmMinimum, Over::Last, FILM_MINIMUM_LAST),
+    (
         Figure::PressureMaximum,
         Over::Highest,
-        "pressure_maximum_highest",
-        "highest pressure maximum",
+        PRESSURE_MAXIMUM_HIGHEST,
     ),
-    row(
+    (
         Figure::TractionCoefficient,
         Over::Highest,
-        "traction_coefficient_highest",
-        "highest traction coefficient",
+        TRACTION_COEFFICIENT_HIGHEST,
     ),
-    row(
+    (
         Figure::TractionCoefficient,
         Over::Mean,
-        "traction_coefficient_mean",
-        "mean traction coefficient",
+        TRACTION_COEFFICIENT_MEAN,
     ),
-    row(
-        Figure::FrictionPower,
-        Over::Mean,
-        "friction_power_mean",
-        "mean friction power",
-    ),
-    row(
+    (Figure::FrictionPower, Over::Mean, FRICTION_POWER_MEAN),
+    (
         Figure::FilmTemperatureMaximum,
         Over::Highest,
-        "film_temperature_maximum_highest",
-        "highest film temperature",
+        FILM_TEMPERATURE_MAXIMUM_HIGHEST,
     ),
 ];
-
-/// Figures without error bars.
-const WITHOUT_BAR: [(&str, &str, Kind); 7] = [
-    (
-        "amplitude_ratio_lowest",
-        "lowest amplitude ratio of the waves",
-        Kind::Coefficient,
-    ),
-    (
-        "amplitude_ratio_highest",
-        "highest amplitude ratio of the waves",
-        Kind::Coefficient,
-    ),
-    (
-        "amplitude_ratio_last",
-        "amplitude ratio of the waves at the end",
-        Kind::Coefficient,
-    ),
-    ("film_force_highest", "highest film force", Kind::Force),
-    ("approach_highest", "largest approach", Kind::Length),
-    (
-        "coefficient_of_restitution",
-        "coefficient of restitution",
-        Kind::Coefficient,
-    ),
-    (
-        "mass_error_highest",
-        "largest mass error of a step",
-        Kind::Share,
-    ),
-];
-
-/// Description of a figure with this name.
-pub fn words_of(name: &str) -> Option<&'static str> {
-    let of_instants = REPORTED.iter().map(|row| (row.name, row.words));
-    let others = WITHOUT_BAR.iter().map(|(name, words, _)| (*name, *words));
-    let mut all = of_instants.chain(others);
-    all.find(|(own, _)| *own == name).map(|(_, words)| words)
-}
 
 /// A value with its error bar at an instant.
 #[derive(Clone, Copy, Debug)]
@@ -170,28 +65,29 @@ struct At {
     bar: Option<f64>,
 }
 
-/// The figures of a run up to the reached time; figures without values are omitted.
-pub fn over_time(found: &TransientSolution) -> Vec<TimeFigure> {
-    let mut figures: Vec<TimeFigure> = (REPORTED.iter())
-        .filter_map(|row| of_instants(row, &found.instants))
-        .collect();
-    let rows = WITHOUT_BAR.iter().filter_map(|(name, words, kind)| {
-        let (value, time) = without_bar(name, found)?;
-        Some(TimeFigure {
-            name,
-            words,
-            kind: *kind,
-            estimate: Estimate { value, error: None },
-            time,
-            resolved: true,
-        })
+/// The figures of a run of a line or another contact up to the reached time; figures without values are omitted.
+pub fn over_time(found: &TransientSolution, is_line: bool) -> Vec<Row> {
+    let reduced = REDUCTIONS
+        .into_iter()
+        .filter_map(|reduction| of_instants(reduction, &found.instants));
+    let others = without_bar(found).into_iter();
+    let others = others.filter_map(|(figure, value)| {
+        let (value, time) = value?;
+        let row = figure.row(value, "");
+        Some(Row { time, ..row })
     });
-    figures.extend(rows);
-    figures
+    let rows = reduced.chain(others);
+    rows.map(|row| Row {
+        unit: row.figure.kind.unit(is_line),
+        ..row
+    })
+    .collect()
 }
 
-fn of_instants(row: &Row, instants: &[InstantSolution]) -> Option<TimeFigure> {
-    let figure = row.figure;
+fn of_instants(
+    (figure, over, reduced): (Figure, Over, Definition),
+    instants: &[InstantSolution],
+) -> Option<Row> {
     let is_directed = matches!(figure, Figure::TractionCoefficient | Figure::FrictionPower);
     let rows: Vec<At> = (instants.iter())
         .filter_map(|instant| {
@@ -204,7 +100,7 @@ fn of_instants(row: &Row, instants: &[InstantSolution]) -> Option<TimeFigure> {
         })
         .collect();
     let last = rows.last()?;
-    let (estimate, time) = match row.over {
+    let (estimate, time) = match over {
         Over::Lowest => lowest(&rows, 1.0)?,
         Over::Highest => lowest(&rows, -1.0)?,
         Over::Mean => (mean(&rows)?, None),
@@ -214,7 +110,7 @@ fn of_instants(row: &Row, instants: &[InstantSolution]) -> Option<TimeFigure> {
         }
     };
     let narrow = |error: f64| error <= figure.widest_bar() * estimate.value.abs();
-    let resolved = match row.over {
+    let resolved = match over {
         Over::Last => instants.last()?.measured.is_resolved(figure),
         // A temperature is judged by its rise, which the instant provides.
         _ if figure == Figure::FilmTemperatureMaximum => {
@@ -223,14 +119,9 @@ fn of_instants(row: &Row, instants: &[InstantSolution]) -> Option<TimeFigure> {
         }
         _ => estimate.error.is_none_or(narrow),
     };
-    Some(TimeFigure {
-        name: row.name,
-        words: row.words,
-        kind: figure.kind(),
-        estimate,
-        time,
-        resolved,
-    })
+    let unresolved = Marks::when(!resolved, Mark::Unresolved);
+    let row = reduced.row(Marked::from(estimate).with(unresolved), "");
+    Some(Row { time, ..row })
 }
 
 /// The lowest value, or with sign −1 the highest one, with error bar and instant.
@@ -294,8 +185,11 @@ fn mean(rows: &[At]) -> Option<Estimate> {
     Some(Estimate { value, error })
 }
 
-/// A figure without error bar, with its instant.
-fn without_bar(name: &str, found: &TransientSolution) -> Option<(f64, Option<f64>)> {
+/// A value with its instant, s.
+type AtInstant = (f64, Option<f64>);
+
+/// Figures without error bars.
+fn without_bar(found: &TransientSolution) -> [(Definition, Option<AtInstant>); 7] {
     let instants = &found.instants;
     let largest = |value: fn(&InstantSolution) -> f64| {
         let rows = instants.iter().map(|i| (value(i), Some(i.time)));
@@ -306,17 +200,25 @@ fn without_bar(name: &str, found: &TransientSolution) -> Option<(f64, Option<f64
         let rows = found.amplitude_ratios.iter().zip(instants);
         rows.filter_map(|(ratio, instant)| Some(((*ratio)?, Some(instant.time))))
     };
-    let moves = || found.moves().then_some(());
-    match name {
-        "amplitude_ratio_lowest" => ratios().min_by(|a, b| a.0.total_cmp(&b.0)),
-        "amplitude_ratio_highest" => ratios().max_by(|a, b| a.0.total_cmp(&b.0)),
-        "amplitude_ratio_last" => ratios().next_back(),
-        "film_force_highest" => moves().and_then(|()| largest(|i| i.film_force)),
-        "approach_highest" => moves().and_then(|()| largest(|i| i.approach)),
-        "coefficient_of_restitution" => Some((found.restitution()?.value, None)),
-        "mass_error_highest" => largest(|i| i.mass_error.abs()),
-        _ => None,
-    }
+    let of_moving = |value| found.moves().then(|| largest(value)).flatten();
+    [
+        (
+            AMPLITUDE_RATIO_LOWEST,
+            ratios().min_by(|a, b| a.0.total_cmp(&b.0)),
+        ),
+        (
+            AMPLITUDE_RATIO_HIGHEST,
+            ratios().max_by(|a, b| a.0.total_cmp(&b.0)),
+        ),
+        (AMPLITUDE_RATIO_LAST, ratios().next_back()),
+        (FILM_FORCE_HIGHEST, of_moving(|i| i.film_force)),
+        (APPROACH_HIGHEST, of_moving(|i| i.approach)),
+        (
+            COEFFICIENT_OF_RESTITUTION,
+            found.restitution().map(|found| (found.value, None)),
+        ),
+        (MASS_ERROR_HIGHEST, largest(|i| i.mass_error.abs())),
+    ]
 }
 
 #[cfg(test)]
@@ -373,19 +275,5 @@ mod tests {
             max_relative = 1e-12
         );
         assert!(mean(&rows(&[[1.0, 2.0, 0.0]])).is_none());
-    }
-
-    #[test]
-    fn every_name_has_words_and_occurs_once() {
-        let names: Vec<&str> = (REPORTED.iter().map(|row| row.name))
-            .chain(WITHOUT_BAR.iter().map(|(name, ..)| *name))
-            .collect();
-        for (i, name) in names.iter().enumerate() {
-            assert!(
-                words_of(name).is_some() && !names[..i].contains(name),
-                "{name}"
-            );
-        }
-        assert_eq!(words_of("film"), None);
     }
 }

@@ -1,7 +1,7 @@
 //! Solves a case by finite volumes.
 
-use super::Recorder;
 use super::describe::{Found, describe, has_derivatives, note_sensitivities};
+use super::recorder::Recorder;
 use crate::case::Case;
 use crate::engine::{Observer, Problem, SolveError};
 use crate::params::{DEFAULT_TARGET_ERROR, MeshPreset, Method};

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::{MachinePoint, Outcome, PointSolution, RunInTime};
+use super::{Outcome, PointSolution};
+use crate::figures::Row;
 use crate::mark::{Mark, Marked, of_figure};
 use crate::solution::{Estimate, Figure, Kind, MixedLubrication, Solution, Thermal, Unresolved};
 
@@ -120,103 +121,79 @@ pub(crate) fn titled(name: &str, unit: &str) -> String {
 
 /// Titles with the cells of a point: of a single contact those of all columns, of a whole machine and of a case in time their figures.
 pub fn point_fields(point: &PointSolution, is_line: bool) -> Vec<(String, Cell)> {
-    if point.is_in_time {
-        return fields_in_time(point, point.outcome.in_time(), is_line);
+    if point.machine.is_none() && !point.is_in_time {
+        return columns().flat_map(|c| c.fields(point, is_line)).collect();
     }
-    match &point.machine {
-        None => columns().flat_map(|c| c.fields(point, is_line)).collect(),
-        Some(machine) => machine_fields(point, machine),
-    }
-}
-
-/// The figures of a machine with their error bars, and what belongs to the solve.
-fn machine_fields(point: &PointSolution, machine: &MachinePoint) -> Vec<(String, Cell)> {
-    let MachinePoint { solution, figures } = machine;
     let text = |name: &str, text: String| (name.to_owned(), Cell::Text(text));
     let count = |name: &str, n: usize| (name.to_owned(), Cell::Count(n));
-    let mut fields = vec![
-        text("converged", point.outcome.is_solved().to_string()),
-        count("contacts", solution.n_contacts()),
-        count("contacts_failed", solution.n_failed()),
-    ];
-    for figure in &figures.all {
-        let Marked { value, error, .. } = figure.estimate;
-        let of = titled(figure.name, figure.unit);
-        let error_of = titled(&format!("{}_error", figure.name), figure.unit);
-        fields.extend([(of, Cell::Number(value)), (error_of, error.into())]);
-    }
-    let solutions = point.solutions();
-    let sum = |of: fn(&Solution) -> usize| solutions.iter().map(|s| of(s)).sum();
-    let mut unresolved: Vec<&str> = Vec::new();
-    for name in solutions
-        .iter()
-        .flat_map(|s| &s.unresolved)
-        .map(Unresolved::name)
-    {
-        if !unresolved.contains(&name) {
-            unresolved.push(name);
-        }
-    }
-    let uncertain = (figures.all.iter()).filter(|figure| figure.estimate.is_doubtful());
-    let uncertain: Vec<&str> = uncertain.map(|figure| figure.name).collect();
-    fields.extend([
-        count("newton_iterations", sum(newton_iterations)),
-        count("krylov_iterations", sum(krylov_iterations)),
-        text("unresolved", unresolved.join(" ")),
-        text("uncertain_figures", uncertain.join(" ")),
-        text("warnings", warnings(point)),
-        ("seconds".to_owned(), Cell::Number(point.seconds)),
-        text(
-            "reason",
-            point.outcome.reason().unwrap_or_default().to_owned(),
-        ),
-    ]);
-    fields
-}
-
-/// The figures of a whole run with their error bars and their instants, and what belongs to the solve.
-fn fields_in_time(
-    point: &PointSolution,
-    run: Option<&RunInTime>,
-    is_line: bool,
-) -> Vec<(String, Cell)> {
-    let text = |name: &str, text: String| (name.to_owned(), Cell::Text(text));
     let mut fields = vec![text("converged", point.outcome.is_solved().to_string())];
-    for figure in run.iter().flat_map(|run| &run.figures) {
-        let (name, unit) = (figure.name, figure.kind.unit(is_line));
-        let Estimate { value, error } = figure.estimate;
-        fields.push((titled(name, unit), Cell::Number(value)));
-        if figure.has_bar() {
-            fields.push((titled(&format!("{name}_error"), unit), error.into()));
-        }
-        if let Some(time) = figure.time {
-            fields.push((titled(&format!("{name}_time"), "s"), Cell::Number(time)));
-        }
+    if let Some(machine) = &point.machine {
+        let solution = &machine.solution;
+        fields.push(count("contacts", solution.n_contacts()));
+        fields.push(count("contacts_failed", solution.n_failed()));
     }
-    if let Some(run) = run {
-        let [steps, refused] = run.steps;
-        let uncertain = run.figures.iter().filter(|figure| !figure.resolved);
-        let uncertain: Vec<&str> = uncertain.map(|figure| figure.name).collect();
+    fields.extend(point.rows().iter().flat_map(row_fields));
+    let names = match point.outcome.in_time() {
+        Some(run) => {
+            let [steps, refused] = run.steps;
+            fields.extend([
+                count("steps", steps),
+                count("refused_steps", refused),
+                count("newton_iterations", run.newton_iterations),
+            ]);
+            Some(run.unresolved.clone())
+        }
+        None if point.is_in_time => None,
+        None => {
+            let solutions = point.solutions();
+            let sum = |of: fn(&Solution) -> usize| solutions.iter().map(|s| of(s)).sum();
+            fields.extend([
+                count("newton_iterations", sum(newton_iterations)),
+                count("krylov_iterations", sum(krylov_iterations)),
+            ]);
+            let names = solutions.iter().flat_map(|s| &s.unresolved);
+            Some(distinct(names.map(Unresolved::name)))
+        }
+    };
+    if let Some(names) = names {
+        let uncertain = (point.rows().iter()).filter(|row| row.estimate.is_doubtful());
+        let uncertain: Vec<&str> = uncertain.map(|row| row.figure.name).collect();
         fields.extend([
-            ("steps".to_owned(), Cell::Count(steps)),
-            ("refused_steps".to_owned(), Cell::Count(refused)),
-            (
-                "newton_iterations".to_owned(),
-                Cell::Count(run.newton_iterations),
-            ),
-            text("unresolved", run.unresolved.join(" ")),
+            text("unresolved", names.join(" ")),
             text("uncertain_figures", uncertain.join(" ")),
             text("warnings", warnings(point)),
         ]);
     }
+    let reason = point.outcome.reason().unwrap_or_default();
     fields.extend([
         ("seconds".to_owned(), Cell::Number(point.seconds)),
-        text(
-            "reason",
-            point.outcome.reason().unwrap_or_default().to_owned(),
-        ),
+        text("reason", reason.to_owned()),
     ]);
     fields
+}
+
+/// A figure of a machine or a run with its error bar and its instant.
+fn row_fields(row: &Row) -> Vec<(String, Cell)> {
+    let (name, Marked { value, error, .. }) = (row.figure.name, row.estimate);
+    let mut fields = vec![(titled(name, row.unit), Cell::Number(value))];
+    if row.figure.has_bar() {
+        fields.push((titled(&format!("{name}_error"), row.unit), error.into()));
+    }
+    if let Some(time) = row.time {
+        fields.push((titled(&format!("{name}_time"), "s"), Cell::Number(time)));
+    }
+    fields
+}
+
+/// Each name once, in order.
+fn distinct(names: impl Iterator<Item = &'static str>) -> Vec<&'static str> {
+    let mut all: Vec<&str> = Vec::new();
+    for name in names {
+        if !all.contains(&name) {
+            all.push(name);
+        }
+    }
+    all
 }
 
 fn newton_iterations(solution: &Solution) -> usize {
@@ -319,15 +296,9 @@ fn uncertain_figures(point: &PointSolution) -> Cell {
 
 /// The codes of the warnings of a point, without notes and those that are silenced.
 fn warnings(point: &PointSolution) -> String {
-    let mut names: Vec<&str> = Vec::new();
     let all = point.warnings();
-    for warning in all.iter().filter(|warning| warning.is_shown()) {
-        let name = warning.kind.code();
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
-    names.join(" ")
+    let shown = all.iter().filter(|warning| warning.is_shown());
+    distinct(shown.map(|warning| warning.kind.code())).join(" ")
 }
 
 fn film_central(solution: Option<&crate::solution::Solution>) -> Option<Estimate> {

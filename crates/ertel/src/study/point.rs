@@ -238,7 +238,11 @@ fn attempt_in_time(
     match &found.failure {
         Some(TransientError::Interrupted) => Err(Interrupted),
         Some(error) => Ok(Outcome::Failed(error.to_string())),
-        None => Ok(Outcome::InTime(Box::new(RunInTime::new(found, keep)))),
+        None => Ok(Outcome::InTime(Box::new(RunInTime::new(
+            found,
+            case.contact.kind.is_line(),
+            keep,
+        )))),
     }
 }
 

@@ -1,22 +1,13 @@
 //! Which figures of the points of a curve or a study are not to be used.
 
 use super::{Cell, CurveSolution, point_fields};
-use crate::run::over_time;
-use crate::solution::Figure;
+use crate::figures::words_of;
 
 /// Columns of a table that name them: requested figures, and all figures.
 const COLUMNS: [&str; 2] = ["unresolved", "uncertain_figures"];
 
 /// Figures that are named; of more only the number.
 const MOST: usize = 6;
-
-/// Name of a figure in reports, by its name in tables.
-fn words_of(name: &str) -> String {
-    let of = Figure::ALL.into_iter().find(|figure| figure.name() == name);
-    of.map(|figure| figure.words())
-        .or_else(|| over_time::words_of(name))
-        .map_or_else(|| name.replace('_', " "), str::to_owned)
-}
 
 /// How many points do not resolve each figure, by its name.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -9,8 +9,8 @@ use super::{
 };
 use crate::compare::Comparison;
 use crate::files::{TEMPORARY, write_whole};
-use crate::output::html::{REPORT_PAGE, comparison_page};
-use crate::output::target::has_format;
+use crate::output::html::comparison_page;
+use crate::output::target::{REPORT_PAGE, has_format};
 use crate::output::{OutputError, picture_files, put_picture};
 use crate::params::PictureFormats;
 use crate::study::journal::LOCK;

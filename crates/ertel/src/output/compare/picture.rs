@@ -8,7 +8,7 @@ use super::report::unit_of;
 use super::settings::{n_apart, settings};
 use crate::case::study::AxisValue;
 use crate::compare::{ComparedRow, Comparison, Measurand};
-use crate::words::digits;
+use crate::words::{CELSIUS, digits};
 use ertel_plot::{Axis, AxisScale, Chart, Drawing, ErrorBars, Look, PALETTE, Series, side_by_side};
 
 /// Margin of a logarithmic axis around the points.
@@ -192,7 +192,7 @@ impl Layout {
         }
         let name = name.replace("Slide to roll ratio", "Slide-to-roll ratio");
         match unit.as_str() {
-            "K" => (format!("{name} (°C)"), |v| v - 273.15),
+            "K" => (format!("{name} (°C)"), |v| v - CELSIUS),
             "" => (name, |v| v),
             unit => (format!("{name} ({unit})"), |v| v),
         }
@@ -219,7 +219,7 @@ fn label(comparison: &Comparison, row: &ComparedRow, columns: &[usize]) -> Strin
     let words = columns.iter().map(|c| {
         let (name, unit) = words(&comparison.columns[*c]);
         match (&row.values[*c], unit.as_str()) {
-            (AxisValue::Number(value, _), "K") => format!("{} °C", digits(value - 273.15, 3)),
+            (AxisValue::Number(value, _), "K") => format!("{} °C", digits(value - CELSIUS, 3)),
             (AxisValue::Number(value, _), "") => format!("{name} {}", digits(*value, 2)),
             (AxisValue::Number(value, _), unit) => format!("{} {unit}", digits(*value, 3)),
             (AxisValue::Text(text), _) => text.replace(['{', '}', '*'], ""),

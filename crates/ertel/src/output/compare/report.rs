@@ -10,27 +10,19 @@ use super::super::study::words;
 use crate::case::study::AxisValue;
 use crate::compare::{Compared, Comparison, Measurand, Outcome, Statistics};
 use crate::solution::Estimate;
-use crate::words::digits;
+use crate::words::{CELSIUS, digits};
 
 /// The rows as a table, then bias, scatter and the worst row of each figure.
 pub fn comparison_report(comparison: &Comparison, folder: Option<&Path>) -> String {
-    let mut title: String = comparison
-        .title
-        .chars()
-        .filter(|c| !c.is_control())
-        .collect();
-    if title.trim().is_empty() {
-        title = "Elastohydrodynamic contact".to_owned();
-    }
-    let rule = "─".repeat(title.chars().count().max(4));
-    let mut text = format!("{title}\n{rule}\n\nMeasured and computed\n");
-    for note in &comparison.notes {
-        let _ = writeln!(text, "  {note}");
-    }
+    let mut out = Lines::default();
+    out.title(&comparison.title);
+    out.heading("Measured and computed");
+    comparison.notes.iter().for_each(|note| out.line(note));
+    let mut text = out.text();
     let figures: Vec<Measurand> = comparison.figures().collect();
     for figure in &figures {
         text.push('\n');
-        write_rows(&mut text, comparison, *figure);
+        text += &table_of(comparison, *figure).text();
     }
     for said in failures(comparison) {
         let _ = writeln!(text, "\n  ! {said}");
@@ -76,21 +68,15 @@ pub(in crate::output) fn write_figures(out: &mut Lines, comparison: &Comparison)
         let words = figure.words();
         let (first, rest) = words.split_at(1);
         out.heading(&(first.to_uppercase() + rest));
-        let mut rows = table_of(comparison, figure);
-        let head = rows.remove(0);
-        out.table(Table {
-            head,
-            rows,
-            widths: Vec::new(),
-        });
+        out.table(table_of(comparison, figure));
         for (name, value) in statistics_of(comparison, figure) {
             out.row(name, value);
         }
     }
 }
 
-/// The table of a figure, starting with its header.
-fn table_of(comparison: &Comparison, figure: Measurand) -> Vec<Vec<String>> {
+/// The table of a figure.
+fn table_of(comparison: &Comparison, figure: Measurand) -> Table {
     let (factor, unit) = unit_of(comparison, figure);
     let in_brackets = |unit: &str| match unit {
         "" => String::new(),
@@ -106,7 +92,7 @@ fn table_of(comparison: &Comparison, figure: Measurand) -> Vec<Vec<String>> {
     }));
     header.push(format!("{} measured{}", figure.words(), in_brackets(unit)));
     header.extend(["computed", "difference", "agree"].map(str::to_owned));
-    let mut rows = vec![header];
+    let mut rows = Vec::new();
     for row in &comparison.rows {
         let Some(compared) = row.figures[figure as usize] else {
             continue;
@@ -128,32 +114,14 @@ fn table_of(comparison: &Comparison, figure: Measurand) -> Vec<Vec<String>> {
         }
         rows.push(cells);
     }
-    rows
-}
-
-fn write_rows(text: &mut String, comparison: &Comparison, figure: Measurand) {
-    let rows = table_of(comparison, figure);
-    let n = rows[0].len();
-    let width = |j: usize| rows.iter().map(|r| r[j].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..n).map(width).collect();
-    for row in &rows {
-        let cells = row
-            .iter()
-            .zip(&widths)
-            .map(|(cell, w)| format!("{cell:<w$}"));
-        let _ = writeln!(
-            text,
-            "  {}",
-            cells.collect::<Vec<_>>().join("  ").trim_end()
-        );
-    }
+    Table::fitted(header, rows)
 }
 
 /// A value of a column; temperatures in °C.
 fn shown(value: &AxisValue) -> String {
     match value {
         AxisValue::Number(value, dimension) if dimension.si_unit() == "K" => {
-            digits(value - 273.15, 4)
+            digits(value - CELSIUS, 4)
         }
         AxisValue::Number(value, _) => digits(*value, 4),
         AxisValue::Text(text) => text.chars().filter(|c| !c.is_control()).collect(),

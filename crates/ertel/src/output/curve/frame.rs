@@ -5,7 +5,7 @@ use ertel_quantity::Dimension;
 use super::super::pictures::is_wide;
 use crate::case::curve::Quantity;
 use crate::study::{CurveSolution, PointSolution, RPM};
-use crate::words::pressure_unit;
+use crate::words::{CELSIUS, pressure_unit};
 use ertel_plot::{Axis, AxisScale, Chart, Marker};
 
 /// Diagram over the quantity of a curve, without series; call [`fit_y`] after adding them.
@@ -76,7 +76,7 @@ fn shown_unit(quantity: &Quantity, size: f64) -> (fn(f64) -> f64, &'static str) 
         Dimension::PRESSURE if pressure_unit(size).1 == "MPa" => (|v| 1e-6 * v, "MPa"),
         Dimension::PRESSURE => (|v| 1e-9 * v, "GPa"),
         Dimension::LENGTH => (|v| 1e3 * v, "mm"),
-        Dimension::TEMPERATURE => (|v| v - 273.15, "°C"),
+        Dimension::TEMPERATURE => (|v| v - CELSIUS, "°C"),
         Dimension::ANGULAR_SPEED => (|v| RPM * v, "rpm"),
         _ if quantity.is_torque() => (|v| v, "N m"),
         _ => (|v| v, ""),

@@ -2,9 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::super::machine::machine_figures_json;
 use super::super::result_json::{FORMAT_VERSION, figures_json, units};
-use super::super::transient::over_time_json;
+use super::super::rows::rows_json;
 use crate::case::CaseEcho;
 use crate::run::NUMERICS;
 use crate::study::{CurveSolution, Outcome, PointSolution};
@@ -50,40 +49,22 @@ pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<
 /// # Errors
 /// Those of serde.
 pub fn point_json(index: usize, point: &PointSolution) -> serde_json::Result<Value> {
-    if let Some(machine) = &point.machine {
-        let warnings = point.warnings();
-        let mut json = json!({
-            "point": index + 1,
-            "value": point.value,
-            "converged": point.outcome.is_solved(),
-            "seconds": point.seconds,
-            "figures": machine_figures_json(&machine.figures),
-            "n_contacts": machine.solution.n_contacts(),
-            "n_failed": machine.solution.n_failed(),
-            "unresolved": point.is_unresolved(),
-            "warnings": texts(&warnings),
-            "warning_codes": codes(&warnings),
-        });
-        if let Some(reason) = point.outcome.reason() {
-            json["reason"] = json!(reason);
-        }
-        return Ok(json);
-    }
-    if point.is_in_time {
-        return json_in_time(index, point);
-    }
-    let formulas: Vec<Value> = point
-        .formulas
-        .iter()
-        .map(|f| json!({ "name": f.name, "film_central": f.central, "film_minimum": f.minimum }))
-        .collect();
     let mut json = json!({
         "point": index + 1,
         "value": point.value,
         "converged": point.outcome.is_solved(),
         "seconds": point.seconds,
-        "formulas": formulas,
     });
+    if point.machine.is_some() || point.is_in_time {
+        add_rows(&mut json, point);
+        if let Some(reason) = point.outcome.reason() {
+            json["reason"] = json!(reason);
+        }
+        return Ok(json);
+    }
+    json["formulas"] = (point.formulas.iter())
+        .map(|f| json!({ "name": f.name, "film_central": f.central, "film_minimum": f.minimum }))
+        .collect();
     match &point.outcome {
         Outcome::Solved(s) => {
             json["figures"] = figures_json(s);
@@ -117,27 +98,26 @@ pub fn point_json(index: usize, point: &PointSolution) -> serde_json::Result<Val
     Ok(json)
 }
 
-/// A point that is a transient case: the figures of the whole run.
-fn json_in_time(index: usize, point: &PointSolution) -> serde_json::Result<Value> {
-    let mut json = json!({
-        "point": index + 1,
-        "value": point.value,
-        "converged": point.outcome.is_solved(),
-        "seconds": point.seconds,
-    });
-    if let Some(run) = point.outcome.in_time() {
-        json["over_time"] = over_time_json(&run.figures, point.case.contact.kind.is_line());
+/// The figures of a whole machine or of a run in time.
+fn add_rows(json: &mut Value, point: &PointSolution) {
+    let rows = Value::from(rows_json(point.rows()));
+    if let Some(machine) = &point.machine {
+        json["figures"] = rows;
+        json["n_contacts"] = json!(machine.solution.n_contacts());
+        json["n_failed"] = json!(machine.solution.n_failed());
+        json["unresolved"] = json!(point.is_unresolved());
+    } else if let Some(run) = point.outcome.in_time() {
+        json["over_time"] = rows;
         json["steps"] = json!(run.steps[0]);
         json["refused_steps"] = json!(run.steps[1]);
         json["newton_iterations"] = json!(run.newton_iterations);
         json["unresolved"] = json!(run.unresolved);
-        json["warnings"] = json!(texts(&run.warnings));
-        json["warning_codes"] = json!(codes(&run.warnings));
+    } else {
+        return;
     }
-    if let Some(reason) = point.outcome.reason() {
-        json["reason"] = json!(reason);
-    }
-    Ok(json)
+    let warnings = point.warnings();
+    json["warnings"] = json!(texts(&warnings));
+    json["warning_codes"] = json!(codes(&warnings));
 }
 
 /// A simpler case solved at the same point.

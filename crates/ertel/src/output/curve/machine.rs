@@ -1,19 +1,15 @@
 //! Figures of whole machines and transient runs over the quantity of a curve.
 
-use super::super::machine::{DRAWN, DRAWN_IN_TIME, Drawn};
+use super::super::drawn::{DRAWN, Drawn};
 use super::super::pictures::{ERROR_BARS, Picture};
 use super::frame::{curve_chart, fit_y, largest, points_over};
-use crate::solution::Estimate;
-use crate::study::{CurveSolution, PointSolution};
+use crate::figures::Row;
+use crate::study::CurveSolution;
 use ertel_plot::{Chart, ErrorBars, PALETTE, Series, Side};
 
 /// One picture per kind of figure that the machines or the transient runs have.
 pub(super) fn pictures(title: &str, curve: &CurveSolution) -> Vec<Picture> {
-    let drawn: &[Drawn] = match curve.points.iter().any(|point| point.is_in_time) {
-        true => &DRAWN_IN_TIME,
-        false => &DRAWN,
-    };
-    let charts = drawn
+    let charts = DRAWN
         .iter()
         .filter_map(|drawn| Some((drawn, chart(title, curve, drawn)?)));
     charts
@@ -21,43 +17,21 @@ pub(super) fn pictures(title: &str, curve: &CurveSolution) -> Vec<Picture> {
         .collect()
 }
 
-/// A figure of a point.
-struct Shown {
-    words: &'static str,
-    estimate: Estimate,
-}
-
-fn figure(point: &PointSolution, name: &str) -> Option<Shown> {
-    if let Some(run) = point.outcome.in_time() {
-        let found = run.find(name)?;
-        let (words, estimate) = (found.words, found.estimate);
-        return Some(Shown { words, estimate });
-    }
-    let found = point.machine.as_ref()?.figures.find(name)?;
-    Some(Shown {
-        words: found.words,
-        estimate: found.estimate.estimate(),
-    })
-}
-
 /// Figures over the quantity, with their error bars; `None` if no point has one.
 fn chart(title: &str, curve: &CurveSolution, drawn: &Drawn) -> Option<Chart> {
-    let figures = drawn.figures.iter().flat_map(|name| {
-        let of = curve.points.iter().filter_map(|point| figure(point, name));
-        of.map(|figure| figure.estimate.value.abs())
-    });
-    let size = largest(figures);
+    let rows = |name: &'static str| curve.points.iter().filter_map(move |point| point.row(name));
+    let figures = drawn.figures.iter().flat_map(|figure| rows(figure.name));
+    let size = largest(figures.map(|row| row.estimate.value.abs()));
     let ([factor, summand], label) = drawn.scale(size);
     let mut chart = curve_chart(title, curve, &label);
-    for (i, name) in drawn.figures.iter().enumerate() {
-        let mut of = curve.points.iter().filter_map(|point| figure(point, name));
-        let Some(words) = of.next().map(|figure| figure.words) else {
+    for (i, name) in drawn.figures.iter().map(|figure| figure.name).enumerate() {
+        let Some(first) = rows(name).next() else {
             continue;
         };
-        let over = |of: &dyn Fn(&Shown) -> Option<f64>| {
-            points_over(curve, |p| Some(factor * of(&figure(p, name)?)? + summand))
+        let over = |of: &dyn Fn(&Row) -> Option<f64>| {
+            points_over(curve, |p| Some(factor * of(p.row(name)?)? + summand))
         };
-        let ends = |sign: f64| over(&|f| Some(f.estimate.value + sign * f.estimate.error?));
+        let ends = |sign: f64| over(&|row| Some(row.estimate.value + sign * row.estimate.error?));
         let bars: Vec<[f64; 3]> = (ends(-1.0).into_iter().zip(ends(1.0)))
             .map(|([x, low], [_, high])| [x, low, high])
             .filter(|bar| bar.iter().all(|v| v.is_finite()))
@@ -68,8 +42,8 @@ fn chart(title: &str, curve: &CurveSolution, drawn: &Drawn) -> Option<Chart> {
             colour: PALETTE[i].to_owned(),
         });
         chart.series.push(Series {
-            label: words.to_owned(),
-            points: over(&|f| Some(f.estimate.value)),
+            label: first.figure.words.to_owned(),
+            points: over(&|row| Some(row.estimate.value)),
             look,
             colour: PALETTE[i].to_owned(),
             side: Side::Left,

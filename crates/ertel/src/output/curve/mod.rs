@@ -17,9 +17,10 @@ pub use table::curve_table;
 use std::path::Path;
 
 use super::folder::{NewFolder, OutputFile, Part};
-use super::html::{REPORT_PAGE, curve_page};
+use super::html::curve_page;
 use super::machine::{check as check_machine, write_files_of_machine};
 use super::pictures::Picture;
+use super::target::REPORT_PAGE;
 use super::transient::{check_finite, write_files as write_files_in_time};
 use super::{OutputError, finite, write_files, write_picture};
 use crate::case::CaseEcho;
@@ -108,21 +109,12 @@ fn write_files_of_curve(
     curve: &CurveSolution,
     params: &OutputParams,
 ) -> Result<(), OutputError> {
-    let json = curve_json(case, curve)
-        .and_then(|json| serde_json::to_string_pretty(&json))
-        .map_err(|e| OutputError::io(&root.shown("curve.json"), e.into()))?;
-    root.file("curve.json", |out| writeln!(out, "{json}"))?;
-    root.file("curve.csv", |out| {
-        out.write_all(curve_table(curve).as_bytes())
-    })?;
-    root.file("report.txt", |out| {
-        out.write_all(curve_report(case, curve, None).as_bytes())
-    })?;
-    root.file(REPORT_PAGE, |out| {
-        out.write_all(curve_page(case, curve).as_bytes())
-    })?;
+    root.json("curve.json", curve_json(case, curve))?;
+    root.bytes("curve.csv", curve_table(curve))?;
+    root.bytes("report.txt", curve_report(case, curve, None))?;
+    root.bytes(REPORT_PAGE, curve_page(case, curve))?;
     if let Some(text) = &case.case_file {
-        root.file("case.toml", |out| out.write_all(text.as_bytes()))?;
+        root.bytes("case.toml", text)?;
     }
     for picture in pictures(&case.title, curve) {
         write_picture(root, &picture, params.pictures)?;

@@ -4,11 +4,12 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::super::figure::{estimate, number, peak, temperature};
-use super::super::machine::{REPORTED, REPORTED_IN_TIME, shown};
+use super::super::lines::{Lines, Table};
 use super::super::mixed::share;
-use super::super::transient::over_time_text;
+use super::super::rows::{REPORTED, shown};
 use crate::case::CaseEcho;
-use crate::run::over_time::words_of;
+use crate::figures::Definition;
+use crate::figures::run::FILM_CENTRAL_LOWEST;
 use crate::solution::MixedLubrication;
 use crate::study::{CurveSolution, Outcome, PointSolution, UnresolvedFigures, value_text};
 use crate::warning::by_kind;
@@ -16,32 +17,16 @@ use crate::words::digits;
 
 /// The points as a table, failures with their reasons, and warnings.
 pub fn curve_report(case: &CaseEcho, curve: &CurveSolution, folder: Option<&Path>) -> String {
-    let mut title: String = case.title.chars().filter(|c| !c.is_control()).collect();
-    if title.trim().is_empty() {
-        title = "Elastohydrodynamic contact".to_owned();
-    }
-    let rule = "─".repeat(title.chars().count().max(4));
-    let mut text = format!("{title}\n{rule}\n\nCurve over {}\n", curve.quantity.path);
+    let mut out = Lines::default();
+    out.title(&case.title);
+    out.heading(&format!("Curve over {}", curve.quantity.path));
     let is_machine = curve.points.iter().any(|p| p.machine.is_some());
     let is_in_time = curve.points.iter().any(|p| p.is_in_time);
-    let rows = match (is_machine, is_in_time) {
-        (true, _) => rows_of_machines(curve),
-        (false, true) => rows_in_time(curve),
-        (false, false) => rows(curve),
-    };
-    let width = |j: usize| rows.iter().map(|r| r[j].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
-    for row in &rows {
-        let cells = row
-            .iter()
-            .zip(&widths)
-            .map(|(cell, w)| format!("{cell:<w$}"));
-        let _ = writeln!(
-            text,
-            "  {}",
-            cells.collect::<Vec<_>>().join("  ").trim_end()
-        );
-    }
+    out.table(match is_machine || is_in_time {
+        true => table_of_figures(curve, !is_machine),
+        false => table(curve),
+    });
+    let mut text = out.text();
     write_remarks(&mut text, curve);
     let _ = writeln!(
         text,
@@ -57,7 +42,7 @@ pub fn curve_report(case: &CaseEcho, curve: &CurveSolution, folder: Option<&Path
 }
 
 /// The table with its header; lambda ratio for rough surfaces, film and asperity friction with boundary friction.
-fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
+fn table(curve: &CurveSolution) -> Table {
     let mixed = |p: &PointSolution| p.outcome.solution()?.mixed.clone();
     let found: Vec<MixedLubrication> = curve.points.iter().filter_map(mixed).collect();
     let is_rough = !found.is_empty();
@@ -89,12 +74,12 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
         let cells = cells.filter_map(|(cell, (is_shown, _))| is_shown.then_some(cell));
         cells.collect::<Vec<String>>()
     };
-    let mut rows = vec![shown(columns.map(|(_, title)| title.to_owned()))];
+    let head = shown(columns.map(|(_, title)| title.to_owned()));
+    let mut rows = Vec::new();
     let none = || "-".to_owned();
     for point in &curve.points {
         let value = value_text(&curve.quantity, point.value);
         let time = format!("{} s", digits(point.seconds, 2));
-        let failed = || "failed".to_owned();
         rows.push(shown(match &point.outcome {
             Outcome::Solved(s) => {
                 let iterations: usize = s.stats.levels.iter().map(|l| l.newton_iterations).sum();
@@ -120,85 +105,50 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
                     time,
                 ]
             }
-            Outcome::InTime(_) | Outcome::Failed(_) => [
-                value,
-                failed(),
-                none(),
-                none(),
-                none(),
-                none(),
-                none(),
-                none(),
-                none(),
-                none(),
-                none(),
-                none(),
-                none(),
-                time,
-            ],
+            Outcome::InTime(_) | Outcome::Failed(_) => {
+                let mut cells = std::array::from_fn(|_| none());
+                [cells[0], cells[1], cells[13]] = [value, "failed".to_owned(), time];
+                cells
+            }
         }));
     }
-    rows
+    Table::fitted(head, rows)
 }
 
-/// The table of whole machines with its header and their main figures.
-fn rows_of_machines(curve: &CurveSolution) -> Vec<Vec<String>> {
-    let figure = |p: &PointSolution, name: &str| p.machine.as_ref()?.figures.find(name).cloned();
-    let found = |name: &str| curve.points.iter().find_map(|p| figure(p, name));
-    let columns: Vec<(&str, &str)> = (REPORTED.iter())
-        .filter_map(|name| Some((*name, found(name)?.words)))
+/// The table of whole machines or transient runs with its header and their main figures, of runs those that are not zero in all of them.
+fn table_of_figures(curve: &CurveSolution, is_in_time: bool) -> Table {
+    let columns: Vec<Definition> = (REPORTED.iter())
+        .filter_map(|figure| {
+            let mut found = curve.points.iter().filter_map(|p| p.row(figure.name));
+            let row = found.find(|row| !is_in_time || row.estimate.value != 0.0);
+            Some(row?.figure)
+        })
         .collect();
     let mut head = vec![curve.quantity.name.to_owned()];
-    head.extend(columns.iter().map(|(_, words)| (*words).to_owned()));
-    head.extend(["contacts".to_owned(), "time".to_owned()]);
-    let mut rows = vec![head];
+    head.extend(columns.iter().map(|figure| figure.words.to_owned()));
+    let effort = if is_in_time { "steps" } else { "contacts" };
+    head.extend([effort, "time"].map(str::to_owned));
+    let mut rows = Vec::new();
     for point in &curve.points {
         let mut row = vec![value_text(&curve.quantity, point.value)];
-        row.extend((columns.iter()).map(|(name, _)| {
-            figure(point, name).map_or_else(|| "-".to_owned(), |figure| shown(&figure))
+        row.extend(columns.iter().map(|figure| match point.row(figure.name) {
+            Some(found) => shown(found),
+            None if *figure == FILM_CENTRAL_LOWEST => "failed".to_owned(),
+            None => "-".to_owned(),
         }));
-        row.push(match &point.machine {
-            None => "failed".to_owned(),
-            Some(of) => match (of.solution.n_contacts(), of.solution.n_failed()) {
+        row.push(match (&point.machine, point.outcome.in_time()) {
+            (Some(of), _) => match (of.solution.n_contacts(), of.solution.n_failed()) {
                 (all, 0) => all.to_string(),
                 (all, failed) => format!("{failed} of {all} failed"),
             },
+            (None, Some(run)) => run.steps[0].to_string(),
+            (None, None) if is_in_time => "-".to_owned(),
+            (None, None) => "failed".to_owned(),
         });
         row.push(format!("{} s", digits(point.seconds, 2)));
         rows.push(row);
     }
-    rows
-}
-
-/// The table of transient runs with its header and those main figures that are not zero in all runs.
-fn rows_in_time(curve: &CurveSolution) -> Vec<Vec<String>> {
-    let figure = |p: &PointSolution, name: &str| p.outcome.in_time()?.find(name).cloned();
-    let is_reported = |name: &&&str| {
-        let mut found = curve.points.iter().filter_map(|p| figure(p, name));
-        found.any(|figure| figure.estimate.value != 0.0)
-    };
-    let names: Vec<&&str> = REPORTED_IN_TIME.iter().filter(is_reported).collect();
-    let words = names.iter().map(|name| words_of(name).unwrap_or_default());
-    let mut head = vec![curve.quantity.name.to_owned()];
-    head.extend(words.map(str::to_owned));
-    head.extend(["steps", "time"].map(str::to_owned));
-    let mut rows = vec![head];
-    for point in &curve.points {
-        let mut row = vec![value_text(&curve.quantity, point.value)];
-        let failed = |name: &str| match name {
-            "film_central_lowest" => "failed".to_owned(),
-            _ => "-".to_owned(),
-        };
-        row.extend(names.iter().map(|name| {
-            let is_line = point.case.contact.kind.is_line();
-            let shown = figure(point, name).map(|figure| over_time_text(&figure, is_line));
-            shown.unwrap_or_else(|| failed(name))
-        }));
-        row.push((point.outcome.in_time()).map_or("-".to_owned(), |run| run.steps[0].to_string()));
-        row.push(format!("{} s", digits(point.seconds, 2)));
-        rows.push(row);
-    }
-    rows
+    Table::fitted(head, rows)
 }
 
 /// Failures, and warnings with their points.

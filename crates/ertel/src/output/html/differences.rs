@@ -5,23 +5,23 @@ use std::cell::Cell;
 use ertel_input::csv::{CsvTable, Row};
 use serde_json::Value;
 
-use super::super::figure::CELSIUS;
 use super::super::lines::{Lines, Table};
 use super::super::study::words;
+use crate::figures::{bearing, gears, machine, words_of};
 use crate::solution::Figure;
-use crate::words::digits;
+use crate::words::{CELSIUS, digits};
 
 /// Compared figures, by their column titles up to the unit.
 const FIGURES: [&str; 9] = [
-    "film_central",
-    "film_minimum",
-    "pressure_central",
-    "traction_coefficient",
-    "friction_power",
-    "friction_torque",
-    "mesh_loss",
-    "film_temperature_maximum",
-    "lambda_minimum",
+    Figure::FilmCentral.name(),
+    Figure::FilmMinimum.name(),
+    Figure::PressureCentral.name(),
+    Figure::TractionCoefficient.name(),
+    Figure::FrictionPower.name(),
+    bearing::FRICTION_TORQUE.name,
+    gears::MESH_LOSS.name,
+    Figure::FilmTemperatureMaximum.name(),
+    machine::LAMBDA_MINIMUM.name,
 ];
 
 /// Maximum number of rows per result.
@@ -222,14 +222,6 @@ fn number(cell: &str) -> Option<f64> {
 fn name_of(title: &str) -> (String, String) {
     let (name, unit) = words(title);
     (name.replace([' ', '-'], "_"), unit)
-}
-
-fn words_of(name: &str) -> String {
-    let of = Figure::ALL.into_iter().find(|figure| figure.name() == name);
-    of.map_or_else(
-        || name.replace('_', " "),
-        |figure| figure.words().to_owned(),
-    )
 }
 
 /// Unit of a temperature rise in page data; temperatures have the unit K and are shown in °C.

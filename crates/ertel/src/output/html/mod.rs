@@ -25,14 +25,12 @@ use super::transient::{transient_table, write_results as write_transient};
 use super::{curve_report, curve_table, heat, inputs};
 use crate::case::CaseEcho;
 use crate::compare::Comparison;
+use crate::figures::Definition;
 use crate::machine::MachineFigures;
 use crate::run::transient::TransientSolution;
-use crate::solution::Solution;
+use crate::solution::{Kind, Solution};
 use crate::study::{CurveSolution, MachineSolution};
 use crate::words::{digits, pressure};
-
-/// Name of the page in a result folder.
-pub const REPORT_PAGE: &str = "report.html";
 
 /// Opening tag of the page's data element.
 const DATA_OPEN: &str = r#"<script type="application/json" id="ertel-data">"#;
@@ -216,11 +214,17 @@ pub fn machine_page(
     let whole = &machine.machine;
     let n_axes = if whole.has_sides() { 2 } else { 1 };
     let values: Vec<Value> = (figures.all.iter())
-        .map(|f| {
-            let value = f.estimate.is_resolved().then_some(f.estimate.value);
-            let marks = f.estimate.marks.symbols();
-            let unit = if f.is_rise() { differences::RISE } else { f.unit };
-            json!({ "name": f.name, "words": f.words, "unit": unit, "value": value, "marks": marks })
+        .map(|row| {
+            let value = row.estimate.is_resolved().then_some(row.estimate.value);
+            let marks = row.estimate.marks.symbols();
+            let Definition {
+                name, words, kind, ..
+            } = row.figure;
+            let unit = match kind {
+                Kind::Rise => differences::RISE,
+                _ => row.unit,
+            };
+            json!({ "name": name, "words": words, "unit": unit, "value": value, "marks": marks })
         })
         .collect();
     let data = json!({

@@ -1,13 +1,13 @@
 //! `machine.json`: figures of the machine and its contacts, each with everything in `result.json` except iterations.
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use super::super::curve::point_json;
 use super::super::result_json::{FORMAT_VERSION, units};
+use super::super::rows::rows_json;
 use super::warnings;
 use crate::case::{CaseEcho, RINGS};
 use crate::machine::MachineFigures;
-use crate::mark::Mark;
 use crate::run::NUMERICS;
 use crate::study::MachineSolution;
 use crate::warning::{codes, silenced, texts};
@@ -26,7 +26,6 @@ pub fn machine_json(
 ) -> serde_json::Result<Value> {
     let whole = &machine.machine;
     let warnings = warnings(machine, figures);
-    let figures = machine_figures_json(figures);
     let contacts = (whole.contacts.iter().enumerate())
         .map(|(i, contact)| {
             let mut value = json!({
@@ -61,7 +60,7 @@ pub fn machine_json(
         "title": case.title,
         "machine": rows,
         "governing_contact": whole.governing + 1,
-        "figures": figures,
+        "figures": rows_json(&figures.all),
         "n_contacts": whole.contacts.len(),
         "n_solved": machine.n_solved(),
         "n_failed": machine.n_failed(),
@@ -74,24 +73,4 @@ pub fn machine_json(
         "case": { "given": case.given, "si": serde_json::to_value(case)? },
         "units": units(whole.is_line),
     }))
-}
-
-/// The figures of a machine by name.
-pub(in crate::output) fn machine_figures_json(figures: &MachineFigures) -> Map<String, Value> {
-    (figures.all.iter())
-        .map(|figure| {
-            let estimate = figure.estimate;
-            let marks: Vec<&str> = estimate.marks.iter().map(Mark::name).collect();
-            let value = json!({
-                "value": estimate.value,
-                "error": estimate.error,
-                "resolved": estimate.is_resolved(),
-                "marks": marks,
-                "unit": figure.unit,
-                "words": figure.words,
-                "source": figure.source,
-            });
-            (figure.name.to_owned(), value)
-        })
-        .collect()
 }

@@ -1,27 +1,27 @@
 //! Results of a machine: `machine.json`, `machine.csv`, pictures, a report, and contact folders.
 
 mod json;
-mod over;
 mod picture;
 mod report;
 mod table;
 
-pub(super) use json::machine_figures_json;
 pub use json::{MACHINE_FORMAT, machine_json};
-pub(super) use over::{DRAWN, DRAWN_IN_TIME, Drawn, REPORTED, REPORTED_IN_TIME};
-pub(super) use picture::pictures as machine_pictures;
+pub(super) use picture::machine_pictures;
 pub use report::machine_report;
-pub(super) use report::{shown, warnings, write_figures, write_idle};
+pub(super) use report::{warnings, write_figures, write_idle};
 pub use table::machine_table;
 pub(super) use table::table_of_pressed;
 
 use std::path::Path;
 
 use super::folder::{NewFolder, Part};
-use super::html::{REPORT_PAGE, machine_page};
+use super::html::machine_page;
+use super::target::REPORT_PAGE;
 use super::{OutputError, finite, write_files, write_picture};
 use crate::case::CaseEcho;
+use crate::figures::Row;
 use crate::machine::MachineFigures;
+use crate::mark::Marked;
 use crate::params::OutputParams;
 use crate::study::MachineSolution;
 
@@ -65,12 +65,13 @@ pub(super) fn check(
             return Err(OutputError::NotFinite { what });
         }
     }
-    let is_bad = |f: &&crate::machine::MachineFigure| {
-        !f.estimate.value.is_finite() || f.estimate.error.is_some_and(|e| !e.is_finite())
+    let is_bad = |row: &&Row| {
+        let Marked { value, error, .. } = row.estimate;
+        !value.is_finite() || error.is_some_and(|error| !error.is_finite())
     };
     match figures.all.iter().find(is_bad) {
-        Some(figure) => Err(OutputError::NotFinite {
-            what: figure.words.to_owned(),
+        Some(row) => Err(OutputError::NotFinite {
+            what: row.figure.words.to_owned(),
         }),
         None => Ok(()),
     }
@@ -83,21 +84,12 @@ pub(super) fn write_files_of_machine(
     figures: &MachineFigures,
     params: &OutputParams,
 ) -> Result<(), OutputError> {
-    let json = machine_json(case, machine, figures)
-        .and_then(|json| serde_json::to_string_pretty(&json))
-        .map_err(|e| OutputError::io(&root.shown("machine.json"), e.into()))?;
-    root.file("machine.json", |out| writeln!(out, "{json}"))?;
-    root.file("machine.csv", |out| {
-        out.write_all(machine_table(machine).as_bytes())
-    })?;
-    root.file("report.txt", |out| {
-        out.write_all(machine_report(case, machine, figures, None).as_bytes())
-    })?;
-    root.file(REPORT_PAGE, |out| {
-        out.write_all(machine_page(case, machine, figures).as_bytes())
-    })?;
+    root.json("machine.json", machine_json(case, machine, figures))?;
+    root.bytes("machine.csv", machine_table(machine))?;
+    root.bytes("report.txt", machine_report(case, machine, figures, None))?;
+    root.bytes(REPORT_PAGE, machine_page(case, machine, figures))?;
     if let Some(text) = &case.case_file {
-        root.file("case.toml", |out| out.write_all(text.as_bytes()))?;
+        root.bytes("case.toml", text)?;
     }
     for picture in machine_pictures(&case.title, machine) {
         write_picture(root, &picture, params.pictures)?;

@@ -9,10 +9,10 @@ use super::super::pictures::{Picture, film_unit};
 use crate::case::{GearMechanics, MachineAxis, Mechanics, RINGS};
 use crate::solution::{Figure, Solution};
 use crate::study::MachineSolution;
-use crate::words::{force_unit, pressure_unit};
+use crate::words::{CELSIUS, force_unit, pressure_unit};
 
 /// Every picture of a machine.
-pub(in crate::output) fn pictures(title: &str, machine: &MachineSolution) -> Vec<Picture> {
+pub(in crate::output) fn machine_pictures(title: &str, machine: &MachineSolution) -> Vec<Picture> {
     let title = match machine.interruption() {
         Some(text) => format!("{title} ({text})"),
         None => title.to_owned(),
@@ -140,7 +140,7 @@ const JUMP: f64 = 1e-3;
 fn gears(machine: &MachineSolution) -> Option<&GearMechanics> {
     match &machine.machine.mechanics {
         Mechanics::Gears(gears) => Some(gears),
-        Mechanics::Bearing(_) | Mechanics::Cam(_) => None,
+        _ => None,
     }
 }
 
@@ -291,7 +291,7 @@ fn along(title: &str, machine: &MachineSolution) -> Drawing {
         "Traction coefficient",
         vec![(String::new(), shown(traction, 1.0), Look::LineAndDots)],
     ));
-    let hottest = friction(|s| Some(s.figure(Figure::FilmTemperatureMaximum)?.value - 273.15));
+    let hottest = friction(|s| Some(s.figure(Figure::FilmTemperatureMaximum)?.value - CELSIUS));
     if !hottest.is_empty() {
         charts.push(chart(
             "Hottest film (°C)",

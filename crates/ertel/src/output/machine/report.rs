@@ -6,9 +6,11 @@ use std::path::Path;
 use super::super::figure::{estimate, in_unit, number, temperature};
 use super::super::lines::{Lines, Table};
 use super::super::report::write_case;
+use super::super::rows::shown;
 use crate::case::CaseEcho;
-use crate::machine::{MachineFigure, MachineFigures, Section};
-use crate::mark::{Mark, Marks, of_figure};
+use crate::figures::{Row, Section};
+use crate::machine::MachineFigures;
+use crate::mark::{Marks, of_figure};
 use crate::solution::{Estimate, Figure, Solution};
 use crate::study::{MachineSolution, Outcome};
 use crate::warning::{Warning, WarningKind, by_kind};
@@ -48,71 +50,30 @@ pub fn machine_report(
 
 /// Figures of the machine by section.
 pub(in crate::output) fn write_figures(out: &mut Lines, figures: &MachineFigures) {
-    for section in Section::ALL {
-        let of: Vec<&MachineFigure> = figures
+    for section in Section::OF_MACHINES {
+        let rows = figures
             .all
             .iter()
-            .filter(|f| f.section == section)
-            .collect();
-        if of.is_empty() {
+            .filter(|row| row.figure.section == section);
+        let rows: Vec<&Row> = rows.collect();
+        if rows.is_empty() {
             continue;
         }
         out.heading(section.heading());
-        for figure in &of {
-            out.row(figure.words, shown(figure));
+        for row in &rows {
+            out.row(row.figure.words, shown(row));
         }
-        let marks: Marks = of.iter().map(|figure| figure.estimate.marks).sum();
+        let marks: Marks = rows.iter().map(|row| row.estimate.marks).sum();
         for mark in marks.iter().filter(|mark| !mark.symbol().is_empty()) {
             out.note(mark.words());
         }
         let mut noted: Vec<&str> = Vec::new();
-        for figure in of.iter().filter(|f| !f.source.is_empty()) {
-            if !noted.contains(&figure.source) {
-                noted.push(figure.source);
-                out.note(figure.source);
+        for source in rows.iter().map(|row| row.source).filter(|s| !s.is_empty()) {
+            if !noted.contains(&source) {
+                noted.push(source);
+                out.note(source);
             }
         }
-    }
-}
-
-/// A figure with its display unit and the symbols of its marks; no number if its components are not resolved.
-pub(in crate::output) fn shown(figure: &MachineFigure) -> String {
-    let marks = figure.estimate.marks;
-    match marks.has(Mark::Unresolved) {
-        true => format!("not resolved{}", marks.symbols()),
-        false => with_unit(figure) + &marks.symbols(),
-    }
-}
-
-/// A figure with its unit.
-fn with_unit(figure: &MachineFigure) -> String {
-    let e = figure.estimate.estimate();
-    match figure.unit {
-        "m" => estimate(&e),
-        "K" if figure.is_rise() => in_unit(e, 1.0, "K"),
-        "K" => temperature(e, None),
-        "Pa" => match e.error {
-            Some(_) => super::super::figure::pressure_estimate(e),
-            None => pressure(e.value),
-        },
-        "W" if e.value.abs() < 1.0 => in_unit(e, 1e3, "mW"),
-        "N m" if e.value.abs() < 1.0 => in_unit(e, 1e3, "N mm"),
-        "s" => life(e, 1.0 / 3600.0, "h"),
-        "million revolutions" => life(e, 1.0, figure.unit),
-        "rad" => in_unit(e, 1f64.to_degrees(), "deg"),
-        unit => in_unit(e, 1.0, unit),
-    }
-}
-
-/// Larger numbers are written with a power of ten: a life does not have that many digits.
-const MANY: f64 = 1e6;
-
-/// A rating life.
-fn life(e: Estimate, factor: f64, unit: &str) -> String {
-    match (e.error, factor * e.value) {
-        (None, value) if value >= MANY => format!("{value:.3e} {unit}"),
-        (None, value) => format!("{} {unit}", digits(value, 4)),
-        (Some(_), _) => in_unit(e, factor, unit),
     }
 }
 
@@ -209,12 +170,7 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
         .filter(|(shown, _)| *shown)
         .map(|(_, title)| (*title).to_owned())
         .collect();
-    let width = |j: usize| {
-        let cells = rows.iter().map(|r: &Vec<String>| r[j].chars().count());
-        cells.chain([head[j].chars().count()]).max().unwrap_or(0)
-    };
-    let widths = (0..head.len()).map(|j| (width(j), 2)).collect();
-    out.table(Table { head, rows, widths });
+    out.table(Table::fitted(head, rows));
     let marks: Marks = solutions()
         .map(|s| of_figure(s, Figure::FrictionPower))
         .sum();

@@ -127,6 +127,11 @@ pub(super) fn of_solution(title: &str, solution: &Solution) -> Vec<u8> {
     netcdf(about, &fields, &axes, &figures(solution))
 }
 
+/// A text without control characters.
+pub(super) fn text(text: &str) -> Attribute {
+    Attribute::Text(ertel_input::escaped(text).into_owned())
+}
+
 /// The file: variables `x` and `y`, m; each field on the grid, NaN outside the contact area; each figure as a scalar variable
 /// with its bars and place as attributes.
 pub fn netcdf(
@@ -135,7 +140,6 @@ pub fn netcdf(
     [x, y]: &[Vec<f64>; 2],
     figures: &[GridFigure],
 ) -> Vec<u8> {
-    let text = |text: &str| Attribute::Text(ertel_input::escaped(text).into_owned());
     let named = |unit: &str, words: &str| vec![("units", text(unit)), ("long_name", text(words))];
     let axis = |name: &str, dimension, values: &[f64], words| Variable {
         name: name.to_owned(),

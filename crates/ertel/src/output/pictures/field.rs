@@ -247,24 +247,6 @@ fn draw_other(drawing: &mut Drawing, bar: Frame, other: &OtherScale, ticks: &[(f
     drawing.text([edge, y], right, TICK_SIZE, Anchor::Start, INK);
 }
 
-/// Ticks point outwards to remain visible; `upright` is the frame, inverted if y increases downwards.
-pub(in crate::output) fn draw_ticks(
-    drawing: &mut Drawing,
-    [frame, upright]: [Frame; 2],
-    x: &Axis,
-    y: &Axis,
-) {
-    let mut d = String::new();
-    let (bottom, left) = (frame.top + frame.height, frame.left);
-    for (value, _) in x.ticks() {
-        let _ = write!(d, "M{} {}v4", number(frame.x(x, value)), number(bottom));
-    }
-    for (value, _) in y.ticks() {
-        let _ = write!(d, "M{} {}h-4", number(left), number(upright.y(y, value)));
-    }
-    drawing.stroke(&d, Stroke::solid(INK, 0.8));
-}
-
 /// Whether a line is open, or encloses a visible area.
 fn is_seen(line: &[[f64; 2]]) -> bool {
     let twice_area: f64 = (line.windows(2))

@@ -1,7 +1,7 @@
 //! Viscosity of a fluid over pressure.
 
-use crate::words::digits;
 use crate::words::pressure_unit;
+use crate::words::{CELSIUS, digits};
 use ertel_plot::{Axis, Chart, Look, Marker, PALETTE, Series, Side};
 
 /// Viscosity against pressure at one temperature.
@@ -53,7 +53,7 @@ pub fn viscosity_chart(
             .zip(&curve.viscosity)
             .map(|(p, v)| [*p, *v])
             .collect();
-        let label = format!("{} °C", digits(curve.temperature - 273.15, 4));
+        let label = format!("{} °C", digits(curve.temperature - CELSIUS, 4));
         let parts = [
             (label, from, to, Look::Line),
             (String::new(), f64::NEG_INFINITY, from, Look::Dashed),

@@ -2,7 +2,8 @@
 
 use super::super::heat::profile_label;
 use super::maps::temperature_map;
-use super::{Task, profile, window_x};
+use super::profile::profile;
+use super::shared::{Task, window_x};
 use crate::output::BODIES;
 use crate::solution::{Solution, Thermal};
 use crate::words::TemperatureScale;

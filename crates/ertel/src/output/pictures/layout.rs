@@ -1,11 +1,11 @@
 //! Layout of the contact area in a picture: the motion points right, or down if the contact is much longer across the motion than along it.
 
+use std::fmt::Write;
+
 use ertel_plot::axis::Axis;
 use ertel_plot::chart::Side;
 use ertel_plot::drawing::{Drawing, INK, Stroke, number};
 use ertel_plot::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis, polyline};
-
-use super::field::draw_ticks;
 
 /// Ratio of length across to length along the motion from which a contact is rotated, as in result pages.
 const SLENDER: f64 = 1.6;
@@ -145,6 +145,24 @@ impl Placed {
             drawing.stroke(&format!("{shaft}{head}"), Stroke::solid(colour, width));
         }
     }
+}
+
+/// Ticks point outwards to remain visible; `upright` is the frame, inverted if y increases downwards.
+pub(in crate::output) fn draw_ticks(
+    drawing: &mut Drawing,
+    [frame, upright]: [Frame; 2],
+    x: &Axis,
+    y: &Axis,
+) {
+    let mut d = String::new();
+    let (bottom, left) = (frame.top + frame.height, frame.left);
+    for (value, _) in x.ticks() {
+        let _ = write!(d, "M{} {}v4", number(frame.x(x, value)), number(bottom));
+    }
+    for (value, _) in y.ticks() {
+        let _ = write!(d, "M{} {}h-4", number(left), number(upright.y(y, value)));
+    }
+    drawing.stroke(&d, Stroke::solid(INK, 0.8));
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! Maps of pressure and film thickness over the whole contact.
 
 use super::field::{Bar, FieldMap, OtherScale};
-use super::film_unit;
 use super::layout::Layout;
 use super::sampling::{Sampling, View};
+use super::shared::film_unit;
 use crate::contact::Symmetry;
 use crate::solution::{Polynomials, Solution};
 use crate::words::{TemperatureScale, pressure_unit};

@@ -9,14 +9,18 @@ mod layout;
 mod maps;
 mod profile;
 mod sampling;
+mod shared;
 
 pub use convergence::convergence;
-pub(super) use field::draw_ticks;
 pub use fluid::{ViscosityCurve, viscosity_chart};
 pub use heat::{cross_film_chart, temperature_chart};
 pub use interferogram::Image;
+pub(super) use layout::draw_ticks;
 pub use maps::{film_map, pressure_map};
 pub use profile::{profile, profile_across};
+pub use shared::film_unit;
+
+use shared::{Task, window_x};
 
 use ertel_plot::{Axis, Chart, Drawing, Look, PALETTE, Series, Side, side_by_side};
 use rayon::prelude::*;
@@ -24,9 +28,6 @@ use rayon::prelude::*;
 use crate::params::Method;
 use crate::solution::Solution;
 use crate::words::TemperatureScale;
-
-/// Film thicknesses are shown in nm below this value (m), else in µm.
-const NANOMETRES_BELOW: f64 = 1e-6;
 
 /// Legend label of the error bars of computed figures.
 pub(crate) const ERROR_BARS: &str = "numerical error";
@@ -112,18 +113,6 @@ pub fn pictures_in(
         .collect()
 }
 
-/// Name and drawing function of a picture.
-type Task<'a> = (&'static str, Box<dyn FnOnce() -> Drawing + Send + 'a>);
-
-/// Factor and unit for lengths of this size (m).
-pub fn film_unit(size: f64) -> (f64, &'static str) {
-    if size < NANOMETRES_BELOW {
-        (1e9, "nm")
-    } else {
-        (1e6, "µm")
-    }
-}
-
 /// Factor and unit for pressures of this size (Pa).
 pub(super) fn pressure_unit(size: f64) -> (f64, &'static str) {
     if size < 0.1e9 {
@@ -131,29 +120,6 @@ pub(super) fn pressure_unit(size: f64) -> (f64, &'static str) {
     } else {
         (1e-9, "GPa")
     }
-}
-
-/// Visible part of the x axis, in half-widths: the pressurised area and part of the inlet.
-fn window_x(solution: &Solution) -> [f64; 2] {
-    let a = solution.hertz.half_width;
-    let line = &solution.centreline;
-    let ends = line.x.iter().map(|x| x / a);
-    let (first, last) = (
-        ends.clone().fold(f64::INFINITY, f64::min),
-        ends.fold(f64::NEG_INFINITY, f64::max),
-    );
-    let pressed = line
-        .x
-        .iter()
-        .zip(&line.pressure)
-        .filter(|(_, p)| **p > 0.01 * solution.hertz.pressure)
-        .map(|(x, _)| x / a);
-    let [half, _] = solution.shape.zone.half_extents();
-    let reach = pressed.clone().fold(-half, f64::min);
-    let end = pressed.fold(half, f64::max);
-    let low = (2.0 * (1.15 * reach - 0.6)).floor() / 2.0;
-    let high = (2.0 * (1.1 * end + 0.2)).ceil() / 2.0;
-    [low.max(first), high.min(last)]
 }
 
 /// Pressure (with the Hertz pressure) and film thickness along y = 0.

@@ -3,32 +3,18 @@
 use serde_json::{Map, Value, json};
 
 use super::super::result_json::{FORMAT_VERSION, units};
+use super::super::rows::rows_json;
+use super::conditions::CONDITIONS;
 use super::table::unresolved;
 use crate::case::CaseEcho;
 use crate::run::NUMERICS;
-use crate::run::over_time::{TimeFigure, over_time};
+use crate::run::over_time::over_time;
 use crate::run::transient::TransientSolution;
 use crate::solution::Figure;
 use crate::warning::{codes, silenced, texts};
 
 /// Value of the key `format` that identifies the results of a transient case.
 pub const TRANSIENT_FORMAT: &str = "ertel-transient";
-
-/// Figures of a whole run by name.
-pub(in crate::output) fn over_time_json(figures: &[TimeFigure], is_line: bool) -> Value {
-    let rows = figures.iter().map(|figure| {
-        let json = json!({
-            "value": figure.estimate.value,
-            "error": figure.estimate.error,
-            "time": figure.time,
-            "resolved": figure.resolved,
-            "unit": figure.kind.unit(is_line),
-            "words": figure.words,
-        });
-        (figure.name.to_owned(), json)
-    });
-    Value::Object(rows.collect())
-}
 
 /// The JSON document in SI units.
 pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json::Result<Value> {
@@ -49,26 +35,15 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
                     Some((figure.name().to_owned(), json))
                 })
                 .collect();
-            let mut row = json!({
-                "time": instant.time,
-                "entrainment_speed": 0.5 * (instant.speeds[0] + instant.speeds[1]),
-                "body_1_speed": instant.speeds[0],
-                "body_2_speed": instant.speeds[1],
-                "body_1_spin": instant.spin[0],
-                "body_2_spin": instant.spin[1],
-                "load": instant.load,
-                "radius": instant.radius,
-                "temperature": instant.temperature,
-                "oil_layer": instant.oil_layer,
-                "approach": instant.approach,
-                "approach_velocity": instant.approach_velocity,
-                "film_force": instant.film_force,
-                "figures": figures,
-                "unresolved": unresolved(instant),
-                "step": instant.step,
-                "newton_iterations": instant.newton_iterations,
-                "mass_error": instant.mass_error,
-            });
+            let mut row = json!({ "time": instant.time });
+            for condition in &CONDITIONS {
+                row[condition.name] = json!((condition.value)(instant));
+            }
+            row["figures"] = figures.into();
+            row["unresolved"] = json!(unresolved(instant));
+            row["step"] = json!(instant.step);
+            row["newton_iterations"] = json!(instant.newton_iterations);
+            row["mass_error"] = json!(instant.mass_error);
             if let Some(ratio) = found.amplitude_ratios.get(i) {
                 row["amplitude_ratio"] = json!(ratio);
             }
@@ -112,7 +87,7 @@ pub fn transient_json(case: &CaseEcho, found: &TransientSolution) -> serde_json:
         "reason": found.failure.as_ref().map(ToString::to_string),
         "coefficient_of_restitution": restitution.map(|of| of.value),
         "coefficient_of_restitution_error": restitution.and_then(|of| of.error),
-        "over_time": over_time_json(&over_time(found), is_line),
+        "over_time": rows_json(&over_time(found, is_line)),
         "steps": found.info.steps,
         "refused_steps": found.info.refused,
         "newton_iterations": found.info.newton_iterations,

@@ -1,6 +1,7 @@
 //! Results of a transient case: `transient.csv`, `profiles.csv`, `transient.json`, fields, pictures, a report and its page.
 
 mod animation;
+mod conditions;
 mod fields;
 mod json;
 mod netcdf;
@@ -9,29 +10,26 @@ mod report;
 mod table;
 
 pub use animation::animation;
-pub(super) use fields::is_file_of_instant;
-pub(super) use json::over_time_json;
 pub use json::{TRANSIENT_FORMAT, transient_json};
 pub use netcdf::transient_netcdf;
 pub(super) use picture::{film_axis, film_range};
 pub use picture::{film_over_time, map_of_film};
 pub use report::transient_report;
-pub(super) use report::{over_time_text, write_results};
+pub(super) use report::write_results;
 pub use table::{profiles_table, transient_table};
 
 use std::path::Path;
 
+use self::conditions::CONDITIONS;
 use super::folder::{NewFolder, OutputFile, Part};
-use super::html::{REPORT_PAGE, transient_page};
+use super::html::transient_page;
 use super::pictures::Picture;
+use super::target::REPORT_PAGE;
 use super::{OutputError, write_picture};
 use crate::case::CaseEcho;
 use crate::params::OutputParams;
 use crate::run::transient::TransientSolution;
 use crate::solution::Figure;
-
-/// Words for A_d/A_i.
-const AMPLITUDE_RATIO: &str = "amplitude ratio of the waves";
 
 /// Writes the results of a transient case into one folder, as [`super::write`] does.
 ///
@@ -68,21 +66,12 @@ pub fn transient_files(
 pub(super) fn check_finite(found: &TransientSolution) -> Result<(), OutputError> {
     for instant in &found.instants {
         let figures = &instant.measured.figures;
-        let mut values = Figure::ALL
+        let values = Figure::ALL
             .iter()
             .filter_map(|figure| figures.value(*figure));
-        let own = [
-            instant.mass_error,
-            instant.load,
-            instant.approach,
-            instant.approach_velocity,
-            instant.film_force,
-            instant.speeds[0],
-            instant.speeds[1],
-            instant.spin[0],
-            instant.spin[1],
-        ];
-        if !values.all(f64::is_finite) || !own.iter().all(|value| value.is_finite()) {
+        let conditions = CONDITIONS.iter().filter_map(|of| (of.value)(instant));
+        let mut all = values.chain(conditions).chain([instant.mass_error]);
+        if !all.all(f64::is_finite) {
             let what = format!("a figure at t = {:e} s", instant.time);
             return Err(OutputError::NotFinite { what });
         }
@@ -97,38 +86,26 @@ pub(super) fn write_files(
     found: &TransientSolution,
     params: &OutputParams,
 ) -> Result<(), OutputError> {
-    let json = transient_json(case, found)
-        .and_then(|json| serde_json::to_string_pretty(&json))
-        .map_err(|e| OutputError::io(&root.shown("transient.json"), e.into()))?;
-    root.file("transient.json", |out| writeln!(out, "{json}"))?;
     let is_line = case.contact.kind.is_line();
-    root.file("transient.csv", |out| {
-        out.write_all(transient_table(found, is_line).as_bytes())
-    })?;
-    root.file("profiles.csv", |out| {
-        out.write_all(profiles_table(found).as_bytes())
-    })?;
-    root.file("report.txt", |out| {
-        out.write_all(transient_report(case, found, None).as_bytes())
-    })?;
+    root.json("transient.json", transient_json(case, found))?;
+    root.bytes("transient.csv", transient_table(found, is_line))?;
+    root.bytes("profiles.csv", profiles_table(found))?;
+    root.bytes("report.txt", transient_report(case, found, None))?;
     let pictures = pictures(&case.title, found, is_line)?;
-    root.file(REPORT_PAGE, |out| {
-        out.write_all(transient_page(case, found, &pictures).as_bytes())
-    })?;
+    root.bytes(REPORT_PAGE, transient_page(case, found, &pictures))?;
     if let Some(text) = &case.case_file {
-        root.file("case.toml", |out| out.write_all(text.as_bytes()))?;
+        root.bytes("case.toml", text)?;
     }
     if params.vtu {
         fields::write_fields(root, &found.fields)?;
     }
     if params.netcdf {
-        let bytes = transient_netcdf(case, found);
-        root.file("result.nc", |out| out.write_all(&bytes))?;
+        root.bytes("result.nc", transient_netcdf(case, found))?;
     }
     if params.animation
         && let Some(bytes) = animation(&case.title, found)?
     {
-        root.file("animation.png", |out| out.write_all(&bytes))?;
+        root.bytes("animation.png", bytes)?;
     }
     for picture in pictures {
         write_picture(root, &picture, params.pictures)?;

@@ -1,8 +1,9 @@
 //! `result.nc` of a transient case: figures at all instants, fields at the output times.
 
 use super::super::netcdf::classic::{Attribute, Dataset, Values, Variable};
-use super::AMPLITUDE_RATIO;
-use super::table::figures;
+use super::super::netcdf::text;
+use super::conditions::CONDITIONS;
+use super::table::{AMPLITUDE_RATIO, figures};
 use crate::case::CaseEcho;
 use crate::run::transient::{InstantSolution, TransientSolution};
 use crate::solution::Field;
@@ -43,36 +44,14 @@ pub fn transient_netcdf(case: &CaseEcho, found: &TransientSolution) -> Vec<u8> {
     let over_time = |value: &dyn Fn(&InstantSolution) -> f64| {
         Values::Double(found.instants.iter().map(value).collect())
     };
-    let force = if is_line { "N/m" } else { "N" };
     let times = over_time(&|instant| instant.time);
     add("time", &[0], "s", "time of an instant", times);
     let outputs = Values::Double(fields.times.clone());
     add("output_time", &[1], "s", "time of the fields", outputs);
-    type Value = fn(&InstantSolution) -> f64;
-    let conditions: [(&str, &str, &str, Value); 12] = [
-        ("entrainment_speed", "m/s", "entrainment speed", |i| {
-            0.5 * (i.speeds[0] + i.speeds[1])
-        }),
-        ("body_1_speed", "m/s", "speed of body 1", |i| i.speeds[0]),
-        ("body_2_speed", "m/s", "speed of body 2", |i| i.speeds[1]),
-        ("body_1_spin", "rad/s", "spin of body 1", |i| i.spin[0]),
-        ("body_2_spin", "rad/s", "spin of body 2", |i| i.spin[1]),
-        ("load", force, "load", |i| i.load),
-        ("radius", "m", "radius along the motion", |i| i.radius),
-        ("temperature", "K", "temperature of bodies and oil", |i| {
-            i.temperature
-        }),
-        ("oil_layer", "m", "layer of oil at the inlet edge", |i| {
-            i.oil_layer.unwrap_or(f64::NAN)
-        }),
-        ("approach", "m", "approach of the bodies", |i| i.approach),
-        ("approach_velocity", "m/s", "its rate", |i| {
-            i.approach_velocity
-        }),
-        ("film_force", force, "force of the film", |i| i.film_force),
-    ];
-    for (name, unit, words, value) in conditions {
-        add(name, &[0], unit, words, over_time(&value));
+    for condition in &CONDITIONS {
+        let values = over_time(&|instant| (condition.value)(instant).unwrap_or(f64::NAN));
+        let (name, unit) = (condition.name, condition.unit(is_line));
+        add(name, &[0], unit, condition.words, values);
     }
     for figure in figures(found) {
         let (name, unit) = (figure.name(), figure.unit(is_line));
@@ -126,10 +105,6 @@ pub fn transient_netcdf(case: &CaseEcho, found: &TransientSolution) -> Vec<u8> {
     }
     data.dimensions.extend(names);
     data.to_bytes()
-}
-
-fn text(text: &str) -> Attribute {
-    Attribute::Text(ertel_input::escaped(text).into_owned())
 }
 
 /// Fill value for missing numbers, in the type of the values.

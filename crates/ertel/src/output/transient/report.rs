@@ -2,15 +2,17 @@
 
 use std::path::Path;
 
-use super::super::figure::{number, peak_of, temperature, unit_of_size, with_bar};
+use super::super::figure::{number, with_bar};
 use super::super::lines::{Lines, Table};
 use super::super::pictures::film_unit;
-use super::AMPLITUDE_RATIO;
+use super::super::rows;
+use super::table::AMPLITUDE_RATIO;
 use crate::case::CaseEcho;
 use crate::contact::ContactKind;
-use crate::run::over_time::{TimeFigure, over_time};
+use crate::figures::{Definition, find, run};
+use crate::run::over_time::over_time;
 use crate::run::transient::{InstantSolution, TransientSolution};
-use crate::solution::{Figure, Kind};
+use crate::solution::Figure;
 use crate::transient::TransientError;
 use crate::words::{digits, force, length};
 
@@ -32,15 +34,15 @@ pub fn transient_report(
 }
 
 /// Figures of the whole run that are listed first.
-const AT_INSTANTS: [&str; 8] = [
-    "film_central_lowest",
-    "film_central_highest",
-    "film_minimum_lowest",
-    "pressure_maximum_highest",
-    "traction_coefficient_highest",
-    "traction_coefficient_mean",
-    "friction_power_mean",
-    "film_temperature_maximum_highest",
+const LISTED: [Definition; 8] = [
+    run::FILM_CENTRAL_LOWEST,
+    run::FILM_CENTRAL_HIGHEST,
+    run::FILM_MINIMUM_LOWEST,
+    run::PRESSURE_MAXIMUM_HIGHEST,
+    run::TRACTION_COEFFICIENT_HIGHEST,
+    run::TRACTION_COEFFICIENT_MEAN,
+    run::FRICTION_POWER_MEAN,
+    run::FILM_TEMPERATURE_MAXIMUM_HIGHEST,
 ];
 
 /// The report without title and warnings.
@@ -57,19 +59,19 @@ pub(in crate::output) fn write_results(
         return;
     };
     let time = time_unit(last.time);
-    let figures = over_time(found);
-    for name in AT_INSTANTS {
-        let figure = figures.iter().find(|figure| figure.name == name);
-        if let Some(figure) = figure.filter(|figure| figure.estimate.value != 0.0) {
-            let text = over_time_text(figure, kind.is_line());
-            out.row(
-                figure.words,
-                match figure.time {
-                    Some(at_time) => format!("{text} at {}", at(at_time, time)),
-                    None => text,
-                },
-            );
-        }
+    let reduced = over_time(found, kind.is_line());
+    let listed = LISTED
+        .iter()
+        .filter_map(|figure| find(&reduced, figure.name));
+    for row in listed.filter(|row| row.estimate.value != 0.0) {
+        let text = rows::shown(row);
+        out.row(
+            row.figure.words,
+            match row.time {
+                Some(at_time) => format!("{text} at {}", at(at_time, time)),
+                None => text,
+            },
+        );
     }
     let known = found.amplitude_ratios.iter().zip(instants).rev();
     if let Some((ratio, instant)) = known.filter_map(|(r, i)| Some((r.as_ref()?, i))).next() {
@@ -192,32 +194,13 @@ pub(super) fn at(time: f64, (factor, unit): (f64, &str)) -> String {
     format!("{} {unit}", digits(factor * time, 4))
 }
 
-/// A figure of a whole run in its unit.
-pub(in crate::output) fn over_time_text(figure: &TimeFigure, is_line: bool) -> String {
-    let value = figure.estimate.value;
-    match figure.kind {
-        // Instants may have higher peaks than their grids resolve.
-        Kind::PeakPressure => peak_of(figure.estimate, figure.resolved),
-        _ if !figure.resolved => "not resolved".to_owned(),
-        Kind::Temperature => temperature(figure.estimate, None),
-        Kind::Power | Kind::Force => with_bar(figure.estimate, 1.0, figure.kind.unit(is_line)),
-        kind => {
-            let (factor, unit) = unit_of_size(kind, value);
-            with_bar(figure.estimate, factor, unit)
-        }
-    }
-}
-
+/// A film at an instant.
 fn shown(instant: &InstantSolution, figure: Figure) -> String {
     let measured = &instant.measured;
     if !measured.is_resolved(figure) {
         return "not resolved".to_owned();
     }
     let estimate = measured.estimate(figure);
-    let (factor, unit) = match figure {
-        Figure::FilmCentral | Figure::FilmMinimum => film_unit(estimate.value),
-        Figure::PressureMaximum => (1e-9, "GPa"),
-        _ => (1.0, ""),
-    };
+    let (factor, unit) = film_unit(estimate.value);
     with_bar(estimate, factor, unit)
 }

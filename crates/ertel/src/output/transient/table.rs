@@ -2,30 +2,23 @@
 
 use std::fmt::Write;
 
+use super::conditions::CONDITIONS;
 use crate::run::transient::{InstantSolution, TransientSolution};
 use crate::solution::Figure;
 use crate::study::titled;
 
+/// Words for A_d/A_i.
+pub(super) const AMPLITUDE_RATIO: &str = "amplitude ratio of the waves";
+
 /// A row for each instant: time, conditions, every figure of the registry with its error bar, the amplitude ratio of waves, and step statistics.
 pub fn transient_table(found: &TransientSolution, is_line: bool) -> String {
     let shown = figures(found);
-    let load_unit = if is_line { "N/m" } else { "N" };
-    let mut titles = vec![
-        "instant".to_owned(),
-        "time_s".to_owned(),
-        "entrainment_speed_m_per_s".to_owned(),
-        "body_1_speed_m_per_s".to_owned(),
-        "body_2_speed_m_per_s".to_owned(),
-        "body_1_spin_rad_per_s".to_owned(),
-        "body_2_spin_rad_per_s".to_owned(),
-        titled("load", load_unit),
-        "radius_m".to_owned(),
-        "temperature_K".to_owned(),
-        "oil_layer_m".to_owned(),
-        "approach_m".to_owned(),
-        "approach_velocity_m_per_s".to_owned(),
-        titled("film_force", load_unit),
-    ];
+    let mut titles = vec!["instant".to_owned(), "time_s".to_owned()];
+    titles.extend(
+        CONDITIONS
+            .iter()
+            .map(|of| titled(of.name, of.unit(is_line))),
+    );
     for figure in &shown {
         let (name, unit) = (figure.name(), figure.unit(is_line));
         titles.push(titled(name, unit));
@@ -38,48 +31,25 @@ pub fn transient_table(found: &TransientSolution, is_line: bool) -> String {
     titles.extend(["step_s", "newton_iterations", "mass_error", "unresolved"].map(String::from));
     let mut text = titles.join(",") + "\n";
     for (i, instant) in found.instants.iter().enumerate() {
-        let [first, second] = instant.speeds;
-        let [spin_1, spin_2] = instant.spin;
-        let _ = write!(
-            text,
-            "{},{:e},{:e},{first:e},{second:e},{spin_1:e},{spin_2:e},{:e},{:e},{:e},{},{:e},{:e},{:e}",
-            i + 1,
-            instant.time,
-            0.5 * (first + second),
-            instant.load,
-            instant.radius,
-            instant.temperature,
-            (instant.oil_layer).map_or_else(String::new, |layer| format!("{layer:e}")),
-            instant.approach,
-            instant.approach_velocity,
-            instant.film_force
-        );
+        let number = |value: Option<f64>| value.map_or_else(String::new, |v| format!("{v:e}"));
+        let mut cells = vec![(i + 1).to_string(), number(Some(instant.time))];
+        cells.extend(CONDITIONS.iter().map(|of| number((of.value)(instant))));
         for figure in &shown {
             let measured = &instant.measured;
-            for value in [
-                measured.figures.value(*figure),
-                measured.bars.get(*figure).map(|bar| bar.value),
-            ] {
-                text.push(',');
-                if let Some(value) = value {
-                    let _ = write!(text, "{value:e}");
-                }
-            }
+            let bar = measured.bars.get(*figure);
+            cells.push(number(measured.figures.value(*figure)));
+            cells.push(number(bar.map(|bar| bar.value)));
         }
         if has_ratios {
-            text.push(',');
-            if let Some(ratio) = found.amplitude_ratios[i] {
-                let _ = write!(text, "{ratio:e}");
-            }
+            cells.push(number(found.amplitude_ratios[i]));
         }
-        let _ = writeln!(
-            text,
-            ",{:e},{},{:e},{}",
-            instant.step,
-            instant.newton_iterations,
-            instant.mass_error,
-            unresolved(instant).join(" ")
-        );
+        cells.extend([
+            number(Some(instant.step)),
+            instant.newton_iterations.to_string(),
+            number(Some(instant.mass_error)),
+            unresolved(instant).join(" "),
+        ]);
+        text += &(cells.join(",") + "\n");
     }
     text
 }

@@ -6,7 +6,7 @@
 //! A_i is the amplitude of the waves, A_d that of the central film while one of them passes. Venner, Couhier, Lubrecht and Greenwood, Amplitude reduction of waviness in transient
 //! EHL line contacts, Elastohydrodynamics '96 (1997), 103-112.
 
-use super::InstantSolution;
+use super::found::InstantSolution;
 use crate::case::{Case, SurfaceRelief};
 use crate::contact::gap::{Body, Form};
 use crate::solution::Figure;

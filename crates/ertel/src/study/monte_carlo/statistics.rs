@@ -1,10 +1,7 @@
 //! Means, quantiles and correlations of the figures of a sampled study.
 
-use serde::Serialize;
-
 use crate::case::study::Study;
-use crate::machine::MachineFigures;
-use crate::run::over_time::TimeFigure;
+use crate::figures::{Definition, Row};
 use crate::solution::Figure;
 use crate::study::columns::{Column, titled};
 use crate::study::journal::Record;
@@ -13,7 +10,7 @@ use crate::study::journal::Record;
 pub const QUANTILES: [f64; 5] = [0.025, 0.25, 0.5, 0.75, 0.975];
 
 /// Statistics of a sampled study.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct MonteCarlo {
     /// Samples.
     pub n: usize,
@@ -26,16 +23,14 @@ pub struct MonteCarlo {
 }
 
 /// A figure of samples.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sampled {
     /// That of a contact.
     Contact(Figure),
     /// That of a whole machine, or of a run in time.
     Machine {
-        /// Name in results.
-        name: &'static str,
-        /// Description.
-        words: &'static str,
+        /// Its attributes.
+        figure: Definition,
         /// SI unit.
         unit: &'static str,
     },
@@ -46,7 +41,7 @@ impl Sampled {
     pub fn name(self) -> &'static str {
         match self {
             Sampled::Contact(figure) => figure.name(),
-            Sampled::Machine { name, .. } => name,
+            Sampled::Machine { figure, .. } => figure.name,
         }
     }
 
@@ -54,13 +49,13 @@ impl Sampled {
     fn title(self, is_line: bool) -> String {
         match self {
             Sampled::Contact(figure) => Column::of(figure).title(is_line),
-            Sampled::Machine { name, unit, .. } => titled(name, unit),
+            Sampled::Machine { figure, unit } => titled(figure.name, unit),
         }
     }
 }
 
 /// How a figure is distributed.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Distribution {
     /// Which.
     pub figure: Sampled,
@@ -75,7 +70,6 @@ pub struct Distribution {
     /// Coefficient of correlation with each input.
     pub correlations: Vec<f64>,
     /// The figure of each sample that was solved, SI.
-    #[serde(skip)]
     pub values: Vec<f64>,
 }
 
@@ -86,31 +80,11 @@ impl MonteCarlo {
         MonteCarlo::of_figures(study, records, figures)
     }
 
-    /// Of a study whose points are samples of a whole machine that has these figures.
-    pub fn of_machines(
-        study: &Study,
-        records: &[Option<Record>],
-        figures: &MachineFigures,
-    ) -> MonteCarlo {
-        let figures = figures.all.iter().map(|figure| Sampled::Machine {
-            name: figure.name,
-            words: figure.words,
-            unit: figure.unit,
-        });
-        MonteCarlo::of_figures(study, records, figures)
-    }
-
-    /// Of a study whose points are samples of a case in time that has these figures.
-    pub fn in_time(
-        study: &Study,
-        records: &[Option<Record>],
-        figures: &[TimeFigure],
-    ) -> MonteCarlo {
-        let is_line = (study.points.first()).is_some_and(|p| p.case.contact.kind.is_line());
-        let figures = figures.iter().map(|figure| Sampled::Machine {
-            name: figure.name,
-            words: figure.words,
-            unit: figure.kind.unit(is_line),
+    /// Of a study whose points are samples of a whole machine or of a case in time that has these figures.
+    pub fn of_rows(study: &Study, records: &[Option<Record>], rows: &[Row]) -> MonteCarlo {
+        let figures = rows.iter().map(|row| Sampled::Machine {
+            figure: row.figure,
+            unit: row.unit,
         });
         MonteCarlo::of_figures(study, records, figures)
     }
