@@ -9,7 +9,6 @@ use ertel_input::csv::{ColumnMap, CsvParams, Decimal};
 
 use crate::colour::When;
 use crate::init::InitArgs;
-use crate::manual::{CompletionsArgs, ManArgs};
 use crate::schema::SchemaArgs;
 
 /// Film thickness and pressure of elastohydrodynamic contacts.
@@ -515,4 +514,18 @@ pub enum SolidsCommand {
         /// Name of the solid
         name: String,
     },
+}
+
+pub struct CompletionsArgs {
+    /// The shell
+    #[arg(value_name = "SHELL", value_enum)]
+    pub shell: Shell,
+}
+
+/// `ertel man`.
+#[derive(Debug, Args)]
+pub struct ManArgs {
+    /// Write the pages of all commands, `ertel.1`, `ertel-solve.1` and so on, into this folder; former pages there are replaced
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
 }

@@ -2,6 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use ertel::case::Case;
+use ertel::params::SensitivityDemand;
+use ertel::warning::{Warning, by_kind};
 use serde_json::json;
 
 use crate::args::SolveArgs;
@@ -10,7 +13,6 @@ use crate::failure::Failure;
 use crate::given::Given;
 use crate::inputs::overlap;
 use crate::print;
-use crate::solve::{Job, complete};
 use crate::table::columns;
 
 /// Reads all cases before anything is solved, and finds a folder for each.
@@ -207,6 +209,47 @@ fn worst(codes: impl IntoIterator<Item = u8>) -> u8 {
     const ORDER: [u8; 4] = [3, 1, 2, INTERRUPTED];
     let rank = |code: &u8| ORDER.iter().position(|c| c == code).unwrap_or(0);
     codes.into_iter().max_by_key(rank).unwrap_or(1)
+}
+
+/// A case to be solved, and the folder of its results.
+pub struct Job {
+    /// The case.
+    pub given: Given,
+    /// Folder of its results.
+    pub folder: PathBuf,
+}
+
+/// Settings of the command line that are those of the case as well.
+pub fn complete(case: &mut Case, arguments: &SolveArgs) {
+    case.output.pictures.png |= arguments.png;
+    case.output.pictures.pdf |= arguments.pdf;
+    if case.curve.is_none() && case.output.sensitivities == SensitivityDemand::WhereUncertain {
+        case.output.sensitivities = SensitivityDemand::WhereCheap;
+    }
+}
+
+/// Contacts of a case: those of a curve or a machine, or one.
+pub fn n_points(case: &Case) -> usize {
+    match (&case.curve, &case.contacts) {
+        (Some(curve), _) => curve.points.len(),
+        (None, Some(contacts)) => contacts.study.points.len(),
+        (None, None) => 1,
+    }
+}
+
+/// Warnings about the input of a case, or of the points of its curve.
+pub fn input_warnings(case: &Case) -> Vec<Warning> {
+    let Some(curve) = &case.curve else {
+        return case.warnings.clone();
+    };
+    let points = curve.points.iter().enumerate();
+    let warnings = points.flat_map(|(i, p)| {
+        let shown = p.case.warnings.iter().filter(|w| w.is_shown());
+        shown.map(move |w| (i, w))
+    });
+    (by_kind(warnings).iter())
+        .map(|merged| merged.with_text(merged.line(curve.points.len())))
+        .collect()
 }
 
 #[cfg(test)]

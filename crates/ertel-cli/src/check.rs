@@ -14,10 +14,11 @@ use ertel::warning::WarningKind;
 use serde_json::json;
 
 use crate::args::SolveArgs;
+use crate::cases::{Job, input_warnings, n_points};
 use crate::events::{Events, path_text};
 use crate::failure::Failure;
 use crate::print;
-use crate::solve::{Job, input_warnings, n_points, warn};
+use crate::print::warn;
 
 /// Checks a case, or the points of its curve, for errors that a solve would refuse; then shows a summary.
 ///

@@ -13,9 +13,11 @@ use ertel::sweep::{SweepParams, SweepSummary, finished_points, sweep};
 use crate::args::CompareArgs;
 use crate::failure::Failure;
 use crate::inputs;
+use crate::interrupt::{CANCELLED, listen_for_interrupts};
 use crate::print;
-use crate::solve::{CANCELLED, listen_for_interrupts, points_not_resolved};
-use crate::sweep::{Progress, remarks};
+use crate::results::points_not_resolved;
+use crate::sweep::remarks;
+use crate::sweep_progress::Progress;
 
 /// Runs the command.
 ///

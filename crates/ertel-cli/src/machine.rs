@@ -11,8 +11,9 @@ use serde_json::json;
 use crate::args::SolveArgs;
 use crate::events::{Events, path_text};
 use crate::failure::Failure;
+use crate::interrupt::WRITING;
 use crate::print;
-use crate::solve::{RESOLVE, WRITING, not_shown, place_of};
+use crate::results::{RESOLVE, not_shown, place_of};
 
 /// Help for totals that are not resolved.
 const TOTALS: &str = "where friction is beyond what lubricants transmit, give [lubricant] `shear_thinning`; else a finer [mesh], or more `points` along a path \
@@ -47,11 +48,7 @@ pub fn write(
     arguments: &SolveArgs,
     events: &Events,
 ) -> Result<String, Failure> {
-    let SolvedMachine {
-        case,
-        solution,
-        balance,
-    } = solved;
+    let SolvedMachine { case, solution, .. } = solved;
     if solution.solved().next().is_none() {
         return Err(Failure::Interrupted);
     }
@@ -79,6 +76,24 @@ pub fn write(
         let text = output::machine_report(&echo, solution, figures, Some(folder));
         print::stdout(&text)
     };
+    check((solved, figures), folder, arguments)?;
+    shown?;
+    Ok(format!("{} different contacts", solution.n_contacts()))
+}
+
+/// Whether all contacts are solved, balanced and resolved.
+///
+/// # Errors
+///
+/// The first of these that is not so.
+fn check(
+    (solved, figures): (&SolvedMachine, &MachineFigures),
+    folder: &Path,
+    arguments: &SolveArgs,
+) -> Result<(), Failure> {
+    let SolvedMachine {
+        solution, balance, ..
+    } = solved;
     let (all, failed) = (solution.n_contacts(), solution.n_failed());
     if solution.is_partial() {
         let solved = solution.n_solved();
@@ -119,6 +134,5 @@ pub fn write(
             folder.join("report.txt").display()
         )));
     }
-    shown?;
-    Ok(format!("{all} different contacts"))
+    Ok(())
 }

@@ -3,12 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use clap::{Args, CommandFactory};
-use clap_complete::Shell;
+use clap::CommandFactory;
 use ertel::files::write_whole;
 use ertel_input::file::{LARGEST_DOCUMENT, read_bytes};
 
-use crate::args::Cli;
+use crate::args::{Cli, CompletionsArgs, ManArgs};
 use crate::failure::Failure;
 use crate::print;
 
@@ -18,19 +17,6 @@ use crate::print;
 Bash: ertel completions bash > ~/.local/share/bash-completion/completions/ertel
 Zsh:  ertel completions zsh > \"${fpath[1]}/_ertel\"
 Fish: ertel completions fish > ~/.config/fish/completions/ertel.fish")]
-pub struct CompletionsArgs {
-    /// The shell
-    #[arg(value_name = "SHELL", value_enum)]
-    pub shell: Shell,
-}
-
-/// `ertel man`.
-#[derive(Debug, Args)]
-pub struct ManArgs {
-    /// Write the pages of all commands, `ertel.1`, `ertel-solve.1` and so on, into this folder; former pages there are replaced
-    #[arg(short, long, value_name = "DIR")]
-    pub output: Option<PathBuf>,
-}
 
 /// Prints the completions.
 ///

@@ -12,9 +12,9 @@ use ertel::sweep::{SweepParams, finished_points, sweep};
 use crate::args::SolveArgs;
 use crate::failure::Failure;
 use crate::inputs;
+use crate::interrupt::CANCELLED;
 use crate::print;
-use crate::solve::CANCELLED;
-use crate::sweep::Progress;
+use crate::sweep_progress::Progress;
 
 /// Samples to solve, and where.
 pub struct Samples {

@@ -3,6 +3,7 @@
 
 use std::io::{self, Write};
 
+use ertel::warning::Warning;
 use ertel_input::escaped;
 
 use crate::colour;
@@ -44,4 +45,12 @@ pub fn stderr(line: &str) {
     let _ = io::stderr()
         .lock()
         .write_all(format!("{}\n", colour::stderr(escaped(line).into_owned())).as_bytes());
+}
+
+/// Warnings on stderr, with their codes.
+pub fn warn<'a>(warnings: impl IntoIterator<Item = &'a Warning>) {
+    for warning in warnings {
+        let what = warning.kind.severity().word();
+        stderr(&format!("{what}: {}", warning.coded()));
+    }
 }

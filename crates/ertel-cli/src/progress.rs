@@ -94,7 +94,7 @@ impl<'a> Progress<'a> {
 
     /// Shows a warning of the run at once.
     fn warn(&self, warning: &Warning) {
-        let show = || crate::solve::warn([warning]);
+        let show = || print::warn([warning]);
         match &self.display {
             Display::Quiet | Display::Lines => show(),
             Display::Terminal(bar) => bar.suspend(show),

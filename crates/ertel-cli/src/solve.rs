@@ -1,47 +1,36 @@
 //! `ertel solve`.
 
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 
-use ertel::case::{Case, Curve};
+use ertel::case::{Case, CaseEcho, Curve};
 use ertel::cross_check::Verdict;
 use ertel::elastic::FiniteBodyError;
 use ertel::engine::SolveError;
 use ertel::machine::figures;
 use ertel::output;
-use ertel::params::SensitivityDemand;
 use ertel::run;
 use ertel::run::over_time::over_time;
+use ertel::solution::Solution;
 use ertel::solution::{Solution, Unresolved, Why};
 use ertel::study::{CurveSolution, solve_curve, solve_in_balance};
 use ertel::warning::{Warning, by_kind};
 use serde_json::{Value, json};
 
 use crate::args::SolveArgs;
+use crate::cases::{Job, input_warnings, n_points};
 use crate::checkpoint::Checkpoints;
 use crate::events::{Events, path_text};
 use crate::failure::Failure;
-use crate::given::Given;
 use crate::inputs;
+use crate::interrupt::{CANCELLED, WRITING, listen_for_interrupts};
 use crate::machine;
-use crate::monte_carlo::{self, Solved};
-use crate::print;
+use crate::monte_carlo::{self, Samples, Solved};
+use crate::print::{self, warn};
 use crate::progress::Progress;
+use crate::results::{not_resolved, not_shown, place_of, points_not_resolved};
 use crate::transient;
 use crate::{cases, check};
-
-/// Set by Ctrl-C; the solver looks at it before each iteration.
-pub static CANCELLED: AtomicBool = AtomicBool::new(false);
-/// Set while results are written: a second Ctrl-C waits until they are.
-pub static WRITING: AtomicBool = AtomicBool::new(false);
-
-/// A case to be solved, and the folder of its results.
-pub struct Job {
-    /// The case.
-    pub given: Given,
-    /// Folder of its results.
-    pub folder: PathBuf,
-}
 
 /// Runs the command.
 ///
@@ -89,15 +78,6 @@ fn run_all(arguments: &SolveArgs, events: &Events) -> Result<(), Failure> {
     }
 }
 
-/// Settings of the command line that are those of the case as well.
-pub fn complete(case: &mut Case, arguments: &SolveArgs) {
-    case.output.pictures.png |= arguments.png;
-    case.output.pictures.pdf |= arguments.pdf;
-    if case.curve.is_none() && case.output.sensitivities == SensitivityDemand::WhereUncertain {
-        case.output.sensitivities = SensitivityDemand::WhereCheap;
-    }
-}
-
 /// Solves a case, or the points of its curve; returns the films in words.
 fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Failure> {
     let Job { given, folder } = job;
@@ -126,21 +106,7 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
         (false, false) => Progress::new(arguments.report.quiet, &CANCELLED),
     };
     if case.transient.is_some() && case.curve.is_none() {
-        events.warn(&case.warnings);
-        let (file, from) = Checkpoints::open(case, folder, arguments)?;
-        progress.keep(file);
-        let found = run::transient::solve_from(case, from, &mut progress);
-        let file = progress.kept();
-        drop(progress);
-        let written = transient::write(case, &found, folder, arguments, events);
-        // Keep the file if the results could not be written; a film that is not resolved would not change by further steps.
-        let is_written = matches!(written, Ok(_) | Err(Failure::Unresolved(_)));
-        file.close(found.failure.is_none() && is_written)?;
-        if let (Some(samples), true) = (&samples, is_written) {
-            let rows = over_time(&found, case.contact.kind.is_line());
-            monte_carlo::run(samples, &Solved::Rows(&rows), arguments)?;
-        }
-        return written;
+        return solve_in_time(job, arguments, events, progress, samples.as_ref());
     }
     if arguments.checkpoint.is_some() || arguments.resume {
         return Err(Failure::Argument(format!(
@@ -176,27 +142,7 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
     let echo = case.echo();
     output::write(&echo, &solution, folder, &case.output)?;
     WRITING.store(false, Ordering::SeqCst);
-    let known = |warning: &&Warning| !case.warnings.contains(warning);
-    let shown = if events.is_on() {
-        events.warn(solution.warnings.iter().filter(known));
-        let result = output::result_json(&echo, &solution).map_err(not_shown)?;
-        events.emit(
-            "result",
-            json!({ "folder": path_text(folder), "result": short(result) }),
-        );
-        Ok(())
-    } else if arguments.report.quiet {
-        let known = solution.warnings.iter().filter(known);
-        warn(known.filter(|warning| warning.is_shown()));
-        Ok(())
-    } else {
-        let text = output::report(&echo, &solution, Some(folder));
-        let more = match arguments.verbose {
-            true => check::effort(&solution, folder),
-            false => String::new(),
-        };
-        print::report(&(text + &more))
-    };
+    let shown = show(job, &echo, &solution, arguments, events);
     if let Some(samples) = &samples {
         monte_carlo::run(samples, &Solved::Contact(&solution), arguments)?;
     }
@@ -211,12 +157,61 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
     Ok(films(&solution))
 }
 
-/// Contacts of a case: those of a curve or a machine, or one.
-pub fn n_points(case: &Case) -> usize {
-    match (&case.curve, &case.contacts) {
-        (Some(curve), _) => curve.points.len(),
-        (None, Some(contacts)) => contacts.study.points.len(),
-        (None, None) => 1,
+/// Solves a case in time, with checkpoints; returns a summary in words.
+fn solve_in_time(
+    Job { given, folder }: &Job,
+    arguments: &SolveArgs,
+    events: &Events,
+    mut progress: Progress<'_>,
+    samples: Option<&Samples>,
+) -> Result<String, Failure> {
+    let case = &given.case;
+    events.warn(&case.warnings);
+    let (file, from) = Checkpoints::open(case, folder, arguments)?;
+    progress.keep(file);
+    let found = run::transient::solve_from(case, from, &mut progress);
+    let file = progress.kept();
+    drop(progress);
+    let written = transient::write(case, &found, folder, arguments, events);
+    // Keep the file if the results could not be written; a film that is not resolved would not change by further steps.
+    let is_written = matches!(written, Ok(_) | Err(Failure::Unresolved(_)));
+    file.close(found.failure.is_none() && is_written)?;
+    if let (Some(samples), true) = (samples, is_written) {
+        let rows = over_time(&found, case.contact.kind.is_line());
+        monte_carlo::run(samples, &Solved::Rows(&rows), arguments)?;
+    }
+    written
+}
+
+/// Shows the solution of a contact: as an event, in the report, or its warnings alone.
+fn show(
+    Job { given, folder }: &Job,
+    echo: &CaseEcho,
+    solution: &Solution,
+    arguments: &SolveArgs,
+    events: &Events,
+) -> Result<(), Failure> {
+    let case = &given.case;
+    let known = |warning: &&Warning| !case.warnings.contains(warning);
+    if events.is_on() {
+        events.warn(solution.warnings.iter().filter(known));
+        let result = output::result_json(echo, solution).map_err(not_shown)?;
+        events.emit(
+            "result",
+            json!({ "folder": path_text(folder), "result": short(result) }),
+        );
+        Ok(())
+    } else if arguments.report.quiet {
+        let known = solution.warnings.iter().filter(known);
+        warn(known.filter(|warning| warning.is_shown()));
+        Ok(())
+    } else {
+        let text = output::report(echo, solution, Some(folder));
+        let more = match arguments.verbose {
+            true => check::effort(solution, folder),
+            false => String::new(),
+        };
+        print::report(&(text + &more))
     }
 }
 
@@ -225,7 +220,7 @@ fn may_cross_check(case: &Case) -> Result<(), Failure> {
     if let Some(contacts) = &case.contacts {
         return Err(Failure::Argument(format!(
             "--cross-check takes one contact, and the case is a whole machine: choose one of its contacts with --set, such as {}",
-            crate::machine::choice(contacts)
+            machine::choice(contacts)
         )));
     }
     if case.transient.is_some() {
@@ -291,58 +286,6 @@ fn short(mut result: Value) -> Value {
     result
 }
 
-/// Folder of a result: a partial one goes next to an existing complete one, with a note.
-pub fn place_of(folder: &Path, is_partial: bool) -> PathBuf {
-    if !is_partial {
-        return folder.to_owned();
-    }
-    let place = output::place_of_partial(folder);
-    if place != folder {
-        print::stderr(&format!(
-            "note: {} keeps its complete result; the partial result of this run goes to {}",
-            folder.display(),
-            place.display()
-        ));
-    }
-    place
-}
-
-pub fn not_shown(error: serde_json::Error) -> Failure {
-    Failure::Other(format!("cannot show the result: {error}"))
-}
-
-/// Failure for figures that are not resolved.
-fn not_resolved(unresolved: &[Unresolved], folder: &Path) -> Failure {
-    let figures: Vec<String> = unresolved.iter().map(output::unresolved).collect();
-    // No mesh corrects a law outside its range.
-    let help = match unresolved.iter().all(|u| u.why == Why::BeyondPhysics) {
-        true => POSSIBLE,
-        false => RESOLVE,
-    };
-    Failure::Unresolved(format!(
-        "not resolved: {}; the results are in {}, where result.json says \"unresolved\"\n  = help: {help}",
-        figures.join("; "),
-        folder.display()
-    ))
-}
-
-/// The same for points; their table lists them.
-pub fn points_not_resolved(n: usize, all: usize, table: &Path) -> Failure {
-    Failure::Unresolved(format!(
-        "{n} of {all} points are not resolved: the error bar of a figure exceeds half its value, or is missing; see the column \
-         `unresolved` of {}\n  = help: {RESOLVE}",
-        table.display()
-    ))
-}
-
-/// Help for figures that are not resolved.
-pub const RESOLVE: &str = "the warnings give the reason: raise [mesh] max_unknowns if the mesh is too coarse; give the lubricant shear \
-    thinning, `[thermal]` or a limiting shear stress if the friction is too large; --accept-unresolved accepts such figures";
-
-/// Help for figures beyond physical limits.
-const POSSIBLE: &str = "look at the constants of the laws, and add what the case neglects (see the warnings): [lubricant] shear_thinning \
-    with its `limit`, or [thermal]; --accept-unresolved accepts the other figures";
-
 /// Writes the solved points of a curve; reports the others.
 fn write_curve(
     case: &Case,
@@ -399,7 +342,7 @@ fn write_curve(
 
 /// The last events of a curve: warnings of its points, and the result.
 fn emit_curve(
-    echo: &ertel::case::CaseEcho,
+    echo: &CaseEcho,
     solution: &CurveSolution,
     folder: &Path,
     events: &Events,
@@ -425,28 +368,6 @@ fn emit_curve(
     Ok(())
 }
 
-/// Warnings about the input of a case, or of the points of its curve.
-pub fn input_warnings(case: &Case) -> Vec<Warning> {
-    let Some(curve) = &case.curve else {
-        return case.warnings.clone();
-    };
-    let points = curve.points.iter().enumerate();
-    let warnings = points.flat_map(|(i, p)| {
-        let shown = p.case.warnings.iter().filter(|w| w.is_shown());
-        shown.map(move |w| (i, w))
-    });
-    (by_kind(warnings).iter())
-        .map(|merged| merged.with_text(merged.line(curve.points.len())))
-        .collect()
-}
-
-pub fn warn<'a>(warnings: impl IntoIterator<Item = &'a Warning>) {
-    for warning in warnings {
-        let what = warning.kind.severity().word();
-        print::stderr(&format!("{what}: {}", warning.coded()));
-    }
-}
-
 /// Tries to make a folder next to the target, or next to its first missing parent.
 fn check_writable(target: &Path) -> Result<(), Failure> {
     let failed = |path: &Path, error: std::io::Error| {
@@ -463,24 +384,6 @@ fn check_writable(target: &Path) -> Result<(), Failure> {
         .tempdir_in(parent)
         .map(drop)
         .map_err(|error| failed(target, error))
-}
-
-/// The first Ctrl-C asks the solver to stop; the second ends the program where no file can be incomplete.
-pub fn listen_for_interrupts() {
-    let handler = || {
-        if CANCELLED.swap(true, Ordering::SeqCst) {
-            if !WRITING.load(Ordering::SeqCst) {
-                std::process::exit(130);
-            }
-        } else {
-            print::stderr("stopping after this iteration; press Ctrl-C again to stop at once");
-        }
-    };
-    if let Err(error) = ctrlc::set_handler(handler) {
-        print::stderr(&format!(
-            "warning: Ctrl-C will stop the program at once ({error})"
-        ));
-    }
 }
 
 impl From<SolveError> for Failure {

@@ -14,8 +14,9 @@ use serde_json::{Value, json};
 use crate::args::SolveArgs;
 use crate::events::{Events, path_text};
 use crate::failure::Failure;
+use crate::interrupt::WRITING;
 use crate::print;
-use crate::solve::{RESOLVE, WRITING, not_shown, place_of};
+use crate::results::{RESOLVE, not_shown, place_of};
 
 /// Writes the solved instants, also of an interrupted run; returns the films in words.
 pub fn write(

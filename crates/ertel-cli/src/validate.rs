@@ -22,49 +22,8 @@ use crate::print;
 /// Unknown names, bad files, and comparisons that do not hold.
 pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
     let folder = &arguments.folder;
-    let known = validate::names(folder)
-        .map_err(|error| Failure::Argument(format!("{}: {error}", folder.display())))?;
-    if known.is_empty() {
-        return Err(Failure::Argument(format!(
-            "there is no study in {}: each is a folder with a file reference.toml; name the folder that holds them with --folder",
-            folder.display()
-        )));
-    }
-    for name in &arguments.names {
-        if !known.contains(name) {
-            return Err(Failure::Argument(format!(
-                "no study `{name}` in {}; there are: {}",
-                folder.display(),
-                known.join(", ")
-            )));
-        }
-    }
-    let names = if arguments.names.is_empty() {
-        &known
-    } else {
-        &arguments.names
-    };
-    let studies: Vec<Study> = names
-        .iter()
-        .map(|name| validate::read(&folder.join(name)))
-        .collect::<Result<_, _>>()?;
-    let read: Vec<_> = studies.iter().flat_map(|s| s.files.clone()).collect();
-    if let Some(path) = &arguments.table {
-        inputs::keep(&read, &[("--table", path)])?;
-    }
-    if let Some(docs) = &arguments.write {
-        for file in written(&studies, docs) {
-            inputs::keep(&read, &[("the file", &file)])?;
-            if let Some(table) = &arguments.table
-                && inputs::is_one_place(table, &file)
-            {
-                return Err(Failure::Argument(format!(
-                    "--table {} names a file that --write makes, too; give it another name",
-                    table.display()
-                )));
-            }
-        }
-    }
+    let studies = read_studies(arguments)?;
+    keep_inputs(arguments, &studies)?;
     let selection = if arguments.quick {
         Selection::Quick
     } else {
@@ -130,6 +89,61 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
             failed.join(", ")
         )))
     }
+}
+
+/// The named studies, or all.
+///
+/// # Errors
+///
+/// No studies, unknown names, bad files.
+fn read_studies(arguments: &ValidateArgs) -> Result<Vec<Study>, Failure> {
+    let folder = &arguments.folder;
+    let known = validate::names(folder)
+        .map_err(|error| Failure::Argument(format!("{}: {error}", folder.display())))?;
+    if known.is_empty() {
+        return Err(Failure::Argument(format!(
+            "there is no study in {}: each is a folder with a file reference.toml; name the folder that holds them with --folder",
+            folder.display()
+        )));
+    }
+    for name in &arguments.names {
+        if !known.contains(name) {
+            return Err(Failure::Argument(format!(
+                "no study `{name}` in {}; there are: {}",
+                folder.display(),
+                known.join(", ")
+            )));
+        }
+    }
+    let names = if arguments.names.is_empty() {
+        &known
+    } else {
+        &arguments.names
+    };
+    let studies = names.iter().map(|name| validate::read(&folder.join(name)));
+    Ok(studies.collect::<Result<_, _>>()?)
+}
+
+/// Refuses to overwrite the files of the studies, or a file of `--write` by `--table`.
+fn keep_inputs(arguments: &ValidateArgs, studies: &[Study]) -> Result<(), Failure> {
+    let read: Vec<_> = studies.iter().flat_map(|s| s.files.clone()).collect();
+    if let Some(path) = &arguments.table {
+        inputs::keep(&read, &[("--table", path)])?;
+    }
+    if let Some(docs) = &arguments.write {
+        for file in written(studies, docs) {
+            inputs::keep(&read, &[("the file", &file)])?;
+            if let Some(table) = &arguments.table
+                && inputs::is_one_place(table, &file)
+            {
+                return Err(Failure::Argument(format!(
+                    "--table {} names a file that --write makes, too; give it another name",
+                    table.display()
+                )));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Updates the stated iterations of a study to those taken.

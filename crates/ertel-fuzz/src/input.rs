@@ -224,3 +224,12 @@ impl Input {
         self.files.iter().map(|(_, content)| content.len()).sum()
     }
 }
+
+/// A folder for the files of inputs: in memory where the system has such a place, as each is read once.
+pub fn scratch() -> io::Result<tempfile::TempDir> {
+    let memory = Path::new("/dev/shm");
+    match memory.is_dir() {
+        true => tempfile::tempdir_in(memory).or_else(|_| tempfile::tempdir()),
+        false => tempfile::tempdir(),
+    }
+}

@@ -28,7 +28,7 @@ use std::time::{Duration, Instant};
 
 use clap::Parser;
 
-use input::Target;
+use input::{Target, scratch};
 use seeds::Seeds;
 use supervise::{Plan, Summary, supervise};
 use watch::Watch;
@@ -170,15 +170,6 @@ fn repeat(folder: &Path, target: Target, json: bool) -> io::Result<bool> {
 /// The checkout that the seeds are taken from.
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-/// A folder for the files of inputs: in memory where the system has such a place, as each is read once.
-fn scratch() -> io::Result<tempfile::TempDir> {
-    let memory = Path::new("/dev/shm");
-    match memory.is_dir() {
-        true => tempfile::tempdir_in(memory).or_else(|_| tempfile::tempdir()),
-        false => tempfile::tempdir(),
-    }
 }
 
 #[cfg(test)]

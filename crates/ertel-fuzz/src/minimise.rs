@@ -1,12 +1,13 @@
 //! Inputs made smaller as long as they show the same defect.
 
 use std::fs;
-use std::io;
+use std::io::{self, BufRead, BufReader};
+use std::path::Path;
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use crate::finding::{Defect, Kind, NOTE};
-use crate::input::Input;
-use crate::supervise::repeat;
+use crate::input::{Input, Target, scratch};
 
 /// Time for one input: findings should be readable, not as small as can be.
 const PATIENCE: Duration = Duration::from_secs(20);
@@ -21,7 +22,7 @@ pub fn minimise(input: &Input, defect: &Defect) -> io::Result<Input> {
         Kind::Hang => 20.0 * input.target.time_limit(),
         _ => 2.0 + input.target.time_limit(),
     });
-    let folder = crate::scratch()?;
+    let folder = scratch()?;
     let shows = |candidate: &Input| -> io::Result<bool> {
         for entry in fs::read_dir(folder.path())? {
             let path = entry?.path();
@@ -66,4 +67,44 @@ fn split(content: &[u8], by_lines: bool) -> Vec<Vec<u8>> {
             .collect(),
         false => content.chunks(8).map(<[u8]>::to_vec).collect(),
     }
+}
+
+/// The result of one input, read by a separate process that ends after `limit`.
+///
+/// # Errors
+/// The process cannot be started.
+fn repeat(folder: &Path, target: Target, limit: Duration) -> io::Result<Option<Defect>> {
+    let mut command = Command::new(std::env::current_exe()?);
+    command
+        .arg("--repeat")
+        .arg(folder)
+        .args(["--target", target.name(), "--json"]);
+    let mut child = command
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()?;
+    let until = Instant::now() + limit;
+    let status = loop {
+        if let Some(status) = child.try_wait()? {
+            break status;
+        }
+        if Instant::now() > until {
+            child.kill()?;
+            child.wait()?;
+            return Ok(None);
+        }
+        std::thread::sleep(Duration::from_millis(1));
+    };
+    if status.success() {
+        return Ok(None);
+    }
+    let mut line = String::new();
+    if let Some(out) = child.stdout.take() {
+        BufReader::new(out).read_line(&mut line)?;
+    }
+    Ok(Some(serde_json::from_str(&line).unwrap_or(Defect {
+        kind: Kind::Abort,
+        place: status.to_string(),
+        message: line,
+    })))
 }

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use fastrand::Rng;
 
 use crate::bad::bad_cases;
-use crate::input::{Input, Target};
+use crate::input::{Input, Target, scratch};
 use crate::mutate::Words;
 use crate::targets::{self, Verdict, answers, course, journal, read, stopped, surface, view};
 
@@ -170,7 +170,7 @@ impl Seeds {
 
 impl Seed {
     fn new(input: Input) -> io::Result<Seed> {
-        let folder = crate::scratch()?;
+        let folder = scratch()?;
         input.write(folder.path())?;
         // Solves take long; a defect of a seed is found when it is fed.
         let is_bad = input.target != Target::Solve

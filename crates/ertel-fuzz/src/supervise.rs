@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use crate::finding::{Defect, Kind, NOTE};
-use crate::input::{Input, Target};
+use crate::input::{Input, Target, scratch};
 use crate::minimise::minimise;
 use crate::seeds::Seeds;
 use crate::worker::{Figures, Message, progress};
@@ -85,7 +85,7 @@ pub fn supervise(seeds: &Seeds, plan: &Plan) -> io::Result<Summary> {
         .map_or(u64::MAX, |n| plan.from.saturating_add(n));
     let mut summary = Summary::default();
     let mut next = plan.from;
-    let folder = crate::scratch()?;
+    let folder = scratch()?;
     loop {
         let left = until.map(|until| until.saturating_duration_since(Instant::now()));
         if next >= end || left.is_some_and(|left| left.is_zero()) {
@@ -182,44 +182,4 @@ fn report(plan: &Plan, index: u64, defect: &Defect, input: &Input) -> io::Result
     fs::write(folder.join(NOTE), note)?;
     eprintln!("  {} of {} bytes; {command}", small.len(), input.len());
     Ok(())
-}
-
-/// The result of one input, read by a separate process that ends after `limit`.
-///
-/// # Errors
-/// The process cannot be started.
-pub fn repeat(folder: &Path, target: Target, limit: Duration) -> io::Result<Option<Defect>> {
-    let mut command = Command::new(std::env::current_exe()?);
-    command
-        .arg("--repeat")
-        .arg(folder)
-        .args(["--target", target.name(), "--json"]);
-    let mut child = command
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn()?;
-    let until = Instant::now() + limit;
-    let status = loop {
-        if let Some(status) = child.try_wait()? {
-            break status;
-        }
-        if Instant::now() > until {
-            child.kill()?;
-            child.wait()?;
-            return Ok(None);
-        }
-        std::thread::sleep(Duration::from_millis(1));
-    };
-    if status.success() {
-        return Ok(None);
-    }
-    let mut line = String::new();
-    if let Some(out) = child.stdout.take() {
-        BufReader::new(out).read_line(&mut line)?;
-    }
-    Ok(Some(serde_json::from_str(&line).unwrap_or(Defect {
-        kind: Kind::Abort,
-        place: status.to_string(),
-        message: line,
-    })))
 }

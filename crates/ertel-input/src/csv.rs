@@ -15,13 +15,13 @@ mod number;
 mod params;
 mod series;
 mod split;
+mod table;
 mod title;
 
 use std::borrow::Cow;
 use std::ops::Range;
 
 use super::excerpt;
-use super::shown::message;
 use ertel_quantity::{Dimension, Unit};
 use header::{Head, NoHead};
 use names::Match;
@@ -30,6 +30,7 @@ pub use number::{Decimal, is_missing};
 pub use params::{ColumnMap, CsvParams, Vocabulary};
 pub use series::Wanted;
 use split::{Records, Separator, is_comment};
+pub use table::{Column, CsvError, CsvTable, Row};
 use title::{NamedUnit, Title};
 
 /// Bytes of a line at most, some thousand columns: the search for the titles keeps the cells of some hundred lines.
@@ -39,60 +40,6 @@ const LONGEST_LINE: usize = 32_768;
 type Problem = (usize, usize, String);
 
 const OPEN_QUOTE: &str = "the quote that begins here is not closed on its line";
-
-/// Error in a table, with its place.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{}:{line}:{column}: {}", excerpt(file), message(problem))]
-pub struct CsvError {
-    /// Name of the file.
-    pub file: String,
-    /// Line, from 1.
-    pub line: usize,
-    /// Column of the table, from 1.
-    pub column: usize,
-    /// The problem, with the choices.
-    pub problem: String,
-}
-
-/// A table of text.
-#[derive(Clone, Debug)]
-pub struct CsvTable {
-    file: String,
-    separator: Separator,
-    header: Row,
-    /// The titles as they are read: with the units of a line of units, and as the user maps them.
-    titles: Vec<String>,
-    /// Ignored columns.
-    is_ignored: Vec<bool>,
-    rows: Vec<Row>,
-    marks: Marks,
-    notes: Vec<String>,
-}
-
-/// A line of a table.
-#[derive(Clone, Debug)]
-pub struct Row {
-    /// Its number, from 1.
-    pub line: usize,
-    /// Its bytes in the text, without the end of the line.
-    pub span: Range<usize>,
-    cells: Vec<String>,
-}
-
-/// A column of numbers with a unit.
-#[derive(Clone, Debug)]
-pub struct Column {
-    /// Its place, from 0.
-    pub index: usize,
-    /// Its name, without the unit.
-    pub name: &'static str,
-    /// Its unit.
-    pub unit: Unit,
-    /// Its unit as a quantity in a case has it; empty for a plain number.
-    pub unit_text: String,
-    /// Whether its title leaves open which quantity of its kind it is, as `film` does.
-    pub is_open: bool,
-}
 
 impl CsvTable {
     /// Reads a table whose first line names the columns; `file` is the name that errors show.
@@ -560,20 +507,6 @@ impl CsvTable {
             };
             self.error(row, column.index, problem)
         })
-    }
-}
-
-impl Row {
-    /// The cells, without spaces and quotes around them.
-    #[must_use]
-    pub fn cells(&self) -> &[String] {
-        &self.cells
-    }
-
-    /// A cell; empty where the line ends before it.
-    #[must_use]
-    pub fn cell(&self, index: usize) -> &str {
-        self.cells.get(index).map_or("", String::as_str)
     }
 }
 

@@ -3,8 +3,8 @@
 use std::fmt;
 use std::ops::Range;
 
-use super::Source;
 use super::shown::{LONGEST_EXCERPT, escaped, excerpt, message};
+use super::source::Source;
 
 /// Something wrong in an input file: what, where, and what would be right.
 ///

@@ -1,10 +1,13 @@
 //! The one reader of files that users name: regular files of bounded size with text, UTF-8 but for tables.
 
 mod encoding;
+mod error;
 
 use std::fs::{File, Metadata};
-use std::io::{self, Read};
+use std::io::Read;
 use std::path::Path;
+
+pub use error::FileError;
 
 /// Largest TOML file, bytes: case, study, equation of state. A hundred times what a long study takes.
 pub const LARGEST_DOCUMENT: u64 = 2_000_000;
@@ -13,40 +16,6 @@ pub const LARGEST_TABLE: u64 = 100_000_000;
 
 /// Largest file that ertel itself writes and reads again, bytes: results, lists of points, pages.
 pub const LARGEST_OWN: u64 = 1_000_000_000;
-
-/// Why a file is not read; the message follows the name of the file.
-#[derive(Debug, thiserror::Error)]
-pub enum FileError {
-    /// The operating system does not give it.
-    #[error("cannot be read: {0}")]
-    Io(#[from] io::Error),
-    /// A folder.
-    #[error("cannot be read: it is a folder, not a file")]
-    Folder,
-    /// A device, a pipe, a socket, or a file that the system makes up as it is read.
-    #[error("cannot be read: it is not a regular file")]
-    NotRegular,
-    /// More bytes than a file of its kind may have.
-    #[error("is too large: {size} bytes, and at most {limit} are read")]
-    TooLarge {
-        /// Its size in bytes.
-        size: u64,
-        /// The most that is read.
-        limit: u64,
-    },
-    /// Not text.
-    #[error("is not UTF-8 text (line {line})")]
-    Encoding {
-        /// The line of the first byte that is no text, from 1.
-        line: usize,
-    },
-    /// A table that is no text, but a file of another kind.
-    #[error("is no text: it is {kind}; save the table as CSV, and give that file")]
-    Binary {
-        /// Kind of the file.
-        kind: &'static str,
-    },
-}
 
 /// A regular file of at most `limit` bytes, to be read.
 ///
@@ -101,22 +70,6 @@ pub fn read_text(path: &Path, limit: u64) -> Result<String, FileError> {
 /// [`FileError`], as [`read_text`]; files that are no text, such as workbooks of a spreadsheet.
 pub fn read_table(path: &Path) -> Result<String, FileError> {
     encoding::decode(&read_bytes(path, LARGEST_TABLE)?)
-}
-
-impl FileError {
-    /// Whether there is no such file.
-    pub fn is_missing(&self) -> bool {
-        matches!(self, Self::Io(error) if error.kind() == io::ErrorKind::NotFound)
-    }
-}
-
-impl From<FileError> for io::Error {
-    fn from(error: FileError) -> Self {
-        match error {
-            FileError::Io(error) => error,
-            other => io::Error::new(io::ErrorKind::InvalidInput, other.to_string()),
-        }
-    }
 }
 
 fn check(metadata: &Metadata, limit: u64) -> Result<(), FileError> {

@@ -24,9 +24,12 @@ mod error;
 pub mod file;
 mod inputs;
 pub mod keys;
+mod nearest;
 mod shown;
+mod source;
 mod table;
 pub mod tree;
+mod unit_meant;
 mod usual;
 
 use std::ops::Range;
@@ -38,42 +41,11 @@ pub use error::InputError;
 pub use inputs::{Input, Inputs, Recorder};
 pub use shown::{LONGEST_EXCERPT, escaped, excerpt};
 pub use table::{StrOrTable, Table};
-pub use usual::{Usual, unit_meant, usual_of};
+pub use unit_meant::{unit_meant, usual_of};
+pub use usual::Usual;
 
+use source::Source;
 use tree::{Entry, Node, Value};
-
-/// The name and text of a file, kept for error messages.
-#[derive(Clone, Debug)]
-struct Source {
-    file: String,
-    text: String,
-    /// Files whose values were put into the document; their bytes count on from the end of the text, one byte apart.
-    others: Vec<Arc<Source>>,
-}
-
-impl Source {
-    /// The file that a span lies in, and where it lies there.
-    fn resolve(&self, span: Range<usize>) -> (&Source, Range<usize>) {
-        let mut offset = self.text.len() + 1;
-        if span.start < offset {
-            return (self, span);
-        }
-        for other in &self.others {
-            let end = offset + other.text.len() + 1;
-            if span.start < end {
-                return (other, span.start - offset..span.end.max(offset) - offset);
-            }
-            offset = end;
-        }
-        (self, span)
-    }
-
-    /// The text at a span.
-    fn slice(&self, span: Range<usize>) -> &str {
-        let (source, span) = self.resolve(span);
-        source.text.get(span).unwrap_or_default()
-    }
-}
 
 /// A parsed TOML file.
 #[derive(Clone, Debug)]

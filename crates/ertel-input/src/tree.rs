@@ -5,7 +5,8 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::{InputError, Source};
+use super::InputError;
+use super::source::Source;
 
 /// A value and its place.
 #[derive(Clone, Debug)]

@@ -1,7 +1,6 @@
 //! A picture as what it consists of: paths, text, images. Written as SVG, PDF or PNG by a backend each.
 
 use super::font;
-use super::{pdf, png, svg};
 
 /// Font size of tick labels and legends, px.
 pub const TICK_SIZE: f64 = 12.0;
@@ -236,27 +235,6 @@ impl Drawing {
     /// Ends what [`Drawing::begin_clip`] began.
     pub fn end_clip(&mut self) {
         self.elements.push(Element::EndClip);
-    }
-
-    /// As an SVG file.
-    pub fn svg(&self) -> String {
-        svg::write(self)
-    }
-
-    /// As a PDF file of one page of the size of the picture: lines and areas as such, text with its font.
-    ///
-    /// # Errors
-    /// [`DrawingError::Font`].
-    pub fn pdf(&self) -> Result<Vec<u8>, DrawingError> {
-        pdf::write(self)
-    }
-
-    /// As a PNG file with 300 dots per inch.
-    ///
-    /// # Errors
-    /// [`DrawingError::Size`] and [`DrawingError::Png`].
-    pub fn png(&self) -> Result<Vec<u8>, DrawingError> {
-        png::write(self)
     }
 }
 

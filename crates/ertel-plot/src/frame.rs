@@ -3,7 +3,6 @@
 use std::fmt::Write;
 
 use super::axis::{Axis, AxisScale};
-use super::chart::Side;
 use super::drawing::{Anchor, Drawing, INK, LABEL_SIZE, Stroke, TICK_SIZE, number, text_width};
 use super::simplify::simplify;
 
@@ -166,4 +165,14 @@ fn tick_width(label: &str, scale: AxisScale) -> f64 {
         AxisScale::Linear | AxisScale::Count => text_width(label, TICK_SIZE),
         AxisScale::Log => text_width(label, 0.9 * TICK_SIZE),
     }
+}
+
+/// Which y axis a series belongs to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Side {
+    /// Left axis.
+    #[default]
+    Left,
+    /// Right axis.
+    Right,
 }

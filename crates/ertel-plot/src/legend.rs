@@ -204,7 +204,8 @@ pub(crate) fn crosses([a, b]: &[[f64; 2]; 2], from: [f64; 2], to: [f64; 2]) -> b
 
 #[cfg(test)]
 mod tests {
-    use super::super::chart::{ErrorBars, PALETTE, Side};
+    use super::super::chart::{ErrorBars, PALETTE};
+    use super::super::frame::Side;
     use super::*;
 
     const FRAME: Frame = Frame {

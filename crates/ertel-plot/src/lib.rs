@@ -3,6 +3,7 @@
 pub mod axis;
 pub mod chart;
 pub mod contour;
+mod diagram;
 pub mod drawing;
 mod font;
 pub mod frame;
@@ -15,6 +16,8 @@ mod simplify;
 mod svg;
 
 pub use axis::{Axis, AxisScale};
-pub use chart::{Chart, ErrorBars, Look, Marker, PALETTE, Series, Side, side_by_side};
+pub use chart::{Chart, ErrorBars, Look, Marker, PALETTE, Series};
+pub use diagram::side_by_side;
 pub use drawing::{Drawing, DrawingError};
+pub use frame::Side;
 pub use polar::{Polar, polar_row};

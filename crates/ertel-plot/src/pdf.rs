@@ -24,8 +24,18 @@ const SYSTEM: SystemInfo = SystemInfo {
 /// Names of the fonts of both styles on the page.
 const FONTS: [&[u8]; 2] = [b"F0", b"F1"];
 
+impl Drawing {
+    /// As a PDF file of one page of the size of the picture: lines and areas as such, text with its font.
+    ///
+    /// # Errors
+    /// [`DrawingError::Font`].
+    pub fn pdf(&self) -> Result<Vec<u8>, DrawingError> {
+        write(self)
+    }
+}
+
 /// The file of a picture.
-pub(crate) fn write(drawing: &Drawing) -> Result<Vec<u8>, DrawingError> {
+fn write(drawing: &Drawing) -> Result<Vec<u8>, DrawingError> {
     let mut page = Page {
         content: Content::new(),
         height: drawing.height,

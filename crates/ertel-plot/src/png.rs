@@ -14,8 +14,18 @@ const SCALE: f64 = 300.0 / 96.0;
 /// The same per metre, as the file says.
 const PER_METRE: u32 = 11_811;
 
+impl Drawing {
+    /// As a PNG file with 300 dots per inch.
+    ///
+    /// # Errors
+    /// [`DrawingError::Size`] and [`DrawingError::Png`].
+    pub fn png(&self) -> Result<Vec<u8>, DrawingError> {
+        write(self)
+    }
+}
+
 /// The file of a picture.
-pub(crate) fn write(drawing: &Drawing) -> Result<Vec<u8>, DrawingError> {
+fn write(drawing: &Drawing) -> Result<Vec<u8>, DrawingError> {
     let (width, height) = size(drawing, SCALE);
     let data = pixels(drawing, SCALE, (width, height))?;
     encode(width, height, &data, Some(PER_METRE))

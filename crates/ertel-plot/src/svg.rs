@@ -7,8 +7,15 @@ use super::font::{Style, runs};
 
 const FONT: &str = "Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif";
 
+impl Drawing {
+    /// As an SVG file.
+    pub fn svg(&self) -> String {
+        write(self)
+    }
+}
+
 /// The file of a picture.
-pub(crate) fn write(drawing: &Drawing) -> String {
+fn write(drawing: &Drawing) -> String {
     let mut body = String::new();
     let mut n_clips = 0;
     for element in &drawing.elements {

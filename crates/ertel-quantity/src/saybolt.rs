@@ -7,7 +7,7 @@
 //! U_t = U [1 + 0.000061 (t − 100)]                                                   t in °F
 //! ```
 
-use super::split_number;
+use super::number::split_number;
 
 /// Names of the seconds.
 pub(super) const NAMES: [&str; 5] = ["SUS", "SSU", "SUV", "sus", "ssu"];

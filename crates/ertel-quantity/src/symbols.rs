@@ -3,7 +3,10 @@
 //! Factors are exact by definition (BIPM, SI brochure, 9th edition; NIST SP 811, 2008, appendix B): the inch is 25.4 mm, the pound
 //! 0.453 592 37 kg, standard gravity 9.806 65 m/s², the US gallon 231 cubic inches.
 
-use super::{Dimension, STANDARD_ATMOSPHERE};
+use super::Dimension;
+
+/// Standard atmosphere (Pa), the ambient pressure that is taken off absolute ones.
+pub const STANDARD_ATMOSPHERE: f64 = 101_325.0;
 
 /// A symbol, its SI dimension, factor numerator and denominator, and the prefixes it takes.
 pub(super) struct Symbol {

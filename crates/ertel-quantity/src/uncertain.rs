@@ -4,7 +4,8 @@
 //! distribution: two standard deviations (JCGM 100:2008, 6.3.3, with the coverage factor k = 2). Limits in brackets are those of a
 //! uniform distribution, of the standard deviation (b − a)/√12 (the same, 4.3.7), about its middle.
 
-use super::{Dimension, QuantityError, parse, split_number};
+use super::number::split_number;
+use super::{Dimension, QuantityError, parse};
 
 /// Half a 95 % interval of a normal distribution over its standard deviation.
 pub const COVERAGE: f64 = 2.0;

@@ -1,8 +1,8 @@
 //! Comparisons.
 
 use super::Quantity;
-use super::instants::{Place, film_at};
-use super::run::{Outcome, Run};
+use super::outcome::{Outcome, Run};
+use super::place::{Place, film_at};
 use ertel::fit::{FilmForm, FilmState};
 use ertel::reference::FilmFormula;
 use ertel::solution::Solution;

@@ -3,12 +3,13 @@
 use std::sync::Arc;
 
 use ertel::case::Case;
-use ertel::contact::{Family, hertz};
+use ertel::contact::{Family, hertz, pressure_profile};
 use ertel::elastic::{Accuracy, FiniteBodyError};
 use ertel::engine::{Profile, SolveError};
 use ertel::run::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation};
-use ertel::solve::system::State;
+use ertel::solve::contact_surface::ContactSurface;
+use ertel::solve::discretisation::Discretisation;
+use ertel::solve::state::State;
 use ertel_fem::linear::NEVER;
 
 /// Dimensionless deflection δR/a² along the centreline under the Hertz pressure.
@@ -49,7 +50,7 @@ pub fn deflect(case: &Case) -> Result<Deflection, SolveError> {
         .pressure
         .points
         .iter()
-        .map(|p| hertz::pressure_profile(p[0].hypot(p[1])))
+        .map(|p| pressure_profile(p[0].hypot(p[1])))
         .collect();
     let state = State {
         deflection: d.deflect(&pressure, Accuracy::Full),

@@ -1,7 +1,7 @@
 //! Quantities that are compared: those of the thesis in its dimensionless form, one row for each, and every figure of the registry in SI.
 
 use super::deflection::Deflection;
-use super::run::{Outcome, Run};
+use super::outcome::{Outcome, Run};
 use ertel::output::pictures;
 use ertel::run::transient::TransientSolution;
 use ertel::solution::{Figure, Solution};

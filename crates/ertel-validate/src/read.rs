@@ -61,7 +61,7 @@ use ertel_rheology::ViscosityLaw;
 
 use super::check::Subject;
 use super::instants::read_place;
-use super::read_picture::read_picture;
+use super::read_picture::{formula_key, indices, read_picture};
 use super::{Accept, Check, Quantity, Reference, Run, Study, Task};
 use ertel::case::{Case, check_mesh_of_bodies, read_mesh, read_named, read_solver, read_thermal};
 use ertel::contact::Family;
@@ -362,33 +362,5 @@ fn read_accept(table: &mut Table<'_>) -> Result<Accept, InputError> {
         [] => Ok(Accept::Anything),
         [accept] => Ok(accept),
         _ => Err(table.error_here("a check has one tolerance")),
-    }
-}
-
-pub(super) fn indices(
-    table: &Table<'_>,
-    key: &str,
-    names: &[&str],
-    study: &Study,
-) -> Result<Vec<usize>, InputError> {
-    names
-        .iter()
-        .map(|name| {
-            let found = study.runs.iter().position(|run| run.name == *name);
-            found.ok_or_else(|| table.error(key, format!("no run is called `{name}`")))
-        })
-        .collect()
-}
-
-pub(super) fn formula_key(formula: FilmFormula) -> &'static str {
-    match formula {
-        FilmFormula::HamrockDowson => "hamrock-dowson",
-        FilmFormula::NijenbanningVennerMoes => "nijenbanning-venner-moes",
-        FilmFormula::VennerIsoviscous => "venner-isoviscous",
-        FilmFormula::Chittenden => "chittenden",
-        FilmFormula::MoesLine => "moes-line",
-        FilmFormula::DowsonHigginson => "dowson-higginson",
-        FilmFormula::DowsonHigginson1966 => "dowson-higginson-1966",
-        FilmFormula::DowsonToyoda => "dowson-toyoda",
     }
 }

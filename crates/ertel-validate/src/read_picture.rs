@@ -4,7 +4,6 @@ use ertel_input::{Bounds, InputError, Table};
 
 use super::instants::read_published;
 use super::profiles::Profile;
-use super::read::{formula_key, indices};
 use super::{Picture, PictureKind, Quantity, Study};
 use ertel::reference::FilmFormula;
 
@@ -163,6 +162,34 @@ fn picture_runs(table: &mut Table<'_>, study: &Study) -> Result<Vec<usize>, Inpu
     match table.optional_strs("runs")? {
         Some(runs) => indices(table, "runs", &runs, study),
         None => Ok((0..study.runs.len()).collect()),
+    }
+}
+
+pub(super) fn indices(
+    table: &Table<'_>,
+    key: &str,
+    names: &[&str],
+    study: &Study,
+) -> Result<Vec<usize>, InputError> {
+    names
+        .iter()
+        .map(|name| {
+            let found = study.runs.iter().position(|run| run.name == *name);
+            found.ok_or_else(|| table.error(key, format!("no run is called `{name}`")))
+        })
+        .collect()
+}
+
+pub(super) fn formula_key(formula: FilmFormula) -> &'static str {
+    match formula {
+        FilmFormula::HamrockDowson => "hamrock-dowson",
+        FilmFormula::NijenbanningVennerMoes => "nijenbanning-venner-moes",
+        FilmFormula::VennerIsoviscous => "venner-isoviscous",
+        FilmFormula::Chittenden => "chittenden",
+        FilmFormula::MoesLine => "moes-line",
+        FilmFormula::DowsonHigginson => "dowson-higginson",
+        FilmFormula::DowsonHigginson1966 => "dowson-higginson-1966",
+        FilmFormula::DowsonToyoda => "dowson-toyoda",
     }
 }
 

@@ -1,68 +1,13 @@
 //! Running a study.
 
 use super::check::{Reference, Row, Verdict};
-use super::{Accept, Deflection, Quantity, Study, deflect};
-use ertel::case::Case;
+use super::outcome::{Outcome, Run, Selection, Task};
+use super::{Accept, Quantity, Study, deflect};
 use ertel::engine::{Observer, SolveError};
 use ertel::run::solve;
-use ertel::run::transient::{self, InstantObserver, TransientSolution};
-use ertel::solution::Solution;
-use ertel::study::{CurveObserver, CurveSolution, solve_curve};
+use ertel::run::transient::{self, InstantObserver};
+use ertel::study::{CurveObserver, solve_curve};
 use ertel::transient::TransientError;
-
-/// Computation from a case.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Task {
-    /// Film and pressure.
-    Solve,
-    /// Deflection under the Hertz pressure.
-    Deflect,
-    /// The points of the case's curve, each from the last.
-    Curve,
-    /// The contact over time, by the case's `[transient]`.
-    Transient,
-}
-
-/// One computation of a study.
-#[derive(Clone, Debug)]
-pub struct Run {
-    /// Name within the study.
-    pub name: String,
-    /// The case, changes of the run included.
-    pub case: Case,
-    /// The computation.
-    pub task: Task,
-    /// Takes seconds: part of the quick selection.
-    pub quick: bool,
-    /// Newton iterations that a cold start is known to take.
-    pub newton_iterations: Option<usize>,
-}
-
-/// Which runs are made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Selection {
-    /// All of them.
-    All,
-    /// Those that take seconds.
-    Quick,
-}
-
-/// Result of a run.
-#[derive(Debug)]
-pub enum Outcome {
-    /// A solution.
-    Solved(Box<Solution>),
-    /// A deflection.
-    Deflected(Deflection),
-    /// The points of a curve; those that failed show in the rows.
-    Curve(CurveSolution),
-    /// Instants up to the end.
-    Transient(Box<TransientSolution>),
-    /// An error message.
-    Failed(String),
-    /// Not selected.
-    Skipped,
-}
 
 /// Results of a study.
 #[derive(Debug)]

@@ -6,8 +6,10 @@ use ertel::output::OutputError;
 use ertel_input::InputError;
 use serde_json::{Value, json};
 
-use crate::CASE;
 use crate::edit::EditError;
+
+/// Name of the case file in errors.
+pub const CASE: &str = "case.toml";
 
 /// A case that is not solved.
 #[derive(Debug, thiserror::Error)]

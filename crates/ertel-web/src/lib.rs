@@ -20,8 +20,6 @@ mod solve;
 pub use check::check;
 pub use database::database;
 pub use edit::{EditError, edit};
+pub use failure::CASE;
 pub use form::form;
 pub use solve::solve;
-
-/// Name of the case file in errors.
-pub const CASE: &str = "case.toml";

@@ -25,9 +25,9 @@ use crate::solve::discretisation::LevelSizes;
 use crate::solve::dry::with_dry_zone;
 use crate::solve::heat::column::Column;
 use crate::solve::heat::coupling::CouplingParams;
-use crate::solve::newton::NewtonParams;
+use crate::solve::newton_level::NewtonParams;
 use crate::solve::sequence::{HeatPlan, Plan, Problem, Stage};
-use crate::solve::system::FilmConstants;
+use crate::solve::state::FilmConstants;
 pub use reliefs::{largest_cell, with_reliefs};
 
 /// Dimensionless problem of a case.

@@ -1,7 +1,13 @@
-//! Modules use only those below them, in the solver and in the crate of cases.
+//! Modules use only those below them, in the solver and in the crate of cases; and in no crate files use each other in a circle.
+
+mod circles;
+mod files;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+
+use circles::CIRCLES;
+use files::{arrows, circles};
 
 /// The modules of the solver, each above those that it may use.
 pub const SOLVER: [&str; 15] = [
@@ -133,4 +139,82 @@ fn check(root: &Path, order: &[&str]) {
         order.len(),
         "a module of the order does not exist"
     );
+}
+
+/// The folder that the files of a circle have in common, and their names there as the list has them.
+fn row(circle: &BTreeSet<String>) -> [String; 2] {
+    let parts = |file: &str| -> Vec<String> { file.split('/').map(str::to_owned).collect() };
+    let files: Vec<Vec<String>> = circle.iter().map(|file| parts(file)).collect();
+    let common = (0..files[0].len() - 1)
+        .take_while(|k| {
+            files
+                .iter()
+                .all(|file| file.len() > k + 1 && file[*k] == files[0][*k])
+        })
+        .count();
+    let name = |file: &Vec<String>| file[common..].join("/").replace(".rs", "");
+    let names: Vec<String> = files.iter().map(name).collect();
+    [files[0][..common].join("/"), names.join(" ")]
+}
+
+#[test]
+fn files_use_each_other_in_no_new_circle() {
+    let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut found = BTreeSet::new();
+    for entry in std::fs::read_dir(crates).unwrap() {
+        let root = entry.unwrap().path().join("src");
+        if root.is_dir() {
+            found.extend(circles(&arrows(&root)).iter().map(row));
+        }
+    }
+    let listed: BTreeSet<[String; 2]> = CIRCLES
+        .into_iter()
+        .map(|row| row.map(str::to_owned))
+        .collect();
+    let new: Vec<_> = found.difference(&listed).collect();
+    let gone: Vec<_> = listed.difference(&found).collect();
+    assert!(
+        new.is_empty() && gone.is_empty(),
+        "files that use each other in a circle, but are not in `arrows/circles.rs`: {new:#?}\nno longer a circle, to be removed \
+         from there: {gone:#?}"
+    );
+}
+
+/// Arrows go where an item is defined: through re-exports, groups and renamed imports, but not from tests.
+#[test]
+fn arrows_of_a_small_crate() {
+    let folder = tempfile::tempdir().unwrap();
+    let root = folder.path().join("small/src");
+    std::fs::create_dir_all(root.join("shape")).unwrap();
+    for (name, text) in [
+        ("lib.rs", "pub mod shape; mod size; pub use shape::Circle;"),
+        (
+            "shape/mod.rs",
+            "mod circle; pub use circle::Circle; pub struct Line; // crate::size::Size",
+        ),
+        (
+            "shape/circle.rs",
+            "use super::{Line}; use super::super::size::{self as sizes, Size}; pub struct Circle(Line, Size);",
+        ),
+        (
+            "size.rs",
+            "pub struct Size; #[cfg(test)] mod tests { use crate::shape::Line; }",
+        ),
+    ] {
+        std::fs::write(root.join(name), text).unwrap();
+    }
+    let arrows = arrows(&root);
+    let used = |name: &str| -> Vec<&str> {
+        let file = format!("small/src/{name}");
+        arrows[&file].iter().map(String::as_str).collect()
+    };
+    assert_eq!(used("lib.rs"), ["small/src/shape/circle.rs"]);
+    assert_eq!(used("shape/mod.rs"), ["small/src/shape/circle.rs"]);
+    assert_eq!(used("size.rs"), [""; 0]);
+    assert_eq!(
+        used("shape/circle.rs"),
+        ["small/src/shape/mod.rs", "small/src/size.rs"]
+    );
+    let rows: Vec<[String; 2]> = circles(&arrows).iter().map(row).collect();
+    assert_eq!(rows, [["small/src/shape", "circle mod"].map(str::to_owned)]);
 }

@@ -14,7 +14,8 @@ use ertel::params::{Formulation, MeshParams, MeshPreset, Method};
 use ertel::problem::predicted_film;
 use ertel::solution::Role;
 use ertel::solution::{Estimate, Solution};
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents};
+use ertel::solve::contact_surface::ContactSurface;
+use ertel::solve::discretisation::{Discretisation, Extents};
 use ertel_fem::linear::NEVER;
 
 /// An ellipse of reduced radii (m) under a Hertz pressure of 0.7 GPa, with the entrainment at an angle (degrees).

@@ -7,12 +7,13 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{hertz_bodies, material, noise, uniform};
-use ertel::contact::{ContactKind, Family, Material, hertz};
+use ertel::contact::{ContactKind, Family, Material, hertz, pressure_profile};
 use ertel::elastic::{Accuracy, BodySpace, Elasticity, FiniteBodies};
 use ertel::forms::elasticity::lame;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
+use ertel::solve::contact_surface::ContactSurface;
+use ertel::solve::discretisation::{Discretisation, Extents, LevelSizes};
 use ertel::solve::points::fields_at;
-use ertel::solve::system::State;
+use ertel::solve::state::State;
 use ertel_fem::assembly::{CONSTRAINED, DofMap, NodeGraph};
 use ertel_fem::linear::NEVER;
 use ertel_fem::linear::condensed::Keep;
@@ -321,7 +322,7 @@ fn hertz_error(d: &Discretisation) -> Vec<f64> {
         false => Family::Point,
     };
     let pressure: Vec<f64> = (d.pressure.points.iter())
-        .map(|p| hertz::pressure_profile(p[0].hypot(p[1])))
+        .map(|p| pressure_profile(p[0].hypot(p[1])))
         .collect();
     let state = State {
         deflection: d.deflect(&pressure, Accuracy::Full),

@@ -7,15 +7,17 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{hertz_bodies, largest_difference, material, noise, uniform};
-use ertel::contact::{ContactKind, Family, Material, hertz};
+use ertel::contact::{ContactKind, Family, Material, hertz, pressure_profile};
 use ertel::elastic::{Accuracy, Elasticity, HalfSpace, Series, SurfaceResponse};
 use ertel::engine::NoObserver;
 use ertel::params::{ElasticModel, MeshParams, MeshPreset};
 use ertel::run::{problem, solve};
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
+use ertel::solve::contact_surface::ContactSurface;
+use ertel::solve::discretisation::{Discretisation, Extents, LevelSizes};
 use ertel::solve::points::fields_at;
 use ertel::solve::sequence::solve_stages;
-use ertel::solve::system::{State, System};
+use ertel::solve::state::State;
+use ertel::solve::system::System;
 use ertel_fem::linear::NEVER;
 
 const KINDS: [ContactKind; 2] = [ContactKind::Line, ContactKind::Circular];
@@ -158,7 +160,7 @@ fn deflection_under_the_hertz_pressure() {
                 hertz::deflection_profile(kind.family(), r)
             }
         };
-        let (errors, orders) = orders_of(kind, size, 3, &hertz::pressure_profile, &exact);
+        let (errors, orders) = orders_of(kind, size, 3, &pressure_profile, &exact);
         let mean = 0.5 * (orders[0] + orders[1]);
         assert!(errors[1] < errors[0] && errors[2] < errors[1]);
         assert!(
@@ -200,7 +202,7 @@ fn deflection_under_smooth_pressures() {
 
 /// Deflection at points of the centreline, the centre first.
 fn along_centreline(d: &Discretisation) -> Vec<f64> {
-    let pressure = sampled(d, hertz::pressure_profile);
+    let pressure = sampled(d, pressure_profile);
     let state = State {
         deflection: d.deflect(&pressure, Accuracy::Full),
         pressure,

@@ -5,12 +5,14 @@ use crate::common;
 use std::sync::Arc;
 
 use common::noise;
-use ertel::contact::{ContactKind, Scales, hertz};
+use ertel::contact::{ContactKind, Scales, pressure_profile};
 use ertel::elastic::Accuracy;
 use ertel::params::{ElasticModel, Formulation};
 use ertel::run::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, LevelSizes};
-use ertel::solve::system::{FilmConstants, State, System};
+use ertel::solve::contact_surface::ContactSurface;
+use ertel::solve::discretisation::{Discretisation, LevelSizes};
+use ertel::solve::state::{FilmConstants, State};
+use ertel::solve::system::System;
 use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::linear::NEVER;
 use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning, StressLimit};
@@ -130,7 +132,7 @@ fn check(
                 return 0.0;
             }
             let outlet = p[0] > 1.0;
-            let base = hertz::pressure_profile(p[0].hypot(p[1]));
+            let base = pressure_profile(p[0].hypot(p[1]));
             if outlet {
                 -0.05 * (1.0 + 0.2 * r)
             } else {

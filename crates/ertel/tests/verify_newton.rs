@@ -13,7 +13,7 @@ use ertel::params::{ElasticModel, LinearSolver};
 use ertel::run::{problem, solve};
 use ertel::solution::Role;
 use ertel::solution::{IterationRecord, Solution};
-use ertel::solve::discretisation::ContactSurface;
+use ertel::solve::contact_surface::ContactSurface;
 use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
 use ertel_fem::linear::NEVER;
 use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning};

@@ -8,7 +8,7 @@ use ertel::engine::NoObserver;
 use ertel::params::ElasticModel;
 use ertel::run::problem;
 use ertel::solve::figures::measure;
-use ertel::solve::newton::FilmModel;
+use ertel::solve::newton_level::FilmModel;
 use ertel::solve::points::fields_at;
 use ertel::solve::results::fields::{body, centreline, surface};
 use ertel::solve::results::summary::summarise;

@@ -5,8 +5,10 @@ use crate::common;
 use ertel::contact::ContactKind;
 use ertel::params::Formulation;
 use ertel::run::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents};
-use ertel::solve::system::{FilmConstants, State, System};
+use ertel::solve::contact_surface::ContactSurface;
+use ertel::solve::discretisation::{Discretisation, Extents};
+use ertel::solve::state::{FilmConstants, State};
+use ertel::solve::system::System;
 use ertel_fem::linear::NEVER;
 
 /// P = 0, ρ̄ = 1, Galerkin: entrainment is all there is, and the relative residual is 1. At the node X_i of linear elements of size l it is

@@ -3,7 +3,7 @@
 use ertel::fit::{self, Property};
 use ertel::words::digits;
 
-use super::{finish, keep_inputs, params, plot_path, read};
+use super::law::{finish, keep_inputs, params, plot_path, read};
 use crate::args::FitLawArgs;
 use crate::failure::Failure;
 use crate::table::columns;

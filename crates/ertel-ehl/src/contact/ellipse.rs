@@ -81,6 +81,11 @@ impl Ellipse {
     }
 }
 
+/// Dimensionless Hertz pressure P(r) = √(1 − r²) inside r < 1, zero outside; r in half-widths.
+pub fn pressure_profile(r: f64) -> f64 {
+    (1.0 - r * r).max(0.0).sqrt()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -92,11 +92,6 @@ impl Hertz {
     }
 }
 
-/// Dimensionless Hertz pressure P(r) = √(1 − r²) inside r < 1, zero outside; r in half-widths.
-pub fn pressure_profile(r: f64) -> f64 {
-    (1.0 - r * r).max(0.0).sqrt()
-}
-
 /// Dimensionless integral of P over the whole contact: 2π/3 (circular; elliptical in units of both semi-axes), π/2 (line;
 /// rollers per length).
 pub fn load_integral(family: Family) -> f64 {

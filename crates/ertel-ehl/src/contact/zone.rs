@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use super::roller::RollerZone;
-use super::{Turn, hertz};
+use super::{Turn, pressure_profile};
 
 /// A circle, an ellipse, a strip across the motion, or the zone of a roller; in half-widths a, the semi-axis along the first principal direction.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,7 +110,7 @@ impl HertzZone {
     /// Pressure of the dry contact, in p_h.
     #[inline(always)]
     pub fn pressure(&self, at: [f64; 2]) -> f64 {
-        self.peak(at) * hertz::pressure_profile(self.radius(at))
+        self.peak(at) * pressure_profile(self.radius(at))
     }
 
     /// Its largest value: at the centre, of rollers in the slice of a place.

@@ -13,21 +13,13 @@ use num_dual::{Dual2_64, DualNum};
 use super::closure::{self, Closure, FilmFlow};
 use super::cross_film::CrossFilm;
 use super::fluidity::{Fluidity, PointThinning, Thinning};
+use super::point::PointFluid;
 use super::polynomial::{FilmNodes, Nodal};
 use super::properties::Properties;
 use super::stress_scales::StressScales;
 use super::thermal::{Jet2, TemperatureProfile, ThermalFluid, ThermalLaw};
 use super::thermal_closure::{ThermalClosure, close_thermal};
 use crate::contact::{Planar, Scales};
-
-/// Fluid at a point: value, first and second derivative by P.
-#[derive(Clone, Copy, Debug)]
-pub struct PointFluid {
-    /// ρ̄, ρ̄', ρ̄''.
-    pub density: [f64; 3],
-    /// μ̄, μ̄', μ̄''.
-    pub viscosity: [f64; 3],
-}
 
 /// Isothermal fluid in the scales of a contact.
 ///

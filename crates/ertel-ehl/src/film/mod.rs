@@ -7,6 +7,7 @@ pub mod fluidity;
 pub mod lanes;
 pub mod nearby;
 mod patches;
+pub mod point;
 pub mod polynomial;
 mod properties;
 mod quintic;
@@ -15,6 +16,7 @@ pub mod thermal;
 pub mod thermal_closure;
 
 pub use closure::Closure;
-pub use fluid::{FilmFluid, PointFluid};
+pub use fluid::FilmFluid;
+pub use point::PointFluid;
 pub use polynomial::{FilmNodes, MOST_NODES, Nodal, Polynomial};
 pub use thermal::{TemperatureProfile, ThermalFluid};

@@ -12,9 +12,9 @@
 use nalgebra::SVector;
 use num_dual::{Dual2SVec64, hessian};
 
-use super::fluid::PointFluid;
 use super::fluidity::{Fluidity, PointThinning};
 use super::lanes::{Lanes, WIDTH, exp};
+use super::point::PointFluid;
 use super::polynomial::{FilmNodes, MOST_NODES, Nodal, Polynomial};
 use super::stress_scales::StressScales;
 

@@ -2,8 +2,6 @@
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-use super::WIDEST;
-
 /// A figure with its discretisation error bar. Written with `resolved`: false where the bar is wider than half of the value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
@@ -80,3 +78,6 @@ impl Located {
         }
     }
 }
+
+/// Largest error bar, over the size of the figure, with which the figure is shown as a number.
+pub const WIDEST: f64 = 0.5;

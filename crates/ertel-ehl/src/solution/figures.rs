@@ -3,7 +3,7 @@
 use serde::ser::{SerializeMap, Serializer};
 use serde::{Deserialize, Serialize};
 
-use super::{Estimate, Located};
+use super::{Estimate, Located, WIDEST};
 
 use super::figure_kinds::Scope;
 pub use super::figure_kinds::{ErrorClass, Kind, Section};
@@ -178,9 +178,6 @@ impl Figure {
             .to_owned()
     }
 }
-
-/// Largest error bar, over the size of the figure, with which the figure is shown as a number.
-pub const WIDEST: f64 = 0.5;
 
 /// The same of a largest pressure: a mesh too coarse for a peak cuts it off, and the value is only a lower bound.
 const WIDEST_OF_PEAK: f64 = 0.1;

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Estimate, Figure, Measured, Solution};
+use super::{Estimate, Figure, Measured};
 use crate::contact::Supply;
 
 /// The film compared with that of the same contact when flooded.
@@ -52,19 +52,5 @@ impl Measured {
             }
         }
         self
-    }
-}
-
-impl Solution {
-    /// Sets the comparison with the flooded contact.
-    pub fn compare_with_flooded(&mut self, flooded: &Solution) {
-        let (own, full) = (&self.summary, &flooded.summary);
-        let Some(starvation) = &mut self.starvation else {
-            return;
-        };
-        starvation.film_central_flooded = Some(full.film_central);
-        starvation.film_minimum_flooded = Some(full.film_minimum);
-        starvation.ratio_central = Some(Estimate::ratio(own.film_central, full.film_central));
-        starvation.ratio_minimum = Some(Estimate::ratio(own.film_minimum, full.film_minimum));
     }
 }

@@ -8,7 +8,9 @@ use std::sync::Arc;
 use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::linear::NEVER;
 
-use super::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
+use super::discretisation::{Discretisation, Extents, LevelSizes};
+
+use super::contact_surface::ContactSurface;
 use super::points::{gap_at_nodes, pressure_at};
 use crate::contact::roller::RollerZone;
 use crate::contact::{Shape, Symmetry};

@@ -5,7 +5,7 @@ use ertel_fem::linear::dense::vectorised;
 use ertel_fem::space::Affine;
 
 use super::discretisation::Discretisation;
-use super::system::{FilmConstants, State};
+use super::state::{FilmConstants, State};
 use crate::film::cross_film::CrossFilm;
 use crate::film::{FilmFluid, TemperatureProfile};
 use crate::forms::dual::Dual;

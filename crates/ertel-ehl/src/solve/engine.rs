@@ -1,7 +1,7 @@
 //! Solves a problem by finite elements.
 
+use super::evaluated::Evaluated;
 use super::figures::measure;
-use super::points::Evaluated;
 use super::sequence::{Problem, StageSolution, Start, solve_stages, solve_warm};
 use crate::engine::{Film, Observer, SolveError};
 use crate::solution::{LevelStats, Measured};

@@ -4,7 +4,7 @@ use ertel_fem::element::Lagrange;
 
 use crate::solve::discretisation::Discretisation;
 use crate::solve::points::{fields_at, fields_in, film_of};
-use crate::solve::system::State;
+use crate::solve::state::State;
 use crate::solve::tuning::meshes::{THINNEST_ELEMENTS, THINNEST_LATTICE};
 
 /// Film thickness at the centre of the contact.

@@ -6,7 +6,7 @@
 use super::discretisation::Discretisation;
 use super::evaluate::{refined, thinnest_points};
 use super::neighbours::Neighbours;
-use super::system::State;
+use super::state::State;
 use crate::engine::hills::root;
 use crate::solve::tuning::refinement::{NEARLY_AS_DEEP, RIDGE};
 

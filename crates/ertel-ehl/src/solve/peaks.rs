@@ -6,7 +6,7 @@
 use super::discretisation::Discretisation;
 use super::evaluate::largest_of_elements;
 use super::neighbours::Neighbours;
-use super::system::State;
+use super::state::State;
 use crate::engine::hills::hills;
 
 /// A largest pressure in p_h, and where it is in half-widths.

@@ -4,89 +4,16 @@
 //!   H = H_0 + G + δ        H_0 rigid separation, G undeformed gap, δ deflection
 //! ```
 //! The Newton system computes the same in its own loop over the elements (`element.rs`); everything else uses this module. Sums over the
-//! contact area after a solve read the [`PointTable`].
+//! contact area after a solve read the [`PointTable`](crate::engine::PointTable).
 
 use ertel_fem::element::Tabulation;
-use rayon::prelude::*;
 
 use super::discretisation::Discretisation;
 use super::element::Metric;
-use super::region::Elements;
-use super::streams::Streams;
-use super::system::State;
-use crate::contact::{Planar, Shape};
-use crate::engine::region::Region;
-use crate::engine::{Film, Point, PointFields, PointTable};
+use super::state::State;
+use crate::engine::PointFields;
 use crate::forms::flow::PointState;
 use crate::forms::oil_layer::{filling_length, missing};
-
-/// Elements that a thread takes at a time.
-const BATCH: usize = 16;
-
-/// The film of a state, with the table of its points.
-pub struct Evaluated<'a> {
-    d: &'a Discretisation,
-    state: &'a State,
-    streams: Streams,
-    points: PointTable,
-}
-
-impl<'a> Evaluated<'a> {
-    /// Of a state of a contact of this shape, whose bodies may end elsewhere than those the mesh was made for, and the mean velocity of its surfaces.
-    pub fn new(
-        shape: &Shape,
-        flow: &Planar,
-        d: &'a Discretisation,
-        state: &'a State,
-    ) -> Evaluated<'a> {
-        let streams = Streams::new(d, state, flow);
-        let whole = Region::of(shape);
-        let shorter = whole.shorter(shape);
-        let elements = Elements::new(d);
-        let tables = [&d.pressure_table, &d.deflection_table];
-        let of_element = |cell: usize| {
-            let shares = [&whole, &shorter].map(|region| elements.share(region, cell));
-            let row = |q: usize| {
-                let heat = d.heat.as_ref();
-                let mut fields = PointFields {
-                    temperature: heat.map(|heat| Box::new(heat.profile_at(d, state, cell, q))),
-                    ..fields_from(d, state, cell, q, tables)
-                };
-                fields.missing += streams.missing(&fields);
-                Point {
-                    area: d.rule.weights[q] * d.contact.maps[cell].determinant,
-                    within: shares.each_ref().map(|share| share.at(q)),
-                    in_zone: d.contact.shape.zone.contains(fields.place),
-                    fields,
-                }
-            };
-            (0..d.rule.len()).map(row).collect::<Vec<Point>>()
-        };
-        let elements: Vec<Vec<Point>> = (0..d.contact.n_elements())
-            .into_par_iter()
-            .with_min_len(BATCH)
-            .map(of_element)
-            .collect();
-        Evaluated {
-            d,
-            state,
-            streams,
-            points: PointTable::new(elements),
-        }
-    }
-}
-
-impl Film for Evaluated<'_> {
-    fn points(&self) -> &PointTable {
-        &self.points
-    }
-
-    fn at(&self, place: [f64; 2]) -> Option<PointFields> {
-        let mut fields = fields_at(self.d, self.state, place)?;
-        fields.missing += self.streams.missing(&fields);
-        Some(fields)
-    }
-}
 
 /// Fields at any place; `None` outside the contact area.
 pub fn fields_at(d: &Discretisation, state: &State, place: [f64; 2]) -> Option<PointFields> {

@@ -4,7 +4,7 @@ use crate::contact::Symmetry;
 use crate::engine::Profile;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::points::fields_at;
-use crate::solve::system::State;
+use crate::solve::state::State;
 
 /// Samples per element edge from which figures are read.
 pub const PER_EDGE: usize = 16;

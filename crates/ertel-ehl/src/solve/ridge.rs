@@ -8,9 +8,9 @@
 
 use ertel_fem::locate::Locator;
 use ertel_fem::mesh::SimplexMesh;
+use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::Space;
 
-use super::indicator::unresolved;
 use super::neighbours::Neighbours;
 use crate::solve::tuning::ridge::{CUT_OFF, OWN_RIDGE, SCALE, STEPS};
 
@@ -81,6 +81,40 @@ pub(super) fn own_shares(errors: &[f64], neighbours: &Neighbours) -> Vec<f64> {
     let shares = shares(errors, neighbours).into_iter();
     shares
         .map(|s| if s > OWN_RIDGE { s } else { 0.0 })
+        .collect()
+}
+
+/// Root mean square error of a field of order k in each element, from how fast its polynomials' parts of rising degree fall off.
+///
+/// ```text
+///   e ≈ s min(1, s/t),   s = ‖p − Π_(k−1) p‖,  t = ‖p − Π_(k−2) p‖    over the element
+/// ```
+/// Where the mesh resolves the field, s/t is small, and e the next term of a geometric series; at a ridge narrower than the element,
+/// where misfits of neighbours say little, s/t is about 1.
+pub(super) fn unresolved(space: &Space, field: &[f64]) -> Vec<f64> {
+    let element = &space.element;
+    let (dim, order) = (element.dim(), element.order());
+    let rule = Quadrature::simplex(dim, 2 * order);
+    let parts =
+        [order - 1, order.saturating_sub(2)].map(|degree| element.fluctuations(degree, &rule));
+    let total: f64 = rule.weights.iter().sum();
+    let n = element.n_nodes();
+    (0..space.n_elements())
+        .map(|c| {
+            let values: Vec<f64> = space
+                .nodes_of(c)
+                .iter()
+                .map(|v| field[*v as usize])
+                .collect();
+            let [s, t] = parts.each_ref().map(|table| {
+                let squares = (table.chunks_exact(n).zip(&rule.weights)).map(|(row, weight)| {
+                    let value: f64 = row.iter().zip(&values).map(|(b, v)| b * v).sum();
+                    weight / total * value * value
+                });
+                squares.sum::<f64>().sqrt()
+            });
+            if t > 0.0 { s * (s / t).min(1.0) } else { 0.0 }
+        })
         .collect()
 }
 

@@ -12,16 +12,19 @@
 use std::sync::Arc;
 
 use super::adjoint::{Adjoint, Exactness, Functional, RoughAdjoints, adjoints};
-use super::discretisation::{ContactSurface, Discretisation};
+use super::contact_surface::ContactSurface;
+use super::discretisation::Discretisation;
 use super::element::Metric;
 use super::evaluate::minimum_film;
-use super::newton::FilmModel;
+use super::evaluated::Evaluated;
+use super::newton_level::FilmModel;
 use super::peaks::peaks;
-use super::points::{Evaluated, fields_in};
+use super::points::fields_in;
 use super::preconditioner::{NearStiffness, Preconditioner};
 use super::region::Elements;
 use super::sequence::{Plan, Problem, StageSolution};
-use super::system::{FilmConstants, State, System};
+use super::state::{FilmConstants, State};
+use super::system::System;
 use super::weighted::{Equations, PointFlow, point_flows, weighted_sums};
 use crate::contact::{Inlet, Planar, Scales};
 use crate::elastic::{Accuracy, BodyModel};

@@ -7,10 +7,11 @@ use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::linear::gmres::{GmresParams, gmres};
 
 use super::discretisation::Discretisation;
-use super::monolithic::{BodyMatrices, Monolithic};
-use super::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats};
-use super::preconditioner::{NearStiffness, Preconditioner};
-use super::system::{State, System};
+use super::monolithic::Monolithic;
+use super::newton_level::{FilmModel, Method, NewtonLevel, NewtonParams, NewtonStats};
+use super::preconditioner::Preconditioner;
+use super::state::State;
+use super::system::System;
 use crate::elastic::Accuracy as Deflections;
 use crate::engine::SolveError;
 use crate::solve::tuning::newton::{MOST_STALE_ITERATIONS, STALE_EFFORT};
@@ -22,12 +23,6 @@ pub(super) struct Step {
     pub krylov_iterations: usize,
     /// Krylov iterations for each factor of a thousand in the error.
     effort: f64,
-}
-
-/// How the linear systems of a level are solved.
-pub(super) enum Method {
-    Condensed(NearStiffness),
-    Monolithic(BodyMatrices),
 }
 
 /// Factors kept from one linear solve to the next.

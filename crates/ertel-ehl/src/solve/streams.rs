@@ -10,7 +10,7 @@
 
 use super::discretisation::Discretisation;
 use super::points::{fields_at, pressure_at};
-use super::system::State;
+use super::state::State;
 use crate::contact::Planar;
 use crate::engine::PointFields;
 

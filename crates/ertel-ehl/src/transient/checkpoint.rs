@@ -5,7 +5,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Info;
 use super::heat::HeatMemory;
 use crate::contact::Pose;
 
@@ -66,3 +65,14 @@ pub(super) struct GridMemory {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the grids of the checkpoint differ from those of this case")]
 pub struct OtherGrids;
+
+/// Statistics of a run.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
+pub struct Info {
+    /// Steps taken.
+    pub steps: usize,
+    /// Steps rejected for their error or for lack of convergence.
+    pub refused: usize,
+    /// Newton iterations of all of them on all grids.
+    pub newton_iterations: usize,
+}

@@ -20,7 +20,7 @@ use crate::volumes::heat::spreading::Spreading;
 use crate::volumes::heat::temperatures::{Bodies, Temperatures, moving_body, unheated};
 use crate::volumes::heat::{Params, Warm};
 use crate::volumes::level::{Level, Sampled, outside};
-use crate::volumes::system::Storage;
+use crate::volumes::storage::Storage;
 
 /// A grid's heat at the newest instants.
 pub(super) struct GridHeat {

@@ -15,13 +15,16 @@ use crate::engine::{Observer, Problem, SolveError};
 use crate::volumes::Plan;
 use crate::volumes::contents::Arrival;
 use crate::volumes::deflection::Deflection;
-use crate::volumes::engine::{BAR_GRIDS, newton_params, pattern};
+use crate::volumes::engine::BAR_GRIDS;
 use crate::volumes::heat::rounds::Rounds;
 use crate::volumes::level::{Level, convolution, first_system, refined};
 use crate::volumes::newton::{NewtonInfo, newton};
 use crate::volumes::patches::{first_cells, grid as patch};
+use crate::volumes::plan::newton_params;
 use crate::volumes::preconditioner::Pattern;
-use crate::volumes::system::{State, Storage, System};
+use crate::volumes::preconditioner::pattern;
+use crate::volumes::storage::Storage;
+use crate::volumes::system::{State, System};
 
 /// Parts of the operator that do not change in time.
 struct Fixed {

@@ -16,6 +16,7 @@
 //! | `heat` | temperatures of film and bodies |
 //! | `present` | the contact at an instant |
 //! | [`march`](mod@march) | steps, their errors and lengths |
+//! | [`run`] | step control, instants, errors |
 //! | [`checkpoint`] | the state for continuing a stopped run |
 //! | `report` | the figures reported at an instant |
 //! | [`levels`] | one step on all grids |
@@ -31,13 +32,15 @@ pub mod levels;
 pub mod march;
 mod present;
 mod report;
+pub mod run;
 pub mod scheme;
 
 pub use body::{Approach, Mover, Start};
-pub use checkpoint::{Checkpoint, OtherGrids};
+pub use checkpoint::{Checkpoint, Info, OtherGrids};
 pub use conditions::{Cavities, Conditions, Speeds};
 pub use course::Course;
-pub use march::{Info, Instant, Params, TransientError, TransientObserver, march, resume};
+pub use march::{march, resume};
+pub use run::{Instant, Params, TransientError, TransientObserver};
 
 #[cfg(test)]
 mod tests;

@@ -2,8 +2,8 @@
 
 use super::body::Start;
 use super::levels::Levels;
-use super::march::{Instant, Params};
 use super::present::Present;
+use super::run::{Instant, Params};
 use crate::engine::Problem;
 use crate::engine::figures::sizes;
 use crate::solution::{Bar, Figure, Figures, Measured, OPEN_MASS_BALANCE};

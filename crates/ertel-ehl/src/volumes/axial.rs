@@ -14,6 +14,8 @@ use realfft::num_complex::Complex64;
 
 use super::grid::RING;
 use super::rows::Rows;
+use crate::volumes::rows::RING;
+use crate::volumes::rows::Rows;
 
 /// Shapes along the axis.
 #[derive(Debug)]

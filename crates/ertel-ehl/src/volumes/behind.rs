@@ -9,26 +9,11 @@
 //!
 //! Theory: Behind the film.
 
-use super::contents::distribute;
+use super::contents::{Edges, distribute};
 use super::faces::Face;
-use super::grid::{Grid, RING};
+use super::grid::Grid;
+use super::rows::RING;
 use super::system::{State, System};
-use crate::contact::Gap;
-
-/// Oil that enters a grid along its edge where there is no pressure.
-#[derive(Clone, Debug)]
-pub enum Edges {
-    /// It has passed the contact beyond the edge, between rigid parabolas.
-    Rigid(Gap),
-    /// Contents of the nodes, infinite where gaps are full; none where all are.
-    Known(Vec<f64>),
-}
-
-impl Default for Edges {
-    fn default() -> Edges {
-        Edges::Known(Vec::new())
-    }
-}
 
 impl System {
     /// Contents of the nodes at a solution, infinite where gaps are full: those that are known, or by the fluxes of full gaps.

@@ -7,21 +7,12 @@
 
 use std::f64::consts::PI;
 
-use super::far_pressure::{FarPressure, PressureThere};
+use super::far_pressure::{Beyond, FarPressure, PressureThere};
 use super::grid::Grid;
 use super::patches::bounds;
 use super::system::{State, System};
 use crate::contact::{Inlet, Shape, Symmetry};
 use crate::engine::{PointFields, Problem};
-
-/// The contact area between the edges of a grid and its own.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Beyond {
-    lambda: f64,
-    far: FarPressure,
-    /// Boxes of the grid and of the contact area, in the plane in which the zone is the unit circle.
-    boxes: [[[f64; 2]; 2]; 2],
-}
 
 /// Points of the quadrature along a ray, and rays. Along a ray the distance grows by the same factor from point to point: by 1.1 where the contact
 /// area goes a hundred times further than the grid.

@@ -14,10 +14,12 @@
 //!
 //! Theory: Starved inlets.
 
-use super::faces::{Face, Node};
+use super::faces::Face;
+
 use super::grid::Grid;
-use super::system::Storage;
-use crate::contact::Inlet;
+use super::node::Node;
+use super::storage::Storage;
+use crate::contact::{Gap, Inlet};
 use crate::engine::Problem;
 
 /// How oil arrives.
@@ -268,4 +270,19 @@ const UNCHANGED: f64 = 1e-12;
 /// F, what a gap H lacks with some content at the density of no pressure.
 pub fn missing(film: f64, content: f64, density: f64) -> f64 {
     (film - content / density).max(0.0)
+}
+
+/// Oil that enters a grid along its edge where there is no pressure.
+#[derive(Clone, Debug)]
+pub enum Edges {
+    /// It has passed the contact beyond the edge, between rigid parabolas.
+    Rigid(Gap),
+    /// Contents of the nodes, infinite where gaps are full; none where all are.
+    Known(Vec<f64>),
+}
+
+impl Default for Edges {
+    fn default() -> Edges {
+        Edges::Known(Vec::new())
+    }
 }

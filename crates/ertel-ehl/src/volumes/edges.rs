@@ -9,13 +9,14 @@
 
 use ertel_fem::linear::gmres::GmresParams;
 
-use super::beyond::Beyond;
 use super::ending::LEAST_FILM;
-use super::engine::{Plan, newton_params, pattern};
 use super::extremes::lowest;
+use super::far_pressure::Beyond;
 use super::figures::central;
 use super::level::Level;
+use super::plan::{Plan, newton_params};
 use super::preconditioner::Preconditioner;
+use super::preconditioner::pattern;
 use super::system::{State, System};
 use crate::contact::Inlet;
 use crate::engine::far_field::far_field;

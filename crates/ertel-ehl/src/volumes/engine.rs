@@ -1,22 +1,21 @@
 //! Solves a problem by finite volumes: one grid after the other until both films reach the target error.
 
-use ertel_fem::linear::lu::LuError;
 use ertel_fem::platform::Instant;
 use std::sync::OnceLock;
 
-use super::beyond::Beyond;
 use super::contents::Arrival;
 use super::edges::effects;
-use super::ending::{Ends, balance_error};
+use super::ending::balance_error;
 use super::extremes::lowest;
+use super::far_pressure::Beyond;
 use super::figures::{Slowest, bar, bars, central, figures, is_settled, note_films};
-use super::grid::RING;
-use super::heat::Params;
 use super::heat::rounds::Rounds;
 use super::level::{Level, convolution, first_state, first_system, refined};
 use super::newton::{NewtonInfo, NewtonParams, newton};
 use super::patches::{first_cells, grid};
-use super::preconditioner::Pattern;
+use super::plan::{LEAST_GRIDS, Plan, newton_params};
+use super::preconditioner::pattern;
+use super::rows::RING;
 use super::system::{State, System};
 use crate::contact::Symmetry;
 use crate::engine::figures::sizes;
@@ -26,46 +25,6 @@ use crate::solution::{Figure, Figures, LevelStats, Measured, Role, Timings};
 /// Grids from coarse to fine, Newton's method on each.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FiniteVolumes;
-
-/// Meshes, tolerances and limits of the finite-volume method.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plan {
-    /// Relative error of both films at which it ends.
-    pub target_error: f64,
-    /// Most unknowns of a grid.
-    pub max_unknowns: usize,
-    /// Newton's method.
-    pub newton: NewtonParams,
-    /// Grids at least, of point and of line contacts.
-    pub least_grids: [usize; 2],
-    /// Grids at most.
-    pub most_grids: usize,
-    /// Cells of the finest grid at most, in half-widths.
-    pub largest_cell: f64,
-    /// Margin of a patch around the dry contact, in its cells.
-    pub margin: f64,
-    /// Heat, in thermal contacts.
-    pub heat: Params,
-}
-
-impl Plan {
-    /// Patches wide enough for their films to agree with those of whole grids.
-    pub fn new(target_error: f64, max_unknowns: usize) -> Plan {
-        Plan {
-            target_error,
-            max_unknowns,
-            least_grids: [LEAST_GRIDS, LEAST_GRIDS_OF_LINES],
-            most_grids: MOST_GRIDS,
-            largest_cell: f64::INFINITY,
-            newton: NewtonParams {
-                ends: Ends::of(target_error),
-                ..NewtonParams::default()
-            },
-            margin: 45.0,
-            heat: Params::default(),
-        }
-    }
-}
 
 /// A solution by finite volumes.
 pub struct Volumes {
@@ -81,23 +40,8 @@ pub struct Volumes {
     pub balance_error: f64,
 }
 
-/// Most grids: cells of 1e-7 of the contact area.
-const MOST_GRIDS: usize = 24;
-
-/// Grids required for the error estimate of the films.
-pub const LEAST_GRIDS: usize = 4;
-
 /// Grids from which figures and their error bars are computed.
 pub const BAR_GRIDS: usize = 3;
-
-/// Fewest grids of a line, whose cells are few: cells of 7e-4 half-widths resolve the pressure spike, which hardly affects the films but determines the shear.
-const LEAST_GRIDS_OF_LINES: usize = 10;
-
-/// Relative residual of the linear solves of lines: iterations on a row cost little, and balances of thick films far in the inlet close.
-const KRYLOV_OF_LINES: f64 = 1e-4;
-
-/// Largest change of the viscosity in a step, in e-folds, averaged up to the Hertz pressure.
-const MAX_LN_VISCOSITY_STEP: f64 = 4.0;
 
 /// Second attempt of Newton's method on a grid where it did not converge: largest change of a pressure, and most iterations.
 const RETRY: (f64, usize) = (0.05, 100);
@@ -112,39 +56,6 @@ const SOFTNESS: [f64; 6] = [243.0, 81.0, 27.0, 9.0, 3.0, 1.0];
 /// Imbalance of a node, over the entrained flow, above which a law whose shear rate grows exponentially with the stress is immediately solved by
 /// continuation. Attempts that converge stay below 10; others exceed 1e6 within two iterations and diverge.
 const DIVERGED_IMBALANCE: f64 = 1e4;
-
-/// Largest change of a pressure in a step: that of [`MAX_LN_VISCOSITY_STEP`] e-folds of the viscosity, where it is less than usual. By the ridge
-/// of steep viscosities longer steps diverge.
-fn largest_change(problem: &Problem<Plan>) -> f64 {
-    let [viscosity, ..] = problem.fluid.at(1.0).viscosity;
-    let usual = problem.plan.newton.largest_change;
-    usual.min(MAX_LN_VISCOSITY_STEP / viscosity.ln().max(1.0))
-}
-
-/// Pattern shared by all preconditioners of a grid.
-///
-/// # Errors
-/// When no order of elimination is found.
-pub fn pattern(system: &System) -> Result<Pattern, SolveError> {
-    Pattern::new(&system.grid, &system.convolution).map_err(|error| {
-        SolveError::Factorisation(LuError {
-            n: system.grid.n_nodes(),
-            reason: error.to_string(),
-        })
-    })
-}
-
-/// Parameters of Newton's method for a problem on any grid.
-pub fn newton_params(problem: &Problem<Plan>) -> NewtonParams {
-    NewtonParams {
-        largest_change: largest_change(problem),
-        krylov_tolerance: match problem.shape.is_line() {
-            true => KRYLOV_OF_LINES,
-            false => problem.plan.newton.krylov_tolerance,
-        },
-        ..problem.plan.newton
-    }
-}
 
 /// Newton's method on a grid: directly, with shorter steps, or by continuation from higher speeds.
 fn solve_on(

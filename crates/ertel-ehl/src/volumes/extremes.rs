@@ -1,7 +1,9 @@
 //! The lowest film and the tops of hills between the nodes of grids.
 
-use super::grid::{Grid, RING};
+use super::grid::Grid;
+
 use super::level::{Level, Sampled};
+use super::rows::RING;
 
 /// The lowest film of all grids, in a²/R.
 #[derive(Clone, Copy, Debug)]

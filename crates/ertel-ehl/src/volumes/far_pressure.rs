@@ -123,6 +123,15 @@ impl FarPressure {
     }
 }
 
+/// The contact area between the edges of a grid and its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Beyond {
+    pub(super) lambda: f64,
+    pub(super) far: FarPressure,
+    /// Boxes of the grid and of the contact area, in the plane in which the zone is the unit circle.
+    pub(super) boxes: [[[f64; 2]; 2]; 2],
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::grid::Grid;
+use super::grid::{Grid, slopes};
 use super::level::Level;
 use crate::contact::Shape;
 use crate::engine::region::Region;
@@ -143,26 +143,6 @@ fn with_film(shape: &Shape, level: &Level, mut fields: PointFields) -> PointFiel
     fields.gap = shape.gap.value(fields.place);
     fields.deflection = fields.film - level.state.separation - fields.gap;
     fields
-}
-
-/// Slopes along both directions by differences, one-sided along the edges.
-pub(super) fn slopes(grid: &Grid, values: &[f64], i: usize, j: usize) -> [f64; 2] {
-    let difference = |at: usize, n: usize, mirrored: bool, of: &dyn Fn(usize) -> f64, d: usize| {
-        if (mirrored && at + 1 == n) || n == 1 {
-            return 0.0;
-        }
-        let (low, high) = (at.saturating_sub(1), (at + 1).min(n - 1));
-        let distance = match d == 1 && grid.rows.is_some() {
-            false => (high - low) as f64 * grid.spacing[d],
-            true => grid.on_axes(i, high)[1] - grid.on_axes(i, low)[1],
-        };
-        (of(high) - of(low)) / distance
-    };
-    let [nx, ny] = grid.n;
-    [
-        difference(i, nx, false, &|i| values[grid.index(i, j)], 0),
-        difference(j, ny, grid.half, &|j| values[grid.index(i, j)], 1),
-    ]
 }
 
 impl Film for PatchedFilm<'_> {

@@ -2,11 +2,8 @@
 
 use std::sync::Arc;
 
-use super::rows::Rows;
+use super::rows::{RING, Rows};
 use crate::contact::{HertzZone, Turn};
-
-/// Layers of nodes along an edge whose pressure is given: the reach of the third-order upwind fluxes.
-pub const RING: usize = 2;
 
 /// Nodes of a patch, lines along the principal directions of the bodies; one node is the centre of the contact.
 #[derive(Clone, Debug, PartialEq)]
@@ -271,4 +268,24 @@ impl Grid {
         let [nx, ny] = self.n;
         (0..ny).flat_map(move |j| (0..nx).map(move |i| [i, j]))
     }
+}
+
+/// Slopes along both directions by differences, one-sided along the edges.
+pub(super) fn slopes(grid: &Grid, values: &[f64], i: usize, j: usize) -> [f64; 2] {
+    let difference = |at: usize, n: usize, mirrored: bool, of: &dyn Fn(usize) -> f64, d: usize| {
+        if (mirrored && at + 1 == n) || n == 1 {
+            return 0.0;
+        }
+        let (low, high) = (at.saturating_sub(1), (at + 1).min(n - 1));
+        let distance = match d == 1 && grid.rows.is_some() {
+            false => (high - low) as f64 * grid.spacing[d],
+            true => grid.on_axes(i, high)[1] - grid.on_axes(i, low)[1],
+        };
+        (of(high) - of(low)) / distance
+    };
+    let [nx, ny] = grid.n;
+    [
+        difference(i, nx, false, &|i| values[grid.index(i, j)], 0),
+        difference(j, ny, grid.half, &|j| values[grid.index(i, j)], 1),
+    ]
 }

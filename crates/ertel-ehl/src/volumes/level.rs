@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use super::behind::Edges;
+use super::contents::Edges;
 use super::contents::{Arrival, missing};
 use super::deflection::Deflection;
 use super::grid::Grid;

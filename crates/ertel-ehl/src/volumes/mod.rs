@@ -17,8 +17,10 @@
 //! | [`convolution`], [`rows_convolution`] | sums with influence coefficients on a grid, also those of heat; under rows of a roller |
 //! | [`along`], [`padded`], [`axial`] | the transforms, along rows and of grids; shapes along the axis of a roller |
 //! | [`deflection`], [`inverse`] | deflection under the pressures of a grid; stencils near to the inverse |
+//! | [`node`] | quantities of the film equation at a node |
 //! | [`faces`] | flux through a face and its derivatives |
 //! | [`thinning`] | shear thinning of the film at a node |
+//! | [`storage`] | change in time at the nodes |
 //! | [`contents`] | oil in partly filled gaps |
 //! | [`behind`] | oil behind the film |
 //! | [`passing`] | how contents change with the pressures |
@@ -36,6 +38,7 @@
 //! | [`tangents`] | derivatives of the figures by inputs |
 //! | [`scope`] | which contacts it solves |
 //! | [`patches`] | which grids it solves them on |
+//! | [`plan`] | tolerances and limits |
 //! | [`engine`] | grids until the films reach the target error |
 //!
 //! Theory: Finite volumes.
@@ -65,9 +68,11 @@ pub mod level;
 pub mod line_factors;
 pub mod multigrid;
 pub mod newton;
+pub mod node;
 pub mod padded;
 pub mod passing;
 pub mod patches;
+pub mod plan;
 pub mod preconditioner;
 pub mod rectangle;
 pub mod reduction;
@@ -77,13 +82,15 @@ pub mod rows_convolution;
 pub mod scope;
 pub mod stencil;
 pub mod step;
+pub mod storage;
 pub mod summary;
 pub mod system;
 pub mod tangents;
 pub mod thinning;
 pub mod transfer;
 
-pub use engine::{FiniteVolumes, Plan, Volumes};
+pub use engine::{FiniteVolumes, Volumes};
+pub use plan::Plan;
 pub use scope::{About, HeatAbout, why_not};
 
 #[cfg(test)]

@@ -1,8 +1,9 @@
 //! Grids for a problem: cells and box of the first one, and patches within it.
 
 use super::contents::Arrival;
-use super::engine::Plan;
-use super::grid::{Grid, RING};
+use super::grid::Grid;
+use super::plan::Plan;
+use super::rows::RING;
 use super::rows::Rows;
 use crate::contact::roller::RollerZone;
 use crate::contact::{Inlet, Symmetry};

@@ -7,17 +7,21 @@
 
 use std::sync::OnceLock;
 
+use ertel_fem::linear::lu::LuError;
 use ertel_fem::linear::ordering::OrderingError;
 use rayon::prelude::*;
 
 use super::deflection::Deflection;
+use super::grid::Grid;
 use super::grid::{Grid, RING};
 use super::inverse::Stencils;
 use super::line_factors::{LineFactors, LineKernel, Triple};
 use super::multigrid::{Cycle, Grids};
+use super::rows::RING;
 use super::stencil::{PLACES, REACH, Row, SIDE};
-use super::system::Linearised;
+use super::system::{Linearised, System};
 use super::transfer::Matrix;
+use crate::engine::SolveError;
 
 /// Data shared by all preconditioners of a grid.
 pub struct Pattern {
@@ -355,4 +359,17 @@ impl<'a> Preconditioner<'a> {
         }
         pressure
     }
+}
+
+/// Pattern shared by all preconditioners of a grid.
+///
+/// # Errors
+/// When no order of elimination is found.
+pub fn pattern(system: &System) -> Result<Pattern, SolveError> {
+    Pattern::new(&system.grid, &system.convolution).map_err(|error| {
+        SolveError::Factorisation(LuError {
+            n: system.grid.n_nodes(),
+            reason: error.to_string(),
+        })
+    })
 }

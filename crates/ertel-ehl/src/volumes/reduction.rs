@@ -5,8 +5,10 @@
 //! ```
 //! Grid errors are similar in both films, so the finest grids are omitted, except for lines, whose grids are small.
 
-use super::engine::{FiniteVolumes, Plan, Volumes};
+use super::engine::{FiniteVolumes, Volumes};
+
 use super::figures::{Slowest, bar};
+use super::plan::Plan;
 use crate::engine::{Observer, Problem, SolveError};
 use crate::solution::{Estimate, Figure, FilmReduction};
 

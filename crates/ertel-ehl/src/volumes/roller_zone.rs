@@ -4,7 +4,9 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use super::engine::{FiniteVolumes, Plan, Volumes};
+use super::engine::{FiniteVolumes, Volumes};
+
+use super::plan::Plan;
 use crate::contact::Symmetry;
 use crate::engine::{Observer, Problem, SolveError};
 

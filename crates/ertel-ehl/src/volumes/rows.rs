@@ -7,7 +7,6 @@
 
 use std::sync::Arc;
 
-use super::grid::RING;
 use crate::contact::roller::RollerZone;
 
 /// Rows of a grid.
@@ -141,3 +140,6 @@ impl Rows {
         Some((j, (y - self.places[j]) / self.step(j)))
     }
 }
+
+/// Layers of nodes along an edge whose pressure is given: the reach of the third-order upwind fluxes.
+pub const RING: usize = 2;

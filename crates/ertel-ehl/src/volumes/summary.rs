@@ -1,8 +1,10 @@
 //! Summary and warnings of a solve by finite volumes.
 
-use super::engine::{Plan, Volumes};
+use super::engine::Volumes;
+
 use super::fields::profile;
 use super::film::PatchedFilm;
+use super::plan::Plan;
 use crate::engine::Problem;
 use crate::post::limits::thin_film_warning;
 use crate::post::summary::{EdgeFilms, edge_warnings, summary_of};

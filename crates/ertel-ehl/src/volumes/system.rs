@@ -10,15 +10,16 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::behind::Edges;
-use super::beyond::Beyond;
-use super::contents::{Arrival, distribute};
+use super::contents::{Arrival, Edges, distribute};
 use super::deflection::Deflection;
-use super::faces::{Face, Node, Resistance, face};
-use super::film::slopes;
-use super::grid::{Grid, RING};
+use super::faces::{Face, Resistance, face};
+use super::far_pressure::Beyond;
+use super::grid::{Grid, slopes};
 use super::heat::warmth::Warmth;
+use super::node::Node;
 use super::passing::Passing;
+use super::rows::RING;
+use super::storage::Storage;
 use super::thinning::Thinned;
 use crate::contact::Planar;
 use crate::film::FilmFluid;
@@ -78,15 +79,6 @@ impl Balance {
     fn missing(&self, load: f64, separation: f64) -> f64 {
         self.load * load + self.separation * separation + self.given
     }
-}
-
-/// How something at the nodes changes in time, mass or temperature: ∂q/∂T = c_0 q + h with h = Σ c_k q of the instants before.
-#[derive(Clone, Debug)]
-pub struct Storage {
-    /// c_0.
-    pub rate: f64,
-    /// h at all nodes.
-    pub past: Vec<f64>,
 }
 
 /// Pressures and separation.

@@ -14,8 +14,8 @@ use ertel_fem::linear::gmres::{GmresParams, dot};
 use ertel_fem::linear::recycled::Recycled;
 use rayon::prelude::*;
 
-use super::beyond::Beyond;
 use super::engine::Volumes;
+use super::far_pressure::Beyond;
 use super::figures::figures;
 use super::grid::Grid;
 use super::heat::rounds::Rounds;

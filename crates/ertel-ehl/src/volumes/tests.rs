@@ -9,12 +9,15 @@ use super::composite::Composite;
 use super::contents::Arrival;
 use super::deflection::Deflection;
 use super::ending::Ends;
-use super::engine::{FiniteVolumes, Plan, Volumes};
+use super::engine::{FiniteVolumes, Volumes};
 use super::figures::figures;
 use super::film::PatchedFilm;
 use super::grid::Grid;
 use super::kernel::Kernel;
+use super::plan::Plan;
+use super::storage::Storage;
 use super::system::{Balance, State, Storage, System};
+use super::system::{Balance, State, System};
 use super::tangents::Tangents;
 use crate::contact::{Contact, Hertz, HertzZone, Material, Motion, Planar, Scales, Shape, Turn};
 use crate::elastic::Elasticity;
@@ -22,7 +25,7 @@ use crate::engine::sensitivity::{Derivatives, Perturbed};
 use crate::engine::{Extents, Film, NoObserver, Problem};
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures};
-use crate::volumes::behind::Edges;
+use crate::volumes::contents::Edges;
 
 fn laws() -> (DensityLaw, ViscosityLaw) {
     let density = DensityLaw::dowson_higginson(870.0).unwrap();

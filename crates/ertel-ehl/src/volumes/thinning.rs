@@ -9,7 +9,7 @@
 //!
 //! Theory: Shear thinning by finite volumes.
 
-use super::faces::Node;
+use super::node::Node;
 use crate::film::FilmFluid;
 use crate::film::closure::Closure;
 use crate::film::cross_film::CrossFilm;

@@ -3,12 +3,14 @@
 mod amd;
 #[cfg(not(target_arch = "wasm32"))]
 mod dissection;
+mod neighbours;
 #[cfg(test)]
 mod tests;
 
 pub(crate) use amd::minimum_degree;
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) use dissection::nested_dissection;
+pub(crate) use neighbours::Neighbours;
 
 use crate::assembly::NodeGraph;
 
@@ -27,27 +29,6 @@ pub enum FillReduction {
 pub struct OrderingError {
     /// Size of the graph.
     pub n_nodes: usize,
-}
-
-/// Neighbours of each node without itself.
-pub(crate) struct Neighbours {
-    /// Where those of each node begin, and the end.
-    pub offsets: Vec<u32>,
-    /// All of them.
-    pub list: Vec<u32>,
-}
-
-impl Neighbours {
-    fn of(graph: &NodeGraph) -> Neighbours {
-        let mut offsets = vec![0];
-        let mut list = Vec::with_capacity(graph.neighbours.len());
-        for node in 0..graph.n_nodes() {
-            let others = graph.of(node).iter().copied();
-            list.extend(others.filter(|m| *m as usize != node));
-            offsets.push(list.len() as u32);
-        }
-        Neighbours { offsets, list }
-    }
 }
 
 /// Fill-reducing order of the nodes: the k-th node to eliminate is `order[k]`. It is the same in every run.

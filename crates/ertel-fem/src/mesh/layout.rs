@@ -11,8 +11,8 @@
 //!
 //! Each axis is mapped piecewise linearly; depth is unstretched as far down as the patch is long.
 
+use super::MeshError;
 use super::bisection::AxisMap;
-use super::{BodyParams, MeshError};
 
 /// A grid of cubes with the maps that take it to the box.
 #[derive(Debug, Clone, PartialEq)]
@@ -256,4 +256,114 @@ fn axis_map(lower: f64, physical_lower: f64, parts: &Parts, exact: &[f64]) -> Ax
         knots.push([reference, snapped]);
     }
     AxisMap { knots }
+}
+
+/// Box with a contact patch on its upper side; any unit of length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BodyParams {
+    /// 2: plane body in x-z (line contact); 3: solid cut by its symmetry plane y = 0 (circular contact)
+    pub dim: usize,
+    /// patch: x from here
+    pub x_inlet: f64,
+    /// patch: x to here
+    pub x_outlet: f64,
+    /// patch: y in `[-y_side, 0]` (not read for `dim` 2)
+    pub y_side: f64,
+    /// box: x in `[-width/2, width/2]`, y in `[-width/2, 0]`
+    pub width: f64,
+    /// box: z in `[-depth, 0]`
+    pub depth: f64,
+}
+
+impl BodyParams {
+    pub(super) fn check(&self) -> Result<(), MeshError> {
+        let require = |ok: bool, name, value, expected| {
+            if ok {
+                Ok(())
+            } else {
+                Err(MeshError::Parameter {
+                    name,
+                    value,
+                    expected,
+                })
+            }
+        };
+        require(
+            matches!(self.dim, 2 | 3),
+            "dim",
+            self.dim as f64,
+            "must be 2 or 3",
+        )?;
+        let finite_positive = |x: f64| x.is_finite() && x > 0.0;
+        require(
+            finite_positive(self.width),
+            "width",
+            self.width,
+            "must be positive",
+        )?;
+        require(
+            finite_positive(self.depth),
+            "depth",
+            self.depth,
+            "must be positive",
+        )?;
+        let half = self.width / 2.0;
+        require(
+            self.x_inlet >= -half,
+            "x_inlet",
+            self.x_inlet,
+            "must lie within the box, at or right of -width/2",
+        )?;
+        require(
+            self.x_outlet <= half,
+            "x_outlet",
+            self.x_outlet,
+            "must lie within the box, at or left of width/2",
+        )?;
+        require(
+            self.x_outlet > self.x_inlet,
+            "x_outlet",
+            self.x_outlet,
+            "must exceed x_inlet",
+        )?;
+        if self.dim == 3 {
+            let inside = self.y_side > 0.0 && self.y_side <= half;
+            require(
+                inside,
+                "y_side",
+                self.y_side,
+                "must be positive, at most width/2",
+            )?;
+        }
+        Ok(())
+    }
+
+    fn y_lowest(&self) -> f64 {
+        if self.dim == 3 { -self.y_side } else { 0.0 }
+    }
+
+    pub(super) fn on_patch(&self, x: [f64; 3]) -> bool {
+        x[2] == 0.0 && (self.x_inlet..=self.x_outlet).contains(&x[0]) && x[1] >= self.y_lowest()
+    }
+
+    pub(super) fn on_patch_edge(&self, x: [f64; 3]) -> bool {
+        x[0] == self.x_inlet || x[0] == self.x_outlet || (self.dim == 3 && x[1] == -self.y_side)
+    }
+
+    /// Whether a facet of the upper side is partly on the patch, partly off.
+    pub(super) fn straddles_patch(&self, vertices: &[[f64; 3]], facet: &[u32]) -> bool {
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for x in facet.iter().map(|&v| vertices[v as usize]) {
+            for k in 0..2 {
+                low[k] = low[k].min(x[k]);
+                high[k] = high[k].max(x[k]);
+            }
+        }
+        let overlaps = low[0] < self.x_outlet
+            && high[0] > self.x_inlet
+            && (self.dim == 2 || high[1] > -self.y_side);
+        let inside =
+            low[0] >= self.x_inlet && high[0] <= self.x_outlet && low[1] >= self.y_lowest();
+        overlaps && !inside
+    }
 }

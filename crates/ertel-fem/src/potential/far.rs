@@ -4,9 +4,10 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
+use super::Kernel;
 use super::expansion::{Basis, offset_index};
+use super::number::{Number, mixed_dot};
 use super::tree::{self, NONE, Tree};
-use super::{Kernel, Number, mixed_dot};
 use crate::kernel as declare_kernel;
 use crate::linear::dense::{add_product, vectorised};
 

@@ -6,8 +6,9 @@ use rayon::prelude::*;
 
 use super::integrals::ElementIntegrals;
 use super::near_blocks::{Builder, Scratch};
+use super::number::{Number, mixed_dot};
+use super::sources::Sources;
 use super::tree::{Near, Tree};
-use super::{Number, Sources, mixed_dot};
 use crate::kernel as declare_kernel;
 use crate::linear::dense::vectorised;
 

@@ -9,10 +9,12 @@ use std::ops::Range;
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
+use super::Kernel;
 use super::integrals::{ElementIntegrals, POINTS};
 use super::lanes::{Lanes, logarithms};
+use super::number::Number;
+use super::sources::Sources;
 use super::tree::{Near, Tree};
-use super::{Kernel, Number, Sources};
 
 /// Distance from an element, in its diameters, within which it is integrated in closed form.
 const REACH: f64 = 0.5;

@@ -4,6 +4,7 @@ pub mod bytes;
 mod csv;
 mod lines;
 pub mod tokens;
+mod words;
 
 use std::collections::BTreeSet;
 
@@ -12,13 +13,7 @@ use fastrand::Rng;
 use crate::input::Input;
 use tokens::Kind;
 
-/// Words, strings and lines of all seeds: what one of them has may turn up in another.
-#[derive(Debug, Default)]
-pub struct Words {
-    words: Vec<String>,
-    strings: Vec<String>,
-    lines: Vec<String>,
-}
+pub use words::Words;
 
 impl Words {
     /// Those of texts.
@@ -43,28 +38,6 @@ impl Words {
             strings,
             lines,
         }
-    }
-
-    fn one<'a>(from: &'a [String], rng: &mut Rng) -> &'a str {
-        match from {
-            [] => "x",
-            from => &from[rng.usize(0..from.len())],
-        }
-    }
-
-    /// A key, a name of a section.
-    pub fn word(&self, rng: &mut Rng) -> &str {
-        Self::one(&self.words, rng)
-    }
-
-    /// A string with its quotes.
-    pub fn string(&self, rng: &mut Rng) -> &str {
-        Self::one(&self.strings, rng)
-    }
-
-    /// A line of a TOML file.
-    pub fn line(&self, rng: &mut Rng) -> &str {
-        Self::one(&self.lines, rng)
     }
 }
 

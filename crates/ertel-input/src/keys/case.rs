@@ -6,14 +6,14 @@ use super::Kind::{
     Choice, Count, FluidOrTable, List, Machine, Number, Quantities, Quantity, QuantityOr, Scalar,
     Solid, SolidOrTable, Switch, Table, Tables, Text,
 };
-use super::lubricant::{CONDUCTIVITY, HEAT_CAPACITY, LUBRICANT};
-use super::machine::MACHINES;
+use super::lubricant::{CONDUCTIVITY, CORRELATION, HEAT_CAPACITY, LUBRICANT};
+use super::machine::{MACHINES, PROFILE};
 use super::rows;
 use super::settings::{COMPARE, MESH, OUTPUT, SOLVER, THERMAL};
 use super::{ANGLE, LENGTH, PRESSURE, ROTATION, SPEED, TEMPERATURE, TIME};
 use crate::usual::{
-    COATINGS, CROWNS, GROOVES, HEIGHTS, HERTZ_PRESSURE, LENGTHS, LINE_LOAD, LOAD, MODULUS,
-    OIL_LAYER, RADII, RELIEFS, SOLID_CONDUCTIVITY, SOLID_DENSITY, SPECIFIC_HEATS, SPEEDS,
+    COATINGS, GROOVES, HEIGHTS, HERTZ_PRESSURE, LENGTHS, LINE_LOAD, LOAD, MODULUS, OIL_LAYER,
+    RADII, RELIEFS, SOLID_CONDUCTIVITY, SOLID_DENSITY, SPECIFIC_HEATS, SPEEDS,
 };
 
 rows! {
@@ -55,21 +55,6 @@ rows! {
         profile: Table(PROFILE) => "total drop z(y) of roller and raceway from the cylinder; its `kind` is one of those below";
         misalignment: ANGLE => r#"tilt θ of the axis, `"0.01 deg"` or in rad, at most 0.1 rad; a positive tilt loads the end y > 0 more. 0 if
             absent"#;
-    }
-    /// The relief of a roller.
-    pub PROFILE {
-        kind: Choice(&["straight", "crown", "logarithmic", "iso-16281", "table"]), aside "form of the relief";
-        straight_length: LENGTH, aside "s of a straight profile: no drop up to |y| = s/2";
-        end_radius: LENGTH, usual [CROWNS], aside "radius of the arcs beyond it";
-        crown_radius: LENGTH, usual [CROWNS], aside "radius of a crown, one arc";
-        end_drop: LENGTH, usual [COATINGS], aside "drop of a crown at the ends, instead of its radius";
-        design_load: Quantity(&[D::FORCE]), usual [LOAD], aside "load Q under which the pressure of a logarithmic profile is uniform";
-        diameter: LENGTH, aside "diameter D of the roller, for the profile of ISO 16281";
-        position: Quantities(&[D::LENGTH]), aside "positions along the axis, increasing, three at least";
-        drop: Quantities(&[D::LENGTH]), usual [COATINGS], aside "drops at the positions";
-        file: Text, aside "table of positions and drops, instead of both lists";
-        smoothing_length: LENGTH, aside "length over which the drops are averaged";
-        level: Switch, aside "`true`: take off the straight line that fits best";
     }
     /// `[motion]`.
     pub MOTION {
@@ -242,12 +227,6 @@ rows! {
             lubricant without shear thinning, and for whole machines)";
         isothermal: Switch, default "false" => r"`true`: each point is also solved without heat, for comparison (an error for a case without
             heat, and for whole machines)";
-    }
-    /// `[[correlation]]`.
-    pub CORRELATION {
-        of: Text, aside "key path of a quantity with an uncertainty";
-        with: Text, aside "key path of another one";
-        coefficient: Number, aside "coefficient of their correlation, -1 to 1";
     }
     /// A study.
     pub STUDY {

@@ -6,11 +6,10 @@ use super::Kind::{
     AnyCase, Choice, Fluid, Law as OfLaw, LawOr, Number, Numbers, Quantities, Quantity, Scalar,
     Table, Tables, Text, Texts,
 };
-use super::case::CORRELATION;
 use super::{
     DENSITY, KELVIN, KINEMATIC, PER_KELVIN, PER_PRESSURE, PRESSURE, TEMPERATURE, VISCOSITY,
 };
-use super::{Law, Laws, rows};
+use super::{Law, Laws, Row, rows};
 use crate::usual::{
     COEFFICIENT, FILM_CONDUCTIVITY, GLASS_VISCOSITY, KINEMATIC_VISCOSITIES, OIL_DENSITY,
     OIL_VISCOSITY, SHEAR_STRESS, SOLID_CONDUCTIVITY, SPECIFIC_HEATS,
@@ -247,5 +246,30 @@ rows! {
         beta_0: PER_KELVIN, aside "temperature coefficient β₀ at ambient pressure";
         b_1: PER_PRESSURE, aside "its relative slope with pressure";
         b_2: Quantity(&[D::INVERSE_PRESSURE_SQUARED]), aside "its relative curvature with pressure";
+    }
+    /// `[[correlation]]`.
+    pub CORRELATION {
+        of: Text, aside "key path of a quantity with an uncertainty";
+        with: Text, aside "key path of another one";
+        coefficient: Number, aside "coefficient of their correlation, -1 to 1";
+    }
+}
+
+impl Laws {
+    /// The keys of all laws: their own, and those of tables.
+    pub fn tables(&self) -> Vec<&'static [Row]> {
+        let of_tables = self.laws.iter().find(|law| law.name == "table");
+        let of_tables = of_tables.map(|_| TABLE_KEYS);
+        std::iter::once(self.keys).chain(of_tables).collect()
+    }
+
+    /// The keys of one of the laws.
+    pub fn keys_of(&self, law: &Law) -> Vec<&'static str> {
+        let words = |text: &'static str| text.split('`').skip(1).step_by(2);
+        let is_key =
+            |word: &&str| (self.tables().into_iter().flatten()).any(|row| row.keys.contains(word));
+        (words(law.needs).chain(words(law.optional)))
+            .filter(is_key)
+            .collect()
     }
 }

@@ -2,13 +2,12 @@
 
 use ertel_quantity::Dimension as D;
 
-use super::Kind::{Choice, Count, Number, Quantity, QuantityOr, Switch, Table, Text};
-use super::case::PROFILE;
+use super::Kind::{Choice, Count, Number, Quantities, Quantity, QuantityOr, Switch, Table, Text};
 use super::{ANGLE, FORCE, LENGTH, PRESSURE, ROTATION, SPEED, TEMPERATURE};
 use super::{Row, rows};
 use crate::usual::{
-    CLEARANCES, COATINGS, HEIGHTS, HERTZ_PRESSURE, LENGTHS, LIFT_ACCELERATION, LOAD, MODULES,
-    RADII, ROTATIONS, SCUFFING, SPEEDS, TORQUE,
+    CLEARANCES, COATINGS, CROWNS, HEIGHTS, HERTZ_PRESSURE, LENGTHS, LIFT_ACCELERATION, LOAD,
+    MODULES, RADII, ROTATIONS, SCUFFING, SPEEDS, TORQUE,
 };
 
 /// Dimension of thermal resistances.
@@ -220,6 +219,21 @@ rows! {
     PART {
         angle: ANGLE => "cam angle that it covers";
         law: LIFT_LAWS => "motion law";
+    }
+    /// The relief of a roller.
+    pub PROFILE {
+        kind: Choice(&["straight", "crown", "logarithmic", "iso-16281", "table"]), aside "form of the relief";
+        straight_length: LENGTH, aside "s of a straight profile: no drop up to |y| = s/2";
+        end_radius: LENGTH, usual [CROWNS], aside "radius of the arcs beyond it";
+        crown_radius: LENGTH, usual [CROWNS], aside "radius of a crown, one arc";
+        end_drop: LENGTH, usual [COATINGS], aside "drop of a crown at the ends, instead of its radius";
+        design_load: Quantity(&[D::FORCE]), usual [LOAD], aside "load Q under which the pressure of a logarithmic profile is uniform";
+        diameter: LENGTH, aside "diameter D of the roller, for the profile of ISO 16281";
+        position: Quantities(&[D::LENGTH]), aside "positions along the axis, increasing, three at least";
+        drop: Quantities(&[D::LENGTH]), usual [COATINGS], aside "drops at the positions";
+        file: Text, aside "table of positions and drops, instead of both lists";
+        smoothing_length: LENGTH, aside "length over which the drops are averaged";
+        level: Switch, aside "`true`: take off the straight line that fits best";
     }
 }
 

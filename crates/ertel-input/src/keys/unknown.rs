@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::{CASE, Kind, Row};
-use crate::table::nearest;
+use crate::nearest::nearest;
 use crate::tree::{Entry, Node, Value, place_of};
 use crate::{Document, InputError};
 

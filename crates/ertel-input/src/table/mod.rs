@@ -6,13 +6,12 @@ mod numbers;
 mod tables;
 mod text;
 
-pub(crate) use errors::nearest;
-
 use std::ops::Range;
 
 use super::inputs::Recorder;
+use super::source::Source;
 use super::tree::{Entry, Node, Value};
-use super::{InputError, Source};
+use super::InputError;
 
 /// A TOML table being read.
 ///

@@ -37,7 +37,6 @@ mod test_data;
 
 use geometry::{BallGeometry, GeometryError, Ring, RollerGeometry, TaperedGeometry};
 use kinematics::Speeds;
-use load::{Distribution, Loads, Params};
 
 /// Material of rings and elements.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -149,18 +148,5 @@ impl Bearing {
             geometry,
             material: Material::STEEL,
         }
-    }
-
-    /// Loads, angles, speeds and dry contacts of all elements.
-    ///
-    /// # Errors
-    /// Geometries and loads that make no sense, no load at all, and no convergence.
-    pub fn solve(
-        &self,
-        loads: &Loads,
-        speeds: Speeds,
-        params: &Params,
-    ) -> Result<Distribution, load::Error> {
-        load::solve(self, loads, speeds, params)
     }
 }

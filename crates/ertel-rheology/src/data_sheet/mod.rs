@@ -5,6 +5,7 @@
 
 mod base_oil;
 mod blend;
+mod estimate;
 mod heat;
 mod index_table;
 mod shear;
@@ -12,11 +13,10 @@ mod viscosity_index;
 
 pub use base_oil::BaseOil;
 pub use blend::{BLENDING_TEMPERATURES, Blend, BlendError};
+pub use estimate::{Estimate, Spread};
 pub use heat::HeatEstimate;
 pub use shear::ShearEstimate;
 pub use viscosity_index::{viscosity_at_40, viscosity_at_100, viscosity_index};
-
-use ertel_quantity::{COVERAGE, Uncertainty};
 
 /// Viscosity grades of ISO 3448: kinematic viscosity at 40 degC in mm²/s, within 10 %.
 pub const ISO_VG: [f64; 20] = [
@@ -33,79 +33,6 @@ pub const ISO_VG_TOLERANCE: f64 = 0.1;
 
 /// Density of water at 15 degC (kg/m³), to which relative densities refer.
 pub const WATER_AT_15: f64 = 999.1;
-
-/// A number that a data sheet does not give.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Estimate {
-    /// The number in SI.
-    pub value: f64,
-    /// How far below it the truth may lie, as a share of it.
-    pub below: f64,
-    /// How far above.
-    pub above: f64,
-    /// Key in the bibliography, and the place.
-    pub source: &'static str,
-    /// How the truth is spread over the range.
-    pub spread: Spread,
-    /// Basis of the range.
-    pub basis: &'static str,
-}
-
-/// How the truth is spread over the range of an estimate.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Spread {
-    /// Normally about the number: the range covers 95 % of such oils.
-    Normal,
-    /// Evenly between the ends of the range.
-    Even,
-}
-
-impl Estimate {
-    /// A number with its truth spread evenly over a range.
-    fn even(
-        value: f64,
-        [below, above]: [f64; 2],
-        source: &'static str,
-        basis: &'static str,
-    ) -> Self {
-        Self {
-            value,
-            below,
-            above,
-            source,
-            spread: Spread::Even,
-            basis,
-        }
-    }
-
-    /// Of a Group III oil: midway between the estimates of a mineral oil and of a polyalphaolefin, with a range that holds both of theirs.
-    fn midway(a: &Self, b: &Self) -> Self {
-        let value = 0.5 * (a.value + b.value);
-        let lowest = |e: &Self| e.value * (1.0 - e.below);
-        let highest = |e: &Self| e.value * (1.0 + e.above);
-        Self::even(
-            value,
-            [
-                1.0 - lowest(a).min(lowest(b)) / value,
-                highest(a).max(highest(b)) / value - 1.0,
-            ],
-            "none, midway between mineral oil and polyalphaolefin",
-            "no measured figure of a Group III oil was found: the range covers those of mineral oils and of polyalphaolefins",
-        )
-    }
-
-    /// The range as an uncertainty of the number, SI; where the range has two arms, with their mean to either side.
-    #[must_use]
-    pub fn uncertainty(&self) -> Uncertainty {
-        let half_width = 0.5 * (self.below + self.above) * self.value.abs();
-        match self.spread {
-            Spread::Normal => Uncertainty::Normal {
-                standard: half_width / COVERAGE,
-            },
-            Spread::Even => Uncertainty::Uniform { half_width },
-        }
-    }
-}
 
 #[cfg(test)]
 mod tests;

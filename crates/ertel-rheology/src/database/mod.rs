@@ -8,67 +8,25 @@
 //! are looked for in the folder of own data, if there is one ([`use_own_data`]), and then in the database.
 
 mod entry;
+mod error;
 pub(crate) mod names;
 mod own;
 mod shipped;
 
 use std::path::Path;
 
-use thiserror::Error;
-
 use crate::provenance::{Datum, Status};
 use crate::{Files, Fluid, Solid};
 use entry::{Entry, Head};
-use ertel_input::{Document, InputError, Recorder};
+use ertel_input::{Document, Recorder};
 use own::OwnFile;
 use shipped::{FLUIDS, Folder, SOLIDS, TABLES};
 
-pub use own::{Kind, OwnData, own_data, own_path, use_own_data};
+pub use error::DatabaseError;
+pub use own::{Kind, OwnData, is_file, own_data, own_path, use_own_data};
 
 /// The bibliography of the database, in BibTeX.
 pub const REFERENCES: &str = include_str!("../../data/references.bib");
-
-/// A name that is not in the database, or a data file at fault.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum DatabaseError {
-    /// There is no such fluid or solid.
-    #[error(
-        "there is no {kind} `{name}` in the database{}; {}the choices are {}",
-        .near.map(|near| format!(" (did you mean `{near}`?)")).unwrap_or_default(),
-        .help.as_ref().map(|help| format!("{help}; ")).unwrap_or_default(), .choices.join(", ")
-    )]
-    Unknown {
-        /// `fluid` or `solid`.
-        kind: &'static str,
-        /// The name requested.
-        name: String,
-        /// The name most like it.
-        near: Option<&'static str>,
-        /// Advice to use another key instead of a name, if that is more likely meant.
-        help: Option<String>,
-        /// All names.
-        choices: Vec<&'static str>,
-    },
-    /// A file of the database, or of the user, is wrong.
-    #[error(transparent)]
-    Data(#[from] InputError),
-    /// An invalid folder of own data.
-    #[error("the folder of own data {path} {reason}")]
-    Folder {
-        /// The folder.
-        path: String,
-        /// The reason.
-        reason: String,
-    },
-    /// A file of the user cannot be read.
-    #[error("{path} {reason}")]
-    File {
-        /// The file.
-        path: String,
-        /// Why not.
-        reason: String,
-    },
-}
 
 /// Names of the fluids, in alphabetical order.
 pub fn fluid_names() -> Vec<&'static str> {
@@ -78,11 +36,6 @@ pub fn fluid_names() -> Vec<&'static str> {
 /// Names of the solids, in alphabetical order.
 pub fn solid_names() -> Vec<&'static str> {
     SOLIDS.iter().map(|(name, _)| *name).collect()
-}
-
-/// Whether a name is that of a file of the user.
-pub fn is_file(name: &str) -> bool {
-    name.ends_with(".toml")
 }
 
 /// The fluid of that name.

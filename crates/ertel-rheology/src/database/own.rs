@@ -10,7 +10,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use super::{DatabaseError, is_file};
+use super::DatabaseError;
 use crate::Files;
 use ertel_input::Document;
 use ertel_input::file::{LARGEST_DOCUMENT, read_text};
@@ -133,4 +133,9 @@ impl OwnFile {
     pub fn files(&self) -> Files<'_> {
         Files::Folder(self.path.parent().unwrap_or(Path::new("")))
     }
+}
+
+/// Whether a name is that of a file of the user.
+pub fn is_file(name: &str) -> bool {
+    name.ends_with(".toml")
 }

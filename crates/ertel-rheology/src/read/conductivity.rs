@@ -1,8 +1,6 @@
 //! Conductivity laws from a table.
 
-use super::{
-    Files, Material, density::reference_temperature, locate, property::Reader, required_density,
-};
+use super::{Files, Material, locate, property::Reader, reference_temperature, required_density};
 use crate::conductivity::{LarssonAndersson, Scaling, ScalingConstants};
 use crate::{ConductivityLaw, DensityLaw};
 use ertel_input::{Bounds, InputError, Table};

@@ -1,7 +1,7 @@
 //! Density laws from a table.
 
 use super::{
-    Files, coefficient_of_temperature, group, locate,
+    Files, coefficient_of_temperature, group, locate, reference_temperature,
     table::{Columns, Pressures},
 };
 use crate::density::{
@@ -105,14 +105,6 @@ fn bulk_modulus(
 
 fn rho_0(table: &mut Table<'_>) -> Result<f64, InputError> {
     table.required_quantity("rho_0", Dimension::DENSITY, Bounds::POSITIVE)
-}
-
-pub(super) fn reference_temperature(table: &mut Table<'_>) -> Result<f64, InputError> {
-    table.required_quantity(
-        "reference_temperature",
-        Dimension::TEMPERATURE,
-        Bounds::POSITIVE,
-    )
 }
 
 fn dowson_higginson(table: &mut Table<'_>) -> Result<DowsonHigginson, InputError> {

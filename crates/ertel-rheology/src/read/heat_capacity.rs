@@ -1,8 +1,6 @@
 //! Heat capacity laws from a table.
 
-use super::{
-    Files, Material, density::reference_temperature, locate, property::Reader, required_density,
-};
+use super::{Files, Material, locate, property::Reader, reference_temperature, required_density};
 use crate::heat_capacity::{LarssonAndersson, Scaling, ScalingConstants, VolumetricConstants};
 use crate::{DensityLaw, HeatCapacityLaw};
 use ertel_input::{Bounds, InputError, Table};

@@ -89,7 +89,7 @@ fn given_law<'a>(table: &mut Table<'a>, key: &str) -> Result<Option<Table<'a>>, 
 
 /// `reference_temperature`, `a_t` and, of a lubricant, the optional `a_p`.
 fn linear_factor(table: &mut Table<'_>, material: Material) -> Result<LinearFactor, InputError> {
-    let reference_temperature = density::reference_temperature(table)?;
+    let reference_temperature = reference_temperature(table)?;
     let a_t = table.required_quantity("a_t", Dimension::INVERSE_TEMPERATURE, Bounds::ANY)?;
     let a_p = match material {
         Material::Lubricant => {
@@ -129,7 +129,7 @@ fn coefficient_of_temperature(
     if !group(table, &["reference_temperature", key])? {
         return Ok(None);
     }
-    let reference_temperature = density::reference_temperature(table)?;
+    let reference_temperature = reference_temperature(table)?;
     let coefficient = table.required_quantity(key, Dimension::INVERSE_TEMPERATURE, bounds)?;
     Ok(Some((reference_temperature, coefficient)))
 }
@@ -148,6 +148,14 @@ fn required_density(
             )
             .with_help("such as density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }")
     })
+}
+
+fn reference_temperature(table: &mut Table<'_>) -> Result<f64, InputError> {
+    table.required_quantity(
+        "reference_temperature",
+        Dimension::TEMPERATURE,
+        Bounds::POSITIVE,
+    )
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Shear-thinning laws from a table.
 
-use super::{density::reference_temperature, locate};
+use super::{locate, reference_temperature};
 use crate::provenance::celsius;
 use crate::shear::{Carreau, CarreauYasuda, Rabinowitsch, ReeEyring, ShearLaw, StressLimit};
 use crate::{ShearThinning, ViscosityLaw};

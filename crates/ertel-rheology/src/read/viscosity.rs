@@ -1,9 +1,7 @@
 //! Viscosity laws from a table.
 
 use super::{
-    Files, coefficient_of_temperature,
-    density::reference_temperature,
-    locate, required_density,
+    Files, coefficient_of_temperature, locate, reference_temperature, required_density,
     table::{Columns, Pressures},
 };
 use crate::density::TaitVolume;

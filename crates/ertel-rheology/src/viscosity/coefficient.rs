@@ -3,22 +3,8 @@
 //! Theory: Pressure-viscosity coefficients.
 
 use num_dual::first_derivative;
-use thiserror::Error;
 
-use super::ViscosityLaw;
-use crate::provenance::celsius;
-
-/// The reciprocal asymptotic coefficient does not exist: the viscosity does not grow enough with pressure.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[error(
-    "the viscosity does not grow enough with pressure at {} for a reciprocal asymptotic \
-     pressure-viscosity coefficient",
-    celsius(*.temperature)
-)]
-pub struct NoAsymptote {
-    /// Temperature (K).
-    pub temperature: f64,
-}
+use super::{NoAsymptote, ViscosityLaw};
 
 /// First pressure interval (Pa); the following ones double.
 const FIRST_INTERVAL: f64 = 1e6;

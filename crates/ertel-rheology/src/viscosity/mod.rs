@@ -19,7 +19,6 @@ mod yasutomi;
 
 pub use barus::Barus;
 pub use cheng::Cheng;
-pub use coefficient::NoAsymptote;
 pub use constant::Constant;
 pub use doolittle::{Doolittle, OccupiedVolume};
 pub use glass::GlassTransition;
@@ -31,6 +30,9 @@ pub use walther::{PressureLaw, Walther};
 pub use wlf::ModifiedWlf;
 pub use yasutomi::ImprovedYasutomi;
 
+use thiserror::Error;
+
+use crate::provenance::celsius;
 use crate::{Isotherms, LawError, Scalar};
 
 /// The viscosity laws.
@@ -164,4 +166,16 @@ impl ViscosityLaw {
             _ => None,
         }
     }
+}
+
+/// The reciprocal asymptotic coefficient does not exist: the viscosity does not grow enough with pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error(
+    "the viscosity does not grow enough with pressure at {} for a reciprocal asymptotic \
+     pressure-viscosity coefficient",
+    celsius(*.temperature)
+)]
+pub struct NoAsymptote {
+    /// Temperature (K).
+    pub temperature: f64,
 }

@@ -5,7 +5,8 @@ use ertel_input::csv::{Column, CsvError, CsvTable};
 use ertel_input::excerpt;
 use ertel_quantity::Dimension;
 
-use super::{Measurand, N_MEASURANDS, temperature_key};
+use super::measured::temperature_key;
+use super::{Measurand, N_MEASURANDS};
 
 /// A quantity that a column sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -9,6 +9,7 @@
 
 mod columns;
 mod comparison;
+mod measured;
 mod rig;
 mod speeds;
 mod statistics;
@@ -16,12 +17,10 @@ mod table;
 mod turned;
 
 use std::collections::HashMap;
-use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use ertel_input::csv::{CsvError, CsvParams};
 use ertel_input::file::{FileError, read_table};
-use ertel_input::tree::Value;
 use ertel_input::{Document, InputError};
 
 use crate::case::Study;
@@ -30,144 +29,13 @@ use crate::figures::{bearing, gears};
 use crate::solution::Figure;
 use crate::study::journal::PointKey;
 
-pub use comparison::{Compared, ComparedRow, Comparison, Outcome};
-pub use rig::Probe;
-pub use statistics::Statistics;
+use measured::Content;
 
-/// A figure that is measured and computed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Measurand {
-    /// Film thickness in the centre of the contact, m.
-    FilmCentral,
-    /// Smallest film thickness, m.
-    FilmMinimum,
-    /// Traction coefficient.
-    Traction,
-    /// Friction torque of a whole machine, N m.
-    FrictionTorque,
-    /// Power that a whole machine loses, W.
-    FrictionPower,
-    /// Power lost in the mesh of gears over that at the pinion.
-    MeshLoss,
-}
-
-/// Number of figures that may be measured.
-pub const N_MEASURANDS: usize = Measurand::ALL.len();
-
-impl Measurand {
-    /// All, in the order of tables.
-    pub const ALL: [Measurand; 6] = [
-        Measurand::FilmCentral,
-        Measurand::FilmMinimum,
-        Measurand::Traction,
-        Measurand::FrictionTorque,
-        Measurand::FrictionPower,
-        Measurand::MeshLoss,
-    ];
-
-    /// The figure of a contact that it is compared with; `None` of those that only whole machines have.
-    fn figure(self) -> Option<Figure> {
-        match self {
-            Measurand::FilmCentral => Some(Figure::FilmCentral),
-            Measurand::FilmMinimum => Some(Figure::FilmMinimum),
-            Measurand::Traction => Some(Figure::TractionCoefficient),
-            _ => None,
-        }
-    }
-
-    /// Whether a whole machine has it; of films it has the smallest ones.
-    pub fn is_of_machines(self) -> bool {
-        self != Measurand::Traction
-    }
-
-    /// Whether a single contact has it.
-    pub fn is_of_contacts(self) -> bool {
-        self.figure().is_some()
-    }
-
-    /// Name of its columns, without the unit: that of the figure in results.
-    pub fn name(self) -> &'static str {
-        match self {
-            Measurand::FrictionTorque => bearing::FRICTION_TORQUE.name,
-            Measurand::FrictionPower => bearing::FRICTION_POWER.name,
-            Measurand::MeshLoss => gears::MESH_LOSS.name,
-            _ => self.figure().map_or("", Figure::name),
-        }
-    }
-
-    /// Its name in words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Measurand::FrictionTorque => "friction torque",
-            Measurand::FrictionPower => "power lost",
-            Measurand::MeshLoss => "power lost over that at the pinion",
-            _ => self.figure().map_or("", Figure::words),
-        }
-    }
-
-    /// Its SI unit; empty of a pure number.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Measurand::FilmCentral | Measurand::FilmMinimum => "m",
-            Measurand::FrictionTorque => "N m",
-            Measurand::FrictionPower => "W",
-            Measurand::Traction | Measurand::MeshLoss => "",
-        }
-    }
-
-    /// Whether it is a film thickness.
-    pub fn is_film(self) -> bool {
-        self.unit() == "m"
-    }
-}
-
-/// A measured value.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Measurement {
-    /// The value, SI.
-    pub value: f64,
-    /// Half-width of its uncertainty, same unit; `None` where the table says nothing.
-    pub uncertainty: Option<f64>,
-}
-
-/// A row of a table of measurements.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeasuredRow {
-    /// Line of the file, from 1.
-    pub line: usize,
-    /// Number of the point in the study, from 0.
-    pub point: usize,
-    /// Measured values, in the order of [`Measurand::ALL`].
-    pub figures: [Option<Measurement>; N_MEASURANDS],
-}
-
-/// Measurements, and the study of a case at their operating points.
-#[derive(Clone, Debug)]
-pub struct Measured {
-    /// The file.
-    pub file: PathBuf,
-    /// The rows that were read, in the order of the file.
-    pub rows: Vec<MeasuredRow>,
-    /// The operating points, each once.
-    pub study: Study,
-    /// Omissions and assumptions.
-    pub notes: Vec<String>,
-    /// Meaning of each column, by its title in the file.
-    pub used: Vec<(String, String)>,
-    /// Text of the case file.
-    pub case_text: String,
-}
-
-/// Options for reading a file.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct ReadParams {
-    /// Steps of a rig's file, by number; empty: all that vary speed, load or sliding.
-    pub steps: Vec<usize>,
-    /// Thermometer of a rig.
-    pub probe: Probe,
-    /// Options that assign the columns of a table.
-    pub table: CsvParams,
-}
+pub use comparison::{ComparedRow, Comparison, Outcome};
+pub use measured::{
+    Measurand, Measured, MeasuredRow, Measurement, N_MEASURANDS, Probe, ReadParams,
+};
+pub use statistics::{Compared, Statistics};
 
 /// Why measurements were not read.
 #[derive(Debug, thiserror::Error)]
@@ -198,17 +66,6 @@ pub enum MeasuredError {
     /// A point is no case that can be solved, or the base case is wrong.
     #[error(transparent)]
     Case(#[from] InputError),
-}
-
-/// Contents of a file, before they are combined with the case.
-struct Content {
-    /// Varied quantities; as many values as there are rows.
-    columns: Vec<PointColumn>,
-    /// Line and figures of each row.
-    rows: Vec<(usize, [Option<Measurement>; N_MEASURANDS])>,
-    notes: Vec<String>,
-    /// Title and meaning of each column that is measured.
-    measured: Vec<(String, String)>,
 }
 
 impl Measured {
@@ -347,27 +204,6 @@ fn distinct(study: &mut Study) -> Vec<usize> {
     }
     study.points = kept;
     index
-}
-
-/// Key path of the lubricant's temperature in a case: at the top where the lubricant is given by its name.
-fn temperature_key(case: &Document) -> &'static str {
-    match case
-        .tree()
-        .entry("lubricant")
-        .map(|entry| &entry.node.value)
-    {
-        Some(Value::Table(_)) => "lubricant.temperature",
-        _ => "temperature",
-    }
-}
-
-/// A column without values.
-fn column(key: &str, span: Range<usize>) -> PointColumn {
-    PointColumn {
-        key: key.to_owned(),
-        span,
-        values: Vec::new(),
-    }
 }
 
 #[cfg(test)]

@@ -23,20 +23,11 @@ use ertel_input::csv::{Column, CsvError, CsvTable, Row, line_list};
 use ertel_quantity::Unit;
 
 use super::columns::Operating;
+use super::measured::{Content, column};
 use super::table::impossible;
 use super::turned::{self, Turned};
-use super::{Content, Measurand, Measurement, N_MEASURANDS, ReadParams, column};
+use super::{Measurand, Measurement, N_MEASURANDS, Probe, ReadParams};
 use crate::case::study::PointColumn;
-
-/// Thermometer of a rig.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Probe {
-    /// In the lubricant.
-    #[default]
-    Lubricant,
-    /// In the pot.
-    Pot,
-}
 
 const SPEED: &str = "Rolling Speed (mm/s)";
 const SLIDING: &str = "SRR (%)";

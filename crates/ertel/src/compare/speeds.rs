@@ -4,7 +4,7 @@ use ertel_input::Document;
 use ertel_input::tree::Value;
 use ertel_quantity::{Dimension, parse_uncertain};
 
-use super::{Content, column};
+use super::measured::{Content, column};
 
 /// Keys of the speeds of body 1 and body 2, by the tables that contain them.
 const PAIRS: [(&str, [&str; 2], [&str; 2]); 2] = [

@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use super::Compared;
+use super::Measurement;
+use crate::solution::Estimate;
 
 /// Relative differences d = computed/measured - 1 over the rows of a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -60,5 +61,40 @@ impl Statistics {
             statistics.rms = Some((squares / n).sqrt());
         }
         statistics
+    }
+}
+
+/// A figure measured and computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Compared {
+    /// As measured.
+    pub measured: Measurement,
+    /// As computed; `None` where the point has no solution.
+    pub computed: Option<Estimate>,
+}
+
+impl Compared {
+    /// computed/measured - 1; `None` without a solution, and of a measured value of zero. Tractions are compared by their size,
+    /// since rigs report no sign.
+    pub fn difference(&self) -> Option<f64> {
+        let (computed, measured) = (self.computed?.value.abs(), self.measured.value.abs());
+        (measured > 0.0).then(|| computed / measured - 1.0)
+    }
+
+    /// Uncertainty of the difference of both, √(u² + e²) of the measurement's u and the error bar e of the calculation (ASME V&V
+    /// 20-2009, section 1-5, without the uncertainty of the inputs, which a table does not contain); unknown uncertainties count as zero.
+    /// `None` where neither is known.
+    pub fn uncertainty(&self) -> Option<f64> {
+        let error = self.computed.and_then(|computed| computed.error);
+        match (self.measured.uncertainty, error) {
+            (None, None) => None,
+            (u, e) => Some(u.unwrap_or(0.0).hypot(e.unwrap_or(0.0))),
+        }
+    }
+
+    /// Whether both agree within their uncertainty; `None` without a solution, or without any uncertainty.
+    pub fn is_within(&self) -> Option<bool> {
+        let off = (self.computed?.value.abs() - self.measured.value.abs()).abs();
+        Some(off <= self.uncertainty()?)
     }
 }

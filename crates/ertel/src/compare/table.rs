@@ -7,8 +7,9 @@ use ertel_quantity::Dimension;
 use super::columns::{
     MEASURED, MeasuredColumns, OPERATING, Operating, find, names, open_name, uncertainty,
 };
+use super::measured::{Content, column};
 use super::turned::{self, Turned};
-use super::{Content, Measurand, Measurement, N_MEASURANDS, ReadParams, column};
+use super::{Measurand, Measurement, N_MEASURANDS, ReadParams};
 use crate::case::study::{PointColumn, split_title};
 
 /// Columns about a row that say nothing about its operating point, in small letters and without their unit.

@@ -5,8 +5,8 @@ use ertel_input::{Bounds, excerpt};
 use ertel_quantity::{Dimension, STANDARD_ATMOSPHERE};
 use ertel_rheology::DensityLaw;
 
-use super::data::Reading;
-use super::{DataError, Property, State};
+use super::DataError;
+use super::state::{Property, Reading, State};
 
 pub(super) fn expected(property: Property) -> String {
     let value = match property {

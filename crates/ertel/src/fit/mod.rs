@@ -21,9 +21,10 @@ mod least_squares;
 mod picture;
 mod ranking;
 mod sense;
+mod state;
 mod walther;
 
-pub use data::{Data, DataError, Property, Reading, State};
+pub use data::{Data, DataError};
 pub use density::{DensityError, density_of};
 pub use entry::{Heading, entry};
 pub use film::{
@@ -36,6 +37,7 @@ pub use least_squares::{Minimum, MinimumError, minimise};
 pub use picture::picture;
 pub use ranking::{Ranked, Ranking, Unranked, rank};
 pub use sense::{LARGEST_RMS, nonsense};
+pub use state::{Property, Reading, State};
 
 use ertel_quantity::QuantityError;
 use ertel_rheology::density::TaitVolume;

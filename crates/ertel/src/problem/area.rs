@@ -1,6 +1,6 @@
 //! The contact area of a case and the bodies that grow with it.
 
-use super::outlet;
+use super::outlet::{self, ToHalves};
 use crate::contact::{Family, Inlet, Outline, Shape, hertz};
 use crate::params::{ElasticModel, MeshParams};
 use crate::solve::discretisation::Extents;
@@ -132,19 +132,3 @@ const NEAREST_SIDE: f64 = 2.0;
 
 /// Distance of the outlet edge from the widest place of the dry contact of a roller at least, in half-widths of its line.
 const BEYOND_ROLLER: f64 = 0.3;
-
-/// Rounding to halves: contact areas that bisection meshes well.
-pub(super) trait ToHalves {
-    fn ceil_half(self) -> f64;
-    fn floor_half(self) -> f64;
-}
-
-impl ToHalves for f64 {
-    fn ceil_half(self) -> f64 {
-        (2.0 * self).ceil() / 2.0
-    }
-
-    fn floor_half(self) -> f64 {
-        (2.0 * self).floor() / 2.0
-    }
-}

@@ -1,9 +1,8 @@
-//! Exponents of the elastic asymptotes.
+//! Asymptotes of the film, and exponents of the elastic ones.
 
 use std::fmt;
 
-use super::{moes_line, nijenbanning_venner_moes};
-use crate::contact::Family;
+use serde::Serialize;
 
 /// An exponent as formulas are written: `-2/15`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,15 +47,6 @@ pub struct ElasticExponents {
 }
 
 impl ElasticExponents {
-    /// Those of [`moes_line_asymptotes`](super::moes_line_asymptotes) or
-    /// [`nijenbanning_venner_moes_asymptotes`](super::nijenbanning_venner_moes_asymptotes).
-    pub fn of(family: Family) -> ElasticExponents {
-        match family {
-            Family::Point => nijenbanning_venner_moes::EXPONENTS,
-            Family::Cylinder => moes_line::EXPONENTS,
-        }
-    }
-
     /// m, n and l.
     pub fn in_order(self) -> [Fraction; 3] {
         [
@@ -65,4 +55,18 @@ impl ElasticExponents {
             self.piezoviscous_material,
         ]
     }
+}
+
+/// Central film of a contact in the four lubrication regimes, in the unit of the caller: H = h/(R √(2U))
+/// from the formulas.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Asymptotes {
+    /// Constant viscosity, rigid bodies.
+    pub isoviscous_rigid: f64,
+    /// Constant viscosity, elastic bodies.
+    pub isoviscous_elastic: f64,
+    /// Viscosity grows with pressure, rigid bodies.
+    pub piezoviscous_rigid: f64,
+    /// Viscosity grows with pressure, elastic bodies.
+    pub piezoviscous_elastic: f64,
 }

@@ -17,7 +17,7 @@ mod venner_isoviscous;
 pub use chittenden::{chittenden_central, chittenden_minimum};
 pub use dowson_higginson::{dowson_higginson_1966_line_minimum, dowson_higginson_line_minimum};
 pub use dowson_toyoda::dowson_toyoda_line_central;
-pub use exponents::{ElasticExponents, Fraction};
+pub use exponents::{Asymptotes, ElasticExponents, Fraction};
 pub use hamrock_dowson::{hamrock_dowson_central, hamrock_dowson_minimum};
 pub use moes_line::{moes_line_asymptotes, moes_line_film};
 pub use nijenbanning_venner_moes::{
@@ -25,23 +25,18 @@ pub use nijenbanning_venner_moes::{
 };
 pub use venner_isoviscous::venner_isoviscous_film;
 
-use serde::Serialize;
-
-use crate::contact::{Contact, ContactKind, Groups};
+use crate::contact::{Contact, ContactKind, Family, Groups};
 use crate::solution::FormulaFilm;
 
-/// Central film of a contact in the four lubrication regimes, in the unit of the caller: H = h/(R √(2U))
-/// from the formulas.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Asymptotes {
-    /// Constant viscosity, rigid bodies.
-    pub isoviscous_rigid: f64,
-    /// Constant viscosity, elastic bodies.
-    pub isoviscous_elastic: f64,
-    /// Viscosity grows with pressure, rigid bodies.
-    pub piezoviscous_rigid: f64,
-    /// Viscosity grows with pressure, elastic bodies.
-    pub piezoviscous_elastic: f64,
+impl ElasticExponents {
+    /// Those of [`moes_line_asymptotes`] or
+    /// [`nijenbanning_venner_moes_asymptotes`].
+    pub fn of(family: Family) -> ElasticExponents {
+        match family {
+            Family::Point => nijenbanning_venner_moes::EXPONENTS,
+            Family::Cylinder => moes_line::EXPONENTS,
+        }
+    }
 }
 
 impl Asymptotes {

@@ -10,7 +10,7 @@ use crate::problem::{nearby_problem, problem, problem_by_slices};
 use crate::sensitivity::{by_adjoint, by_differences};
 use crate::solution::{Sensitivities, Solution, Stats};
 use crate::solve::adjoint::RoughAdjoints;
-use crate::solve::newton::FilmModel;
+use crate::solve::newton_level::FilmModel;
 use crate::solve::sequence::{Problem, Start};
 use crate::solve::{Finished, FiniteElements, results};
 use crate::warning::{Warning, WarningKind};

@@ -26,10 +26,10 @@ use crate::transient::{
     TransientObserver, march, resume,
 };
 use crate::volumes::Plan;
-use crate::volumes::engine::LEAST_GRIDS;
 use crate::volumes::fields::profile;
 use crate::volumes::film::PatchedFilm;
 use crate::volumes::patches::widest;
+use crate::volumes::plan::LEAST_GRIDS;
 use crate::volumes::roller_zone::with_rows_by_film;
 use crate::warning::{Warning, WarningKind, silence};
 use crate::words::{digits, length, pressure};

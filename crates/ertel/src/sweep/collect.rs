@@ -4,8 +4,8 @@ use std::collections::{HashMap, HashSet};
 use std::io;
 use std::path::Path;
 
+use super::SweepError;
 use super::folder::open;
-use super::{SweepError, check_distinct};
 use crate::case::Study;
 use crate::study::StudyError;
 use crate::study::journal::{Journal, PointKey, Record};
@@ -70,4 +70,18 @@ impl Collector {
         self.journal.append_all(&records)?;
         Ok(records.len())
     }
+}
+
+pub(super) fn check_distinct(study: &Study, echo: &StudyEcho) -> Result<(), SweepError> {
+    let mut seen = HashMap::new();
+    for (i, (key, _)) in echo.points.iter().enumerate() {
+        if let Some(first) = seen.insert(*key, i) {
+            return Err(SweepError::Twice {
+                first: first + 1,
+                second: i + 1,
+                label: study.points[i].label.clone(),
+            });
+        }
+    }
+    Ok(())
 }

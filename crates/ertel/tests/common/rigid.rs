@@ -11,11 +11,12 @@ use ertel::film::FilmFluid;
 use ertel::forms::energy::{Heat, Source};
 use ertel::params::ThermalParams;
 use ertel::run::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
+use ertel::solve::contact_surface::ContactSurface;
+use ertel::solve::discretisation::{Discretisation, Extents, LevelSizes};
 use ertel::solve::heat::column::Column;
 use ertel::solve::heat::newton::{HeatNewton, HeatParams};
 use ertel::solve::sequence::Problem;
-use ertel::solve::system::State;
+use ertel::solve::state::State;
 use ertel_fem::linear::NEVER;
 
 /// Contact area of most of these contacts.

@@ -8,10 +8,11 @@ use approx::assert_relative_eq;
 use ertel::engine::friction::friction;
 use ertel::engine::{Film, Point, PointFields, PointTable};
 use ertel::problem::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation};
-use ertel::solve::points::Evaluated;
+use ertel::solve::contact_surface::ContactSurface;
+use ertel::solve::discretisation::Discretisation;
+use ertel::solve::evaluated::Evaluated;
 use ertel::solve::sequence::Problem;
-use ertel::solve::system::State;
+use ertel::solve::state::State;
 use ertel_fem::linear::NEVER;
 
 use super::{BALL, COARSE, case};

@@ -10,12 +10,14 @@
 
 mod curvature;
 mod form;
+mod height;
 mod map;
 mod relief;
 mod roller;
 
 pub use curvature::Curvature;
 pub use form::{Form, Repeat};
+pub use height::{Body, Height};
 pub use map::HeightMap;
 pub use relief::Relief;
 pub use roller::RollerGap;
@@ -31,24 +33,6 @@ pub struct Gap {
     pub turn: Turn,
     /// Terms added to the paraboloid.
     pub terms: Vec<GapTerm>,
-}
-
-/// Height at a place with its slopes. Further properties of a term, such as the rate of a moving one, become fields here.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Height {
-    /// The height.
-    pub value: f64,
-    /// Its gradient.
-    pub gradient: [f64; 2],
-}
-
-/// One of the two bodies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Body {
-    /// Body 1.
-    First,
-    /// Body 2.
-    Second,
 }
 
 /// A term of the gap.

@@ -2,7 +2,7 @@
 
 use super::ends::{End, LEAST, ends};
 use super::slices::NARROWEST;
-use crate::contact::hertz;
+use crate::contact::pressure_profile;
 
 /// Largest aspect ratio of a cell along the axis where the profile has a kink,
 const FINEST: f64 = 2.0;
@@ -183,7 +183,7 @@ impl RollerZone {
 
     /// Pressure of the dry contact, in p_h of the line.
     pub fn pressure(&self, at: [f64; 2]) -> f64 {
-        self.peak(at[1]) * hertz::pressure_profile(self.radius(at))
+        self.peak(at[1]) * pressure_profile(self.radius(at))
     }
 
     /// Area of the zone.

@@ -20,8 +20,8 @@ use crate::film::cross_film::CrossFilm;
 use crate::forms::energy::{FilmColumn, Heat, film_column};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::points::fields_in;
+use crate::solve::state::State;
 use crate::solve::streams::Streams;
-use crate::solve::system::State;
 use crate::solve::tuning::heat::PRESSED;
 
 /// Heat made and carried off.

@@ -14,10 +14,10 @@ use crate::engine::coupling::{INNER_SHARE, NEGLIGIBLE_RISE, Relaxation, Stopping
 use crate::engine::{Observer, SolveError};
 use crate::forms::energy::Heat;
 use crate::solve::evaluate::central_film;
-use crate::solve::newton::{
+use crate::solve::newton_level::{
     FilmModel, NewtonLevel, NewtonParams, NewtonStats, NewtonStatus, RunLabel,
 };
-use crate::solve::system::State;
+use crate::solve::state::State;
 use crate::solve::tuning::heat::{
     FEW_STEPS, LEAST_SHRINKING, MOST_STEPS, ROUGHEST, ROUGHEST_ON_PATH,
 };

@@ -8,7 +8,7 @@ use super::space::HeatSpace;
 use crate::engine::heat::walls;
 use crate::solution::{Figure, TemperatureErrors};
 use crate::solve::discretisation::Discretisation;
-use crate::solve::system::State;
+use crate::solve::state::State;
 use crate::solve::tuning::heat::AROUND;
 
 /// Temperatures that are recovered: at mid-film, of plane and ball.

@@ -4,13 +4,12 @@ use ertel_fem::kernel;
 use ertel_fem::linear::dense::vectorised;
 
 use super::space::HeatSpace;
-use super::system::Account;
 use crate::film::cross_film::CrossFilm;
 use crate::film::{FilmFluid, MOST_NODES, Nodal};
 use crate::forms::energy::{FilmColumn, FilmPlace, Heat, Layer, Source, film_column};
 use crate::solve::discretisation::Discretisation;
+use crate::solve::state::State;
 use crate::solve::streams::Streams;
-use crate::solve::system::State;
 
 /// Most surface nodes of an element.
 const MOST_SURFACE: usize = 6;
@@ -421,5 +420,32 @@ fn body_part(
             }
         }
         offset += m * m;
+    }
+}
+
+/// Heat made and carried off over the whole (half) contact area, W/m² times half-widths squared.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Account {
+    /// By shear.
+    pub shear: f64,
+    /// By compression, less by expansion.
+    pub compression: f64,
+    /// The same without regard to sign.
+    pub compression_size: f64,
+    /// Carried along by plane and ball.
+    pub bodies: [f64; 2],
+    /// Conducted out of plane and ball where their temperature is prescribed.
+    pub conducted: [f64; 2],
+}
+
+impl Account {
+    pub(super) fn add(&mut self, other: &Account) {
+        self.shear += other.shear;
+        self.compression += other.compression;
+        self.compression_size += other.compression_size;
+        for b in 0..2 {
+            self.bodies[b] += other.bodies[b];
+            self.conducted[b] += other.conducted[b];
+        }
     }
 }

@@ -2,7 +2,9 @@
 //!
 //! - `column`: the layers over a point of the contact area, bottom to top;
 //! - `space`: temperatures over the contact area, and their values in the film equations;
-//! - `inflow`: temperatures that are prescribed;
+//! - `profile`: temperatures of a state at points;
+//! - `prescribed`: temperatures that are prescribed;
+//! - `inflow`: heat that the lubricant brings through the edge;
 //! - `cross_flow`: the mass flow across the film;
 //! - `sides`: sides of elements, and what flows through them;
 //! - `element`: what an element adds to residual and Jacobian of the energy equation;
@@ -21,6 +23,8 @@ pub mod deviation;
 mod element;
 mod inflow;
 pub mod newton;
+mod prescribed;
+mod profile;
 pub mod recovery;
 pub mod sides;
 pub mod space;

@@ -23,8 +23,8 @@ use crate::engine::coupling::Relaxation;
 use crate::film::{FilmFluid, FilmNodes};
 use crate::forms::energy::{Heat, Source};
 use crate::solve::discretisation::Discretisation;
+use crate::solve::state::State;
 use crate::solve::streams::Streams;
-use crate::solve::system::State;
 use crate::solve::tuning::heat::{
     BEYOND_BOUNDS, FIRST_WARMING, LONGEST_WARMING, MOST_HALVINGS, SHORTEST_WARMING, SPARE_KRYLOV,
     WARMING_FACTOR,

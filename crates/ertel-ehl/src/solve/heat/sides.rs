@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::contact::Symmetry;
-use crate::solve::discretisation::ContactSurface;
+use crate::solve::contact_surface::ContactSurface;
 
 /// A side of an element: its element, and the opposite corner.
 pub(super) type Side = (usize, usize);

@@ -15,14 +15,14 @@ use rayon::prelude::*;
 
 use super::cross_flow::divide_by_mass;
 use super::element::{Assembly, Element, size_of_layers};
-use super::inflow::prescribed;
+use super::prescribed::prescribed;
 use super::space::HeatSpace;
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 use crate::forms::energy::{Heat, Source};
 use crate::solve::discretisation::Discretisation;
+use crate::solve::state::State;
 use crate::solve::streams::Streams;
-use crate::solve::system::State;
 
 /// Energy equation at a state.
 pub struct HeatSystem {
@@ -49,21 +49,6 @@ pub struct Kept<'a> {
     pub conductances: &'a [f64],
     /// Oil behind the film; none: gaps are filled.
     pub streams: Option<&'a Streams>,
-}
-
-/// Heat made and carried off over the whole (half) contact area, W/m² times half-widths squared.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Account {
-    /// By shear.
-    pub shear: f64,
-    /// By compression, less by expansion.
-    pub compression: f64,
-    /// The same without regard to sign.
-    pub compression_size: f64,
-    /// Carried along by plane and ball.
-    pub bodies: [f64; 2],
-    /// Conducted out of plane and ball where their temperature is prescribed.
-    pub conducted: [f64; 2],
 }
 
 /// Residual, and the Jacobian into a matrix if there is one, damped by an inverse temperature (1/K).
@@ -165,18 +150,6 @@ impl HeatSystem {
             for (sum, v) in sums.iter_mut().zip(rise) {
                 *sum += v;
             }
-        }
-    }
-}
-
-impl Account {
-    fn add(&mut self, other: &Account) {
-        self.shear += other.shear;
-        self.compression += other.compression;
-        self.compression_size += other.compression_size;
-        for b in 0..2 {
-            self.bodies[b] += other.bodies[b];
-            self.conducted[b] += other.conducted[b];
         }
     }
 }

@@ -4,10 +4,11 @@
 
 use crate::contact::Symmetry;
 use crate::engine::flux::mass_flux;
-use crate::solve::newton::FilmModel;
+use crate::solve::newton_level::FilmModel;
 use crate::solve::points::fields_at;
 use crate::solve::sequence::StageSolution;
-use crate::solve::system::{FilmConstants, System};
+use crate::solve::state::FilmConstants;
+use crate::solve::system::System;
 
 /// Relative mass balance upstream of the section along the second axis of the Hertz zone, X = 0 where the motion is along the first:
 /// (inflow − side leakage − flow through the section)/inflow.

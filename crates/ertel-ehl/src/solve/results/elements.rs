@@ -10,7 +10,7 @@ use crate::solve::heat::recovery::{self, Recovery};
 use crate::solve::heat::space::HeatSpace;
 use crate::solve::points::film_of;
 use crate::solve::sequence::StageSolution;
-use crate::solve::system::State;
+use crate::solve::state::State;
 
 /// The undeformed gap is a polynomial of this order.
 const GAP_ORDER: usize = 2;

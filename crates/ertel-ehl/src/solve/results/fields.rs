@@ -13,7 +13,7 @@ use crate::solution::{BodyField, Centreline, SurfaceField};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::points::fields_in;
 use crate::solve::sequence::StageSolution;
-use crate::solve::system::State;
+use crate::solve::state::State;
 
 /// Samples per element edge along the centreline, and how many there are at least on coarse meshes, so that curves through
 /// them are round.

@@ -9,7 +9,7 @@ use crate::solution::{Figure, FilmReduction, LevelStats, Measured, Role, Summary
 use crate::solve::adapt::{RefinementEnd, bar_of_edges};
 use crate::solve::bars::reduction;
 use crate::solve::evaluate::central_film;
-use crate::solve::newton::FilmModel;
+use crate::solve::newton_level::FilmModel;
 use crate::solve::sequence::StageSolution;
 use crate::warning::{Warning, WarningKind};
 
@@ -90,10 +90,6 @@ pub fn warnings(
     target_error: Option<f64>,
 ) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    let side_key = match solution.discretisation.contact.shape.is_line() {
-        true => "",
-        false => ", side",
-    };
     let minimum = summary.film_minimum;
     warnings.extend(thin_film_warning(
         "the minimum film thickness",
@@ -105,6 +101,50 @@ pub fn warnings(
             "no error bar: no coarser mesh converged (or solver.error_estimate is off)",
         ));
     }
+    warnings.extend(film_errors(summary, solution, levels, target_error));
+    if solution.rough {
+        let update = solution.reached.update;
+        let text = format!(
+            "Newton's method ended at a pressure update of {update:.0e} p_h: it does not converge further on this mesh"
+        );
+        warnings.push(Warning::beyond(WarningKind::Convergence, update, text));
+    }
+    warnings.extend(spike(summary, levels));
+    let orders = [
+        solution.discretisation.pressure.element.order(),
+        solution.discretisation.contact.deflection.element.order(),
+    ];
+    if orders.contains(&1) {
+        // Measured on a roller: 3 and 4 of the differences that the bars are made of.
+        warnings.push(Warning::new(
+            WarningKind::FirstOrder,
+            "the errors of first-order elements exceed their error bars: use [mesh] pressure_order 2 or \
+             more and elastic_order 2",
+        ));
+    }
+    let d = &solution.discretisation;
+    let profile = Profile::new(d, &solution.state, 2);
+    let films = EdgeFilms {
+        outlet: profile.outlet(),
+        inlet: profile.fields.first().map_or(f64::INFINITY, |f| f.film),
+        centre: central_film(d, &solution.state),
+    };
+    warnings.extend(edge_warnings(&d.contact.extents, &d.contact.shape, films));
+    warnings
+}
+
+/// Warnings about error bars of the films that are wider than requested.
+fn film_errors(
+    summary: &Summary,
+    solution: &StageSolution,
+    levels: &[LevelStats],
+    target_error: Option<f64>,
+) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let side_key = match solution.discretisation.contact.shape.is_line() {
+        true => "",
+        false => ", side",
+    };
     let own = solved(levels);
     let edges = own.and_then(|l| l.estimate).map_or([0.0; 2], |e| e.edges);
     let figures = [
@@ -113,7 +153,11 @@ pub fn warnings(
             "central",
             summary.film_central,
         ),
-        (WarningKind::MinimumFilmError, "minimum", minimum),
+        (
+            WarningKind::MinimumFilmError,
+            "minimum",
+            summary.film_minimum,
+        ),
     ];
     for ((kind_of_error, name, figure), edges) in figures.into_iter().zip(edges) {
         let relative = figure.error.unwrap_or(0.0) / figure.value;
@@ -138,49 +182,26 @@ pub fn warnings(
         };
         warnings.push(Warning::beyond(kind_of_error, relative, text));
     }
-    if solution.rough {
-        let update = solution.reached.update;
-        let text = format!(
-            "Newton's method ended at a pressure update of {update:.0e} p_h: it does not converge further on this mesh"
-        );
-        warnings.push(Warning::beyond(WarningKind::Convergence, update, text));
-    }
+    warnings
+}
+
+/// Warning about a largest pressure that the mesh does not resolve; `None` where it has an error bar, which says as much.
+fn spike(summary: &Summary, levels: &[LevelStats]) -> Option<Warning> {
     let pressures: Vec<f64> = (levels.iter().filter(|l| l.converged))
         .filter_map(|l| l.figures.value(Figure::PressureMaximum))
         .collect();
-    // Its error bar says as much, where there is one.
-    if summary.pressure_maximum.error.is_none()
-        && let [.., coarse, fine] = pressures[..]
-        && (coarse / fine - 1.0).abs() > PRESSURE_RESOLVED
-    {
-        let text = format!(
-            "the largest pressure is that of a spike which the mesh does not resolve: {:.3} GPa on the \
-             mesh before, {:.3} GPa here; film thickness does not depend on it",
-            coarse / 1e9,
-            fine / 1e9
-        );
-        let change = (coarse / fine - 1.0).abs();
-        warnings.push(Warning::beyond(WarningKind::Spike, change, text));
-    }
-    let orders = [
-        solution.discretisation.pressure.element.order(),
-        solution.discretisation.contact.deflection.element.order(),
-    ];
-    if orders.contains(&1) {
-        // Measured on a roller: 3 and 4 of the differences that the bars are made of.
-        warnings.push(Warning::new(
-            WarningKind::FirstOrder,
-            "the errors of first-order elements exceed their error bars: use [mesh] pressure_order 2 or \
-             more and elastic_order 2",
-        ));
-    }
-    let d = &solution.discretisation;
-    let profile = Profile::new(d, &solution.state, 2);
-    let films = EdgeFilms {
-        outlet: profile.outlet(),
-        inlet: profile.fields.first().map_or(f64::INFINITY, |f| f.film),
-        centre: central_film(d, &solution.state),
+    let [.., coarse, fine] = pressures[..] else {
+        return None;
     };
-    warnings.extend(edge_warnings(&d.contact.extents, &d.contact.shape, films));
-    warnings
+    let change = (coarse / fine - 1.0).abs();
+    if summary.pressure_maximum.error.is_some() || change <= PRESSURE_RESOLVED || change.is_nan() {
+        return None;
+    }
+    let text = format!(
+        "the largest pressure is that of a spike which the mesh does not resolve: {:.3} GPa on the \
+         mesh before, {:.3} GPa here; film thickness does not depend on it",
+        coarse / 1e9,
+        fine / 1e9
+    );
+    Some(Warning::beyond(WarningKind::Spike, change, text))
 }

@@ -7,7 +7,7 @@ use crate::solve::discretisation::Discretisation;
 use crate::solve::evaluate::central_film;
 use crate::solve::heat::space::HeatSpace;
 use crate::solve::points::fields_in;
-use crate::solve::system::State;
+use crate::solve::state::State;
 
 /// Approximate drawn thickness of the central film, in half-widths.
 const DRAWN_FILM: f64 = 0.05;

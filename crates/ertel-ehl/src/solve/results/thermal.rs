@@ -17,7 +17,7 @@ use crate::solve::heat::balance::heat_balance;
 use crate::solve::heat::space::HeatSpace;
 use crate::solve::points::{fields_at, fields_in};
 use crate::solve::sequence::{Problem, StageSolution};
-use crate::solve::system::State;
+use crate::solve::state::State;
 
 /// Temperatures and heat; `None` for an isothermal solution.
 pub fn thermal(

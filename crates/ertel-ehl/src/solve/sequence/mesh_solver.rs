@@ -11,12 +11,14 @@ use super::{Problem, Stage, StageSolution};
 use crate::engine::{Observer, SolveError, Stopped};
 use crate::solution::LevelStats;
 use crate::solution::Role;
-use crate::solve::adapt::{RefinementEnd, grading_errors, next_refinement};
-use crate::solve::discretisation::{ContactSurface, Discretisation};
+use crate::solve::adapt::{Refinement, RefinementEnd, grading_errors, next_refinement};
+use crate::solve::contact_surface::ContactSurface;
+use crate::solve::discretisation::Discretisation;
 use crate::solve::evaluate::{central_film, minimum_film};
-use crate::solve::newton::{NewtonStats, NewtonStatus};
+use crate::solve::indicator::Indicator;
+use crate::solve::newton_level::{NewtonStats, NewtonStatus};
 use crate::solve::ridge::ridge_shares;
-use crate::solve::system::State;
+use crate::solve::state::State;
 use crate::solve::tuning::stages::{NO_FILM, STAGES_WITHOUT_END};
 
 /// Solves stage by stage; returns the last and the effort on each.
@@ -200,6 +202,39 @@ impl<'a> MeshSolver<'a> {
         self.mesh = Some((*stage, Arc::clone(&mesh)));
         Ok((mesh, true))
     }
+    /// The refinement after a stage, by the indicator of its errors, or why there is none.
+    fn next_refinement(
+        &self,
+        stage: &Stage,
+        indicator: Option<&Indicator>,
+    ) -> Result<Refinement, RefinementEnd> {
+        let problem = self.problem;
+        match (&problem.plan.adapt, indicator) {
+            (Some(adapt), Some(indicator)) => next_refinement(
+                adapt,
+                problem.shape.dim,
+                &self.stats,
+                grading_errors(&problem.shape, problem.elasticity.model, &stage.sizes),
+                stage.refinements - self.inherited,
+                indicator,
+            ),
+            _ => Err(RefinementEnd::NoEstimate),
+        }
+    }
+}
+
+/// Pressure space of a stage on a contact area, with temperatures where it has them.
+fn discretised(problem: &Problem, stage: &Stage, contact: &Arc<ContactSurface>) -> Discretisation {
+    let d = Discretisation::new(contact, stage.pressure_order);
+    let heat = problem.heat.as_ref().zip(problem.plan.heat.as_ref());
+    match heat.filter(|_| stage.heated) {
+        Some((heat, plan)) => d.with_heat(
+            plan.surface_order,
+            plan.column.clone(),
+            plan.column.unheated(heat),
+        ),
+        None => d,
+    }
 }
 
 impl StageSolver for MeshSolver<'_> {
@@ -219,15 +254,7 @@ impl StageSolver for MeshSolver<'_> {
         if fresh {
             (effort.seconds.mesh, effort.seconds.operator) = contact.seconds;
         }
-        let mut d = Discretisation::new(&contact, stage.pressure_order);
-        let heat = problem.heat.as_ref().zip(problem.plan.heat.as_ref());
-        if let Some((heat, plan)) = heat.filter(|_| stage.heated) {
-            d = d.with_heat(
-                plan.surface_order,
-                plan.column.clone(),
-                plan.column.unheated(heat),
-            );
-        }
+        let mut d = discretised(problem, stage, &contact);
         observer.level(
             level,
             level + 1 + task.stages_to_come,
@@ -259,17 +286,7 @@ impl StageSolver for MeshSolver<'_> {
         let indicator = wanted.then(|| run.measure(&state, &mut effort)).flatten();
         let stats = run.stats(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
         self.stats.push(stats);
-        let next = match (&problem.plan.adapt, &indicator) {
-            (Some(adapt), Some(indicator)) if last => next_refinement(
-                adapt,
-                problem.shape.dim,
-                &self.stats,
-                grading_errors(&problem.shape, problem.elasticity.model, &stage.sizes),
-                stage.refinements - self.inherited,
-                indicator,
-            ),
-            _ => Err(RefinementEnd::NoEstimate),
-        };
+        let next = self.next_refinement(stage, indicator.as_ref().filter(|_| last));
         let refinement_end = next.as_ref().err().copied();
         if rough && last && outcome.is_ok() && next.is_err() {
             // Measured, and already accurate enough: the solution itself, to the end.

@@ -1,6 +1,7 @@
 //! Stage after stage from the dry contact to the solution: meshes from coarse to fine, a diffusive start before
 //! the case's own equations, continuations where one fails.
 //!
+//! - `problem`: the contact, the method, the solution of a stage;
 //! - `stage`: the data of one stage;
 //! - `paths`: continuations to the case's own contact through easier ones;
 //! - `driver`: which stage comes next, whatever solves it;
@@ -12,150 +13,13 @@
 mod driver;
 mod mesh_solver;
 mod paths;
+mod problem;
 mod stage;
 pub mod stage_run;
 pub mod start;
 mod warm;
 
-use super::adapt::{AdaptParams, RefinementEnd};
-use super::adjoint::RoughAdjoints;
-use super::discretisation::Discretisation;
-use super::heat::column::Column;
-use super::heat::coupling::{CouplingParams, CouplingStats};
-use super::newton::{NewtonParams, NewtonStatus};
-use super::sizes::{LevelSizes, expected_unknowns};
-use super::system::State;
-use crate::elastic::BodyModel;
-use crate::engine;
-use crate::engine::SolveError;
-use crate::params::LinearSolver;
-use crate::solve::tuning::stages::{MOST_UNKNOWNS, ROOM_TO_REFINE, THIN_RIM};
-
 pub use mesh_solver::solve_stages;
+pub use problem::{HeatPlan, Plan, Problem, StageSolution};
 pub use stage::Stage;
 pub use warm::{Start, solve_on_mesh, solve_warm};
-
-/// A contact to be solved by finite elements.
-pub type Problem = engine::Problem<Plan>;
-
-/// Method of finite elements for a problem.
-pub struct Plan {
-    /// Stages, coarse to fine.
-    pub stages: Vec<Stage>,
-    /// Central film that the meshes are made for: less than that of the start where stress thins the fluid in the inlet.
-    pub mesh_film: f64,
-    /// Film over that of the Newtonian fluid by formulas where stress thins the fluid in the inlet; 1 where it does not.
-    pub thinned_share: f64,
-    /// Newton tolerances and limits.
-    pub newton: NewtonParams,
-    /// Condensed or monolithic.
-    pub linear: LinearSolver,
-    /// Whether errors are estimated.
-    pub error_estimate: bool,
-    /// ρ_r of the stages that need it; 0: none does.
-    pub ridge_diffusion: f64,
-    /// Local refinement of the final stage, if an accuracy is requested.
-    pub adapt: Option<AdaptParams>,
-    /// Temperatures, where heat counts.
-    pub heat: Option<HeatPlan>,
-}
-
-/// How temperatures are solved for.
-#[derive(Clone, Debug)]
-pub struct HeatPlan {
-    /// Order of the temperature over the contact area.
-    pub surface_order: usize,
-    /// Layers over a point.
-    pub column: Column,
-    /// Coupling with the film.
-    pub coupling: CouplingParams,
-}
-
-/// Solution of a stage.
-#[derive(Clone)]
-pub struct StageSolution {
-    /// The discretisation.
-    pub discretisation: Discretisation,
-    /// The state on it.
-    pub state: State,
-    /// The stage it solves.
-    pub stage: Stage,
-    /// State of Newton's method at its end.
-    pub reached: NewtonStatus,
-    /// Whether it reached the tolerance of the stage.
-    pub converged: bool,
-    /// Whether it converged only as far as error estimation needs, and not to the tolerance of the case.
-    pub rough: bool,
-    /// Why its mesh is not refined further; `None` where it was to be.
-    pub refinement_end: Option<RefinementEnd>,
-    /// Convergence of its coupling with the heat, if there is one.
-    pub coupling: Option<CouplingStats>,
-    /// Start of the adjoints, taken out when used because it is large.
-    pub adjoints: Option<Box<RoughAdjoints>>,
-}
-
-/// Share of the Newtonian film that stress leaves in the inlet, below which the constants of shear thinning are named as the reason of a failure:
-/// films of oils are thinned by less.
-const FAR_FROM_OILS: f64 = 0.5;
-
-impl Problem {
-    /// An error with its likely reason: stress that thins the fluid far more than oils.
-    fn explained(&self, error: SolveError) -> SolveError {
-        let share = self.plan.thinned_share;
-        match error {
-            SolveError::NotConverged { .. } | SolveError::AllFailed { .. }
-                if share < FAR_FROM_OILS =>
-            {
-                let error = Box::new(error);
-                SolveError::Thinned { error, share }
-            }
-            other => other,
-        }
-    }
-
-    /// Refuses films that no allowed mesh resolves, before any work.
-    ///
-    /// # Errors
-    /// [`SolveError::TooThin`].
-    pub fn check_size(&self) -> Result<(), SolveError> {
-        let stages = &self.plan.stages;
-        let (Some(first), Some(last)) = (stages.first(), stages.last()) else {
-            return Ok(());
-        };
-        let (stage, limit, help) = match &self.plan.adapt {
-            Some(adapt) => (
-                first,
-                adapt.max_unknowns as f64 / ROOM_TO_REFINE,
-                "a more viscous oil, a faster motion or a lower load makes the film thicker; [mesh] max_unknowns allows more",
-            ),
-            None => {
-                let model = usize::from(self.elasticity.model == BodyModel::FiniteElements);
-                let help = "a more viscous oil, a faster motion or a lower load makes the film thicker; [mesh] preset, \
-                            rim_size and the other sizes lay down larger cells";
-                (last, MOST_UNKNOWNS[model], help)
-            }
-        };
-        // Refinement brings the finer outlet side where the first mesh has none.
-        let sizes = LevelSizes {
-            outlet_rim: stage.sizes.rim,
-            ..stage.sizes
-        };
-        let unknowns = expected_unknowns(&self.shape, &self.extents, &sizes, last.pressure_order);
-        // Only where it is the rim that takes them: large areas around thick films are another matter.
-        let thin = stage.sizes.rim < THIN_RIM * stage.sizes.hertz;
-        if unknowns <= limit || !thin {
-            return Ok(());
-        }
-        let ratio = self.plan.mesh_film;
-        Err(SolveError::TooThin {
-            film: ratio * self.scales.film,
-            sheared: ratio < stage.constants.film_scale,
-            ratio,
-            length: stage.sizes.rim_width,
-            size: stage.sizes.rim,
-            unknowns,
-            limit,
-            help,
-        })
-    }
-}

@@ -2,7 +2,7 @@
 
 use crate::solution::Role;
 use crate::solve::discretisation::LevelSizes;
-use crate::solve::system::FilmConstants;
+use crate::solve::state::FilmConstants;
 use crate::solve::tuning::continuation::LOWER_ORDER;
 
 /// One stage of a solve: a mesh, a pressure order, a formulation.

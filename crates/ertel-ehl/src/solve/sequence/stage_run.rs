@@ -12,10 +12,10 @@ use crate::solve::figures::{Scope, figures};
 use crate::solve::heat::coupling::{CouplingParams, CouplingStats, solve_coupled};
 use crate::solve::heat::deviation::deviation;
 use crate::solve::indicator::{Indicator, indicator};
-use crate::solve::newton::{
+use crate::solve::newton_level::{
     FilmModel, NewtonLevel, NewtonParams, NewtonStats, NewtonStatus, RunLabel,
 };
-use crate::solve::system::{FilmConstants, State};
+use crate::solve::state::{FilmConstants, State};
 pub(super) use crate::solve::tuning::stages::DIVERGENCE_LIMIT;
 use crate::solve::tuning::stages::{
     EARLY_ITERATIONS, EARLY_STAGNATION, EXACT_ENOUGH, EXPONENTIAL_TOLERANCE, PATH_COUPLING,

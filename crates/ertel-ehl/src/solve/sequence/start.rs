@@ -6,7 +6,7 @@ use crate::solve::discretisation::Discretisation;
 use crate::solve::dry::dry_pressure;
 use crate::solve::evaluate::{central_film, minimum_film};
 use crate::solve::points::{fields_at, pressure_at};
-use crate::solve::system::State;
+use crate::solve::state::State;
 
 /// Hertz pressure, and H0 such that the central film is the problem's start film.
 pub fn cold_start(problem: &Problem, d: &Discretisation) -> State {

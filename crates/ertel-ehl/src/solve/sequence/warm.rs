@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::mesh_solver::solve_from;
 use super::{Problem, Stage, StageSolution};
-use crate::contact::{Inlet, hertz};
+use crate::contact::{Inlet, pressure_profile};
 use crate::elastic::{Accuracy, BodyModel, Elasticity, compliance};
 use crate::engine::{Observer, SolveError};
 use crate::solution::LevelStats;
@@ -13,7 +13,7 @@ use crate::solve::adapt::{error_bars, grading_errors};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::evaluate::{central_film, minimum_film};
 use crate::solve::points::pressure_at;
-use crate::solve::system::{FilmConstants, State};
+use crate::solve::state::{FilmConstants, State};
 use crate::solve::tuning::warm::{
     COARSEST, COARSEST_REFINED, FARTHEST_FILM, FINEST, LARGEST_MISS, LEAST_FILM, LONGEST_REACH,
     MISS_GROWTH, MOST_REACH, MOST_ROOM, SHORTEST_REACH,
@@ -190,8 +190,8 @@ fn stretched(d: &Discretisation, state: &State, q: f64) -> Vec<f64> {
             let zone = &d.contact.shape.zone;
             let peak = zone.peak([p[0], p[1]]);
             let excess = pressure_at(d, &state.pressure, zone.drawn_in([p[0], p[1]], share))
-                - peak * hertz::pressure_profile(from);
-            (peak * hertz::pressure_profile(r) + q.sqrt() * excess).max(0.0)
+                - peak * pressure_profile(from);
+            (peak * pressure_profile(r) + q.sqrt() * excess).max(0.0)
         })
         .collect()
 }

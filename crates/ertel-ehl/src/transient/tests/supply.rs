@@ -12,15 +12,19 @@ use crate::transient::levels::held;
 use crate::transient::scheme::{MEMORY, Weights};
 use crate::transient::{Cavities, Conditions, Course, Speeds};
 use crate::volumes::Plan;
-use crate::volumes::behind::Edges;
 use crate::volumes::contents::Arrival;
+use crate::volumes::contents::Edges;
 use crate::volumes::deflection::Deflection;
 use crate::volumes::ending::Ends;
 use crate::volumes::engine::pattern;
+use crate::volumes::grid::Grid;
 use crate::volumes::grid::{Grid, RING};
 use crate::volumes::kernel::Kernel;
 use crate::volumes::newton::{NewtonParams, newton};
-use crate::volumes::system::{Balance, State, Storage, System};
+use crate::volumes::preconditioner::pattern;
+use crate::volumes::rows::RING;
+use crate::volumes::storage::Storage;
+use crate::volumes::system::{Balance, State, System};
 
 fn params() -> Params {
     Params {

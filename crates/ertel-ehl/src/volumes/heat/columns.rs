@@ -12,9 +12,9 @@ use crate::engine::PointFields;
 use crate::film::cross_film::CrossFilm;
 use crate::film::{FilmFluid, FilmNodes, MOST_NODES};
 use crate::forms::energy::{FilmColumn, FilmPlace, Heat, Heights, film_column};
-use crate::volumes::film::slopes;
 use crate::volumes::grid::Grid;
-use crate::volumes::system::Storage;
+use crate::volumes::grid::slopes;
+use crate::volumes::storage::Storage;
 use crate::volumes::thinning::UNRESOLVED;
 
 /// Coefficients of the heat equations of a film.

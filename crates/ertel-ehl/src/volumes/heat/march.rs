@@ -10,7 +10,7 @@ use ertel_fem::kernel;
 use ertel_fem::linear::dense::vectorised;
 use rayon::prelude::*;
 
-use super::transport::{AtHeights, BATCH, Flow};
+use super::flow::{AtHeights, BATCH, Flow};
 
 /// Response of the nodes within the film to inflow and walls, at each node of a grid.
 pub struct March {

@@ -14,10 +14,10 @@
 //! | [`turning`] | spinning bodies, mapped to a plane |
 //! | [`memory`] | stored heat of the bodies in time |
 //! | [`columns`] | the energy equation of the film over each node |
-//! | [`transport`] | heat flow from node to node |
+//! | [`flow`], [`transport`] | heat flow from node to node |
 //! | [`march`] | temperatures of the film by those of the walls, along the flow |
 //! | [`temperatures`] | Newton's method for film and surfaces |
-//! | [`warmth`] | temperature-dependent coefficients of the film equation |
+//! | [`warmth`], [`warm_up`] | temperature-dependent coefficients of the film equation |
 //! | [`rounds`] | film and heat in turn, from grid to grid |
 //! | [`tangents`] | derivatives of both by an input |
 //! | [`figures`], [`output`] | temperatures and heat in numbers; for results |
@@ -26,6 +26,7 @@
 
 pub mod columns;
 pub mod figures;
+pub mod flow;
 pub mod march;
 pub mod memory;
 pub mod output;
@@ -36,9 +37,12 @@ pub mod tangents;
 pub mod temperatures;
 pub mod transport;
 pub mod turning;
+pub mod warm_up;
 pub mod warmth;
 
-pub use rounds::{Params, Warm};
+pub use rounds::Params;
+
+pub use temperatures::Warm;
 
 #[cfg(test)]
 mod tests;

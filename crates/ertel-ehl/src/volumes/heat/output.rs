@@ -6,10 +6,11 @@ use crate::params::ThermalParams;
 use crate::post::thermal::cross_film::profiles;
 use crate::post::thermal::{temperatures, thermal_of};
 use crate::solution::{Coupling, Estimate, Figure, Measured, Thermal, ThermalReduction};
-use crate::volumes::engine::{FiniteVolumes, Plan, Volumes};
+use crate::volumes::engine::{FiniteVolumes, Volumes};
 use crate::volumes::fields::{nodes, profile};
 use crate::volumes::figures::{Slowest, bar};
 use crate::volumes::film::PatchedFilm;
+use crate::volumes::plan::Plan;
 use crate::volumes::reduction::on_grids;
 
 /// Temperatures and heat; `None` for an isothermal solution.

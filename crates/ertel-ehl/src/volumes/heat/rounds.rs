@@ -6,8 +6,8 @@
 use ertel_fem::platform::Instant;
 
 use super::columns::{Columns, FilmHeat, Films};
-use super::temperatures::{self, Account, Bodies, Temperatures, step, unheated};
-use super::warmth::warmth;
+use super::temperatures::{self, Bodies, Effort, Temperatures, Warm, step, unheated};
+use super::warm_up::warmth;
 use crate::engine::HeatError;
 use crate::engine::coupling::{INNER_SHARE, NEGLIGIBLE_RISE, Relaxation};
 use crate::engine::{Observer, Problem, SolveError};
@@ -15,7 +15,8 @@ use crate::forms::energy::{Heat, Heights};
 use crate::volumes::contents::missing;
 use crate::volumes::level::{Level, Sampled, outside};
 use crate::volumes::newton::NewtonInfo;
-use crate::volumes::system::{Linearised, State, Storage, System};
+use crate::volumes::storage::Storage;
+use crate::volumes::system::{Linearised, State, System};
 
 /// Parameters of the heat solver.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,35 +47,6 @@ impl Params {
     pub fn in_force(&self, target_error: f64) -> f64 {
         self.tolerance.max(self.share_of_target * target_error)
     }
-}
-
-/// Effort on the heat of a grid.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Effort {
-    /// Rounds of film and heat.
-    pub rounds: usize,
-    /// Ratio by which changes shrank from round to round.
-    pub contraction: f64,
-    /// The last change.
-    pub change: f64,
-    /// Steps for the temperatures.
-    pub iterations: usize,
-    /// Krylov iterations for them.
-    pub krylov_iterations: usize,
-    /// Wall seconds for them.
-    pub seconds: f64,
-}
-
-/// Heat of a grid.
-pub struct Warm {
-    /// The bodies below it.
-    pub bodies: Bodies,
-    /// Temperatures.
-    pub temperatures: Temperatures,
-    /// Heat made and carried off at each node.
-    pub account: Account,
-    /// Effort.
-    pub effort: Effort,
 }
 
 /// Ratio of successive changes above which the flow is held fixed from then on.

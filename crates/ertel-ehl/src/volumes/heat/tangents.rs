@@ -16,10 +16,13 @@ use ertel_fem::linear::recycled::Recycled;
 use std::sync::OnceLock;
 
 use super::columns::{Columns, Films};
-use super::rounds::{Effort, Rounds, Warm, lacking, largest_rise};
+use super::flow::Flow;
+use super::rounds::{Rounds, lacking, largest_rise};
 use super::temperatures::{Bodies, Temperatures, change, column, missing, note_flux};
-use super::transport::{Flow, Sweeps, Transport};
-use super::warmth::{self, Warmth};
+use super::temperatures::{Effort, Warm};
+use super::transport::{Sweeps, Transport};
+use super::warm_up;
+use super::warmth::Warmth;
 use crate::engine::sensitivity::NoDerivative;
 use crate::film::Nodal;
 use crate::forms::energy::Heat;
@@ -257,7 +260,7 @@ pub fn solve<'a>(
         walls: missing(grid, &own.bodies, of.nodes(), &heated),
         residual,
         flux: heated.flux,
-        warmth: warmth::warmth(&own.system, &own.state.pressure, &films, temperature),
+        warmth: warm_up::warmth(&own.system, &own.state.pressure, &films, temperature),
         rise: largest_rise(&own.temperatures, own.rounds.heat),
         own,
         at,
@@ -415,7 +418,7 @@ impl Coupled<'_, '_> {
             add(flux, by, 1.0);
         }
         // Effect on the film.
-        let rebuilt = warmth::at(
+        let rebuilt = warm_up::at(
             &system,
             (&state.pressure, &films),
             &temperatures.film,

@@ -373,3 +373,32 @@ pub fn account(
 pub fn heights(of: &crate::film::FilmFluid) -> Option<Heights> {
     of.nodes().map(Heights::new)
 }
+
+/// Effort on the heat of a grid.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Effort {
+    /// Rounds of film and heat.
+    pub rounds: usize,
+    /// Ratio by which changes shrank from round to round.
+    pub contraction: f64,
+    /// The last change.
+    pub change: f64,
+    /// Steps for the temperatures.
+    pub iterations: usize,
+    /// Krylov iterations for them.
+    pub krylov_iterations: usize,
+    /// Wall seconds for them.
+    pub seconds: f64,
+}
+
+/// Heat of a grid.
+pub struct Warm {
+    /// The bodies below it.
+    pub bodies: Bodies,
+    /// Temperatures.
+    pub temperatures: Temperatures,
+    /// Heat made and carried off at each node.
+    pub account: Account,
+    /// Effort.
+    pub effort: Effort,
+}

@@ -7,18 +7,23 @@ use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
 
 use super::columns::{FilmHeat, Films};
 use super::temperatures::{Bodies, Temperatures, account, step, unheated};
-use super::warmth::of_film;
+use super::warm_up::of_film;
 use crate::contact::{HertzZone, Motion, Turn};
 use crate::film::cross_film::CrossFilm;
 use crate::film::{FilmFluid, FilmNodes, MOST_NODES};
 use crate::forms::energy::{BodyHeat, Heat, Heights};
 use crate::transient::scheme::Weights;
-use crate::volumes::behind::Edges;
 use crate::volumes::contents::Arrival;
+use crate::volumes::contents::Edges;
+use crate::volumes::convolution::Convolution;
 use crate::volumes::deflection::Deflection;
+use crate::volumes::grid::Grid;
 use crate::volumes::grid::{Grid, RING};
 use crate::volumes::kernel::Kernel;
+use crate::volumes::rows::RING;
+use crate::volumes::storage::Storage;
 use crate::volumes::system::{Balance, Linearised, State, Storage, System};
+use crate::volumes::system::{Balance, Linearised, State, System};
 use crate::volumes::tests::problem;
 
 const AMBIENT: f64 = 313.15;

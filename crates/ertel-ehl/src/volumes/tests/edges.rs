@@ -6,8 +6,9 @@ use super::{problem, solved};
 use crate::contact::Motion;
 use crate::engine::{Film, NoObserver, Problem};
 use crate::solution::Figure;
-use crate::volumes::engine::{FiniteVolumes, Plan};
+use crate::volumes::engine::FiniteVolumes;
 use crate::volumes::film::PatchedFilm;
+use crate::volumes::plan::Plan;
 
 /// A ball with these edges.
 fn with_edges([inlet, outlet, side]: [f64; 3]) -> Problem<Plan> {

@@ -9,8 +9,8 @@ use crate::contact::Roller;
 use crate::contact::roller::Profile;
 use crate::engine::SolveError;
 use crate::volumes::deflection::Deflection;
-use crate::volumes::grid::RING;
 use crate::volumes::roller_zone::with_rows_by_film;
+use crate::volumes::rows::RING;
 use crate::volumes::rows::Rows;
 
 /// Rows from −1 to 1, or to the middle, whose distances change by a factor of six: `n` steps on either side.

@@ -8,7 +8,7 @@ use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::prelude::{Reborrow, ReborrowMut};
 use faer::{Accum, MatMut, Par};
 
-use super::CholeskyError;
+use crate::linear::ordering::OrderingError;
 use crate::platform::all_cores;
 
 /// Lower factor of a dense matrix, in its place.
@@ -55,4 +55,23 @@ fn cholesky(matrix: MatMut<f64>, par: Par) -> Result<(), String> {
     )
     .map(drop)
     .map_err(|e| format!("{e:?}"))
+}
+
+/// The factorisation failed.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum CholeskyError {
+    /// The ordering failed.
+    #[error(transparent)]
+    Ordering(#[from] OrderingError),
+    /// A pivot was not positive: the body is not fixed, or an element is inverted.
+    #[error("stiffness of {n} unknowns is not positive definite: {reason}")]
+    NotPositiveDefinite {
+        /// Unknowns.
+        n: usize,
+        /// Message of the library.
+        reason: String,
+    },
+    /// Stopped on request.
+    #[error("interrupted")]
+    Interrupted,
 }

@@ -23,36 +23,18 @@ use faer::linalg::triangular_solve::{
 use faer::prelude::ReborrowMut;
 use faer::{ColMut, MatMut, MatRef, Par};
 
+pub use cholesky::CholeskyError;
+
 use crate::assembly::{DofMap, NodeGraph};
 use crate::linear::Stop;
 use crate::linear::compliance::Compliance;
 use crate::linear::fronts::{Front, Fronts};
-use crate::linear::ordering::OrderingError;
 use crate::platform::all_cores;
 use crate::space::Space;
 use cholesky::{eliminate, factor};
 use plan::{add_element, elements_of_fronts, elimination, is_last, places};
 use triangle::{Left, add_children, lower_triangle, on_columns};
 use workspace::Workspace;
-
-/// The factorisation failed.
-#[derive(Clone, Debug, thiserror::Error)]
-pub enum CholeskyError {
-    /// The ordering failed.
-    #[error(transparent)]
-    Ordering(#[from] OrderingError),
-    /// A pivot was not positive: the body is not fixed, or an element is inverted.
-    #[error("stiffness of {n} unknowns is not positive definite: {reason}")]
-    NotPositiveDefinite {
-        /// Unknowns.
-        n: usize,
-        /// Message of the library.
-        reason: String,
-    },
-    /// Stopped on request.
-    #[error("interrupted")]
-    Interrupted,
-}
 
 /// Factorised stiffness with its condensed part.
 pub struct CondensedStiffness {

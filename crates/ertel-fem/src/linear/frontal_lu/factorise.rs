@@ -4,7 +4,7 @@ use faer::linalg::matmul::matmul;
 use faer::prelude::{Reborrow, ReborrowMut};
 use faer::{Accum, Mat, MatMut, Par};
 
-use super::{FrontalError, FrontalPattern};
+use super::FrontalPattern;
 
 impl FrontalPattern {
     /// Factorises the front `k`, given what its children leave.
@@ -93,4 +93,12 @@ fn invert(mut a: MatMut<f32>, mut inverse: MatMut<f32>) -> Option<()> {
     );
     faer::linalg::triangular_solve::solve_upper_triangular_in_place(a.rb(), inverse, Par::Seq);
     regular.then_some(())
+}
+
+/// The matrix could not be factorised in the order of its pattern.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("frontal LU broke down: a block of {size} unknowns is singular")]
+pub struct FrontalError {
+    /// Unknowns of the block.
+    pub size: usize,
 }

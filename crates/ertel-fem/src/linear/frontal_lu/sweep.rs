@@ -1,11 +1,13 @@
-//! Solves with the factors: down the fronts and up again.
+//! A factorised matrix and its solves: down the fronts and up again.
 
 use std::ops::RangeInclusive;
+use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::factorise::Left;
 use super::factors::Factors;
-use super::{FrontalLu, FrontalPattern};
+use super::{FrontalError, FrontalPattern};
 use crate::kernel;
 use crate::linear::dense::vectorised;
 use crate::linear::fronts::Front;
@@ -194,5 +196,58 @@ impl Run<'_> {
                 *x -= value;
             }
         }
+    }
+}
+
+/// A factorised matrix.
+#[derive(Clone, Debug)]
+pub struct FrontalLu {
+    pattern: Arc<FrontalPattern>,
+    factors: Arc<Factors>,
+    x: Vec<f32>,
+    /// Scratch of each part, and of the fronts above them.
+    scratch: Vec<Scratch>,
+}
+
+impl FrontalLu {
+    /// Factorises the matrix whose entries, in the order of the pattern's list, are `values`; equal
+    /// places add up.
+    ///
+    /// # Errors
+    /// When a diagonal block is singular.
+    pub fn new(pattern: &Arc<FrontalPattern>, values: &[f64]) -> Result<FrontalLu, FrontalError> {
+        let mut storage = vec![0.0; pattern.n_stored()];
+        let front =
+            |k: usize, kept: &mut [f32], left: Vec<Left>| pattern.factorise(k, values, kept, left);
+        pattern
+            .fronts
+            .eliminate(&pattern.starts, &mut storage, &front)?;
+        let fronts = &pattern.fronts.fronts;
+        let largest = |f: fn(&Front) -> usize| vec![0.0; fronts.iter().map(f).max().unwrap_or(0)];
+        let scratch = |n_beyond: usize| Scratch {
+            outer: largest(|f| f.boundary.len()),
+            own: largest(|f| f.n_own),
+            beyond: vec![0.0; n_beyond],
+        };
+        let below = pattern.parts.iter().map(|root| {
+            let f = &fronts[*root];
+            scratch(pattern.n() - f.first - f.n_own)
+        });
+        Ok(FrontalLu {
+            pattern: Arc::clone(pattern),
+            factors: Arc::new(Factors::new(storage)),
+            x: vec![0.0; pattern.n()],
+            scratch: below.chain([scratch(0)]).collect(),
+        })
+    }
+
+    /// Solves in place, approximately.
+    pub fn solve(&mut self, rhs: &mut [f64]) {
+        self.sweep(rhs, Side::Matrix);
+    }
+
+    /// Solves with the transposed matrix in place, approximately.
+    pub fn solve_transposed(&mut self, rhs: &mut [f64]) {
+        self.sweep(rhs, Side::Transposed);
     }
 }

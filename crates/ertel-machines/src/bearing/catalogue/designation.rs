@@ -95,7 +95,7 @@ pub(super) fn unknown(given: &str) -> DesignationError {
     // Four digits, such as 6806: the last two are the bore code.
     let is_long = wanted.len() == 4 && wanted.chars().all(|c| c.is_ascii_digit());
     let bore = is_long.then(|| &wanted[2..]);
-    let mut known: Vec<String> = super::all().collect();
+    let mut known: Vec<String> = all().collect();
     known.sort_by_key(|name| {
         let common = (name.chars().zip(wanted.chars()))
             .take_while(|(a, b)| a == b)
@@ -264,4 +264,13 @@ fn neglected_by(suffix: &str) -> Option<&'static str> {
 /// Suffixes of seals and shields that begin with a digit.
 fn is_seal(token: &str) -> bool {
     token.starts_with("2R") || token.starts_with("2Z")
+}
+
+/// Designations of all bearings of the catalogue, by series.
+pub fn all() -> impl Iterator<Item = String> {
+    Series::ALL.into_iter().flat_map(|series| {
+        series
+            .codes()
+            .map(move |code| Designation::plain(series, code).name())
+    })
 }

@@ -152,7 +152,7 @@ impl Internal {
     }
 }
 
-impl super::Entry {
+impl Entry {
     /// The geometry to calculate with.
     pub fn geometry(&self) -> Geometry {
         self.internal.geometry()
@@ -285,4 +285,17 @@ fn estimated_balls(
         groove,
         play,
     })
+}
+
+/// A bearing of the catalogue.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// The designation requested.
+    pub designation: Designation,
+    /// Its boundary dimensions.
+    pub boundary: Boundary,
+    /// Its internal geometry.
+    pub internal: Internal,
+    /// Load ratings C and C_0, N, and who gives them.
+    pub ratings: Option<Sourced<[f64; 2]>>,
 }

@@ -12,64 +12,11 @@ mod tapered;
 
 pub use clearance::{ClearanceClass, radial_clearance};
 pub use designation::{Designation, DesignationError};
+pub use designation::{Designation, DesignationError, all};
+pub use dimensions::{Boundary, Special};
 pub use internal::{Balls, Internal, Origin, Rollers, Sourced};
+pub use internal::{Entry, Internal, Origin, Rollers, Sourced};
 pub use series::Series;
-
-/// Boundary dimensions, m.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Boundary {
-    /// Bore d.
-    pub bore: f64,
-    /// Outside diameter D.
-    pub outside: f64,
-    /// Width B; of tapered roller bearings that of the cone.
-    pub width: f64,
-    /// Dimensions that only some kinds have.
-    pub special: Special,
-}
-
-/// Dimensions that only some kinds of bearings have.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Special {
-    /// None: ball bearings.
-    None,
-    /// Diameters of the raceways of cylindrical roller bearings, m.
-    Raceways {
-        /// F, of the inner ring.
-        inner: f64,
-        /// E, of the outer ring.
-        outer: f64,
-    },
-    /// Of tapered roller bearings.
-    Taper {
-        /// Width of the cup C, m.
-        cup_width: f64,
-        /// Width of the whole bearing T, m.
-        width: f64,
-        /// Contact angle α, rad: half of the cup's angle.
-        contact_angle: f64,
-    },
-}
-
-impl Boundary {
-    /// Mean diameter (d + D)/2, m.
-    pub fn mean_diameter(&self) -> f64 {
-        0.5 * (self.bore + self.outside)
-    }
-}
-
-/// A bearing of the catalogue.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Entry {
-    /// The designation requested.
-    pub designation: Designation,
-    /// Its boundary dimensions.
-    pub boundary: Boundary,
-    /// Its internal geometry.
-    pub internal: Internal,
-    /// Load ratings C and C_0, N, and who gives them.
-    pub ratings: Option<Sourced<[f64; 2]>>,
-}
 
 /// The bearing of a designation such as `6206-2RS/C3`, `7210 B`, `NU 206 E` or `30206`.
 ///
@@ -88,15 +35,6 @@ pub fn find(designation: &str) -> Result<Entry, DesignationError> {
         designation,
         boundary,
         internal,
-    })
-}
-
-/// Designations of all bearings of the catalogue, by series.
-pub fn all() -> impl Iterator<Item = String> {
-    Series::ALL.into_iter().flat_map(|series| {
-        series
-            .codes()
-            .map(move |code| Designation::plain(series, code).name())
     })
 }
 

@@ -1,6 +1,6 @@
 //! Palmgren's model of friction: a moment of the oil and one of the load.
 
-use super::{Error, not_negative, positive};
+use super::error::{Error, not_negative, positive};
 
 /// Oil supply of the bearing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

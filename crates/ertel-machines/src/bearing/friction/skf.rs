@@ -1,7 +1,7 @@
 //! SKF's model of friction, without seals and drag.
 
-use super::skf_series::{SkfSeries, Variables};
-use super::{Error, not_negative, positive};
+use super::error::{Error, not_negative, positive};
+use super::skf_series::{SkfSeries, SkfState, Variables};
 
 /// Constants of lubrication.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,27 +23,6 @@ impl Default for SkfParams {
             film_friction: 0.05,
         }
     }
-}
-
-/// A bearing at work.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SkfState {
-    /// Bore d, m.
-    pub bore: f64,
-    /// Outside diameter D, m.
-    pub outside: f64,
-    /// Speed of the rings against each other, rad/s.
-    pub speed: f64,
-    /// Kinematic viscosity of the oil at temperature, m²/s.
-    pub viscosity: f64,
-    /// F_r, N.
-    pub radial: f64,
-    /// F_a, N.
-    pub axial: f64,
-    /// C_0, N: of deep groove ball bearings.
-    pub static_rating: f64,
-    /// Y: of tapered roller bearings.
-    pub axial_factor: f64,
 }
 
 /// Moments and what they are made of.

@@ -1,7 +1,6 @@
 //! Kinds of bearings in SKF's model of friction.
 
-use super::skf::SkfState;
-use super::{Error, not_negative, positive};
+use super::error::{Error, not_negative, positive};
 
 /// Series with constants R and S.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -170,6 +169,27 @@ impl SkfSeries {
         };
         Ok(Variables { rolling, sliding })
     }
+}
+
+/// A bearing at work.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SkfState {
+    /// Bore d, m.
+    pub bore: f64,
+    /// Outside diameter D, m.
+    pub outside: f64,
+    /// Speed of the rings against each other, rad/s.
+    pub speed: f64,
+    /// Kinematic viscosity of the oil at temperature, m²/s.
+    pub viscosity: f64,
+    /// F_r, N.
+    pub radial: f64,
+    /// F_a, N.
+    pub axial: f64,
+    /// C_0, N: of deep groove ball bearings.
+    pub static_rating: f64,
+    /// Y: of tapered roller bearings.
+    pub axial_factor: f64,
 }
 
 #[cfg(test)]

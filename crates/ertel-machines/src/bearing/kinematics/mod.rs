@@ -6,28 +6,14 @@
 mod ball;
 mod heathcote;
 mod roller;
+mod speeds;
 
 pub use ball::{BallMotion, RacewayControl};
 pub use heathcote::{deformed_radius, heathcote_number, heathcote_slip};
 pub use roller::RollerMotion;
+pub use speeds::Speeds;
 
 use super::Geometry;
-
-/// Speeds of both rings, rad/s, in the same direction of rotation.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Speeds {
-    /// ω_i.
-    pub inner: f64,
-    /// ω_o.
-    pub outer: f64,
-}
-
-impl Speeds {
-    /// ω_i − ω_o.
-    pub fn relative(&self) -> f64 {
-        self.inner - self.outer
-    }
-}
 
 /// Speed factor n d_m, mm/min: speed of the rings against each other times pitch diameter (m).
 pub fn speed_factor(speeds: Speeds, pitch_diameter: f64) -> f64 {

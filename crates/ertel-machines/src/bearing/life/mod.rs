@@ -6,6 +6,7 @@
 
 mod contamination;
 mod equivalent;
+mod error;
 mod factor;
 mod fatigue_limit;
 mod induced;
@@ -15,70 +16,27 @@ mod roller_rating;
 mod roller_reference;
 mod table;
 
-use ertel_ehl::words::digits;
-
 pub use contamination::{Cleanliness, GuideCleanliness, contamination_factor, contamination_guide};
 pub use equivalent::{
     Factors, dynamic_equivalent_load, dynamic_factors, factors, static_equivalent_load,
 };
+pub use error::Error;
+pub(crate) use error::positive;
 pub use factor::{
     Kind, Lubrication, life_factor, reference_viscosity, reliability_factor, viscosity_ratio,
 };
 pub use fatigue_limit::{fatigue_limit, fatigue_limit_of_contact, simple_fatigue_limit};
 pub use induced::{induced_axial_load, is_one_sided, nominal_angle};
-pub use rating::{ball_rating, ball_rating_factor, deep_groove_static_rating, has_wide_grooves};
+pub use rating::{
+    BALL_EXPONENT, ROLLER_EXPONENT, ball_rating, ball_rating_factor, deep_groove_static_rating,
+    has_wide_grooves,
+};
 pub use reference::{ReferenceLife, equivalent_element_load, reference_life};
 pub use roller_rating::{
     RollerRow, roller_equivalent_load, roller_factors, roller_rating, roller_rating_factor,
     roller_static_factors, roller_static_rating,
 };
 pub use roller_reference::{roller_reference_life, stress_riser};
-
-/// Exponent of the life of ball bearings, L10 = (C/P)³.
-pub const BALL_EXPONENT: f64 = 3.0;
-/// Exponent of the life of roller bearings, L10 = (C/P)^(10/3).
-pub const ROLLER_EXPONENT: f64 = 10.0 / 3.0;
-
-/// A range in words.
-fn range(low: f64, high: f64) -> String {
-    match (low == f64::NEG_INFINITY, high == f64::INFINITY) {
-        (_, true) => format!("{} and more", digits(low, 4)),
-        (true, _) => format!("{} and less", digits(high, 4)),
-        _ => format!("{} to {}", digits(low, 4), digits(high, 4)),
-    }
-}
-
-/// Why there is no rating or life.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum Error {
-    /// Outside of a standard's table or range, which is not extrapolated.
-    #[error("{name} is {}; the standard covers {}", digits(*.value, 4), range(*.low, *.high))]
-    Range {
-        /// What.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-        /// First value covered.
-        low: f64,
-        /// Last value covered.
-        high: f64,
-    },
-    /// A number that must be positive.
-    #[error("{name} is {value}; it must be positive")]
-    Positive {
-        /// What.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-    },
-}
-
-pub(crate) fn positive(name: &'static str, value: f64) -> Result<f64, Error> {
-    match value > 0.0 && value.is_finite() {
-        true => Ok(value),
-        false => Err(Error::Positive { name, value }),
-    }
-}
 
 /// Basic rating life, in revolutions, of the rating C and the equivalent load P, both N.
 ///

@@ -118,6 +118,12 @@ pub fn deep_groove_static_rating(
     Ok(reduction * f_0 * geometry.number as f64 * diameter * diameter * nominal_angle.cos())
 }
 
+/// Exponent of the life of ball bearings, L10 = (C/P)³.
+pub const BALL_EXPONENT: f64 = 3.0;
+
+/// Exponent of the life of roller bearings, L10 = (C/P)^(10/3).
+pub const ROLLER_EXPONENT: f64 = 10.0 / 3.0;
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -6,8 +6,7 @@ use ertel_ehl::contact::Ellipse;
 use nalgebra::{SMatrix, Vector2};
 
 use super::ball::{Ball, BallState};
-use super::newton::{Push, Row, Vector};
-use super::solve::direction;
+use super::newton::{Push, Row, Vector, direction};
 use super::{Element, RingContact};
 use crate::bearing::geometry::{BallGeometry, Ring};
 use crate::bearing::kinematics::{BallMotion, RacewayControl};

@@ -19,8 +19,6 @@ mod solve;
 #[cfg(test)]
 mod tests;
 
-pub use solve::solve;
-
 use ertel_ehl::contact::{Contact, Curvatures};
 
 use super::geometry::{GeometryError, Ring};

@@ -1,5 +1,7 @@
 //! Newton's method for the five degrees of freedom of a ring.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Matrix2, SMatrix, SVector, Vector2};
 
 use super::{Distribution, Element, Error, Given, Info, Params};
@@ -253,4 +255,18 @@ fn finish(
         stiffness: std::array::from_fn(|i| std::array::from_fn(|j| reaction.stiffness[(i, j)])),
         info,
     })
+}
+
+pub(super) fn angles(number: usize, params: &Params) -> Vec<f64> {
+    (0..number)
+        .map(|j| params.first_element + TAU * j as f64 / number as f64)
+        .collect()
+}
+
+/// Direction of the radial load; x where there is none.
+pub(super) fn direction(load: &Vector) -> [f64; 2] {
+    match load[0].hypot(load[1]) {
+        0.0 => [1.0, 0.0],
+        size => [load[0] / size, load[1] / size],
+    }
 }

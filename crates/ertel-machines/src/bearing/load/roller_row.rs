@@ -3,9 +3,8 @@
 use ertel_ehl::contact::{Contact, Curvatures, Hertz};
 use nalgebra::{SMatrix, Vector2};
 
-use super::newton::{Push, Row, Vector};
+use super::newton::{Push, Row, Vector, angles, direction};
 use super::roller::{Roller, RollerState};
-use super::solve::{angles, direction};
 use super::{Element, Params, RingContact, Slice};
 use crate::bearing::Material;
 use crate::bearing::geometry::{Ring, RollerGeometry, TaperedGeometry};

@@ -1,72 +1,72 @@
 //! From a bearing and its loads to the distribution.
 
-use std::f64::consts::TAU;
-
 use super::ball::Ball;
 use super::ball_row::Balls;
-use super::newton::{Row, Vector};
+use super::newton::{Row, angles};
 use super::roller_row::Rollers;
 use super::{Distribution, Error, Given, Loads, Params};
 use crate::bearing::kinematics::Speeds;
 use crate::bearing::{Bearing, Geometry, Material};
 
-/// Solves the equilibrium of the inner ring.
-///
-/// # Errors
-/// Geometries and loads that make no sense, no load at all, and no convergence.
-pub fn solve(
-    bearing: &Bearing,
-    loads: &Loads,
-    speeds: Speeds,
-    params: &Params,
-) -> Result<Distribution, Error> {
-    bearing.geometry.check()?;
-    check(bearing, loads, speeds, params)?;
-    let given = loads.all();
-    match &bearing.geometry {
-        Geometry::Ball(geometry) => {
-            let solved = |params: &Params| {
-                let row = Balls {
-                    geometry,
-                    ball: Ball::new(geometry, bearing.material, speeds, params),
-                    angles: angles(geometry.number, params),
-                    control: params.control,
-                };
-                row.solve(given, params)
-            };
-            match solved(params) {
-                Err(Error::Element { .. } | Error::NoConvergence { .. })
-                    if params.gyroscopic_moment && speeds != Speeds::default() =>
-                {
-                    let without = Params {
-                        gyroscopic_moment: false,
-                        ..*params
+impl Bearing {
+    /// Loads, angles, speeds and dry contacts of all elements.
+    ///
+    /// # Errors
+    /// Geometries and loads that make no sense, no load at all, and no convergence.
+    pub fn solve(
+        &self,
+        loads: &Loads,
+        speeds: Speeds,
+        params: &Params,
+    ) -> Result<Distribution, Error> {
+        self.geometry.check()?;
+        check(self, loads, speeds, params)?;
+        let given = loads.all();
+        match &self.geometry {
+            Geometry::Ball(geometry) => {
+                let solved = |params: &Params| {
+                    let row = Balls {
+                        geometry,
+                        ball: Ball::new(geometry, self.material, speeds, params),
+                        angles: angles(geometry.number, params),
+                        control: params.control,
                     };
-                    let mut found = solved(&without)?;
-                    found.info.gyroscopic_slip = true;
-                    Ok(found)
+                    row.solve(given, params)
+                };
+                match solved(params) {
+                    Err(Error::Element { .. } | Error::NoConvergence { .. })
+                        if params.gyroscopic_moment && speeds != Speeds::default() =>
+                    {
+                        let without = Params {
+                            gyroscopic_moment: false,
+                            ..*params
+                        };
+                        let mut found = solved(&without)?;
+                        found.info.gyroscopic_slip = true;
+                        Ok(found)
+                    }
+                    other => other,
                 }
-                other => other,
             }
-        }
-        Geometry::CylindricalRoller(geometry) => {
-            let mut given = given;
-            match given[2] {
-                Given::Load(load) if load != 0.0 => return Err(Error::AxialLoad(load)),
-                // No force follows from an axial shift.
-                _ => given[2] = Given::Shift(0.0),
+            Geometry::CylindricalRoller(geometry) => {
+                let mut given = given;
+                match given[2] {
+                    Given::Load(load) if load != 0.0 => return Err(Error::AxialLoad(load)),
+                    // No force follows from an axial shift.
+                    _ => given[2] = Given::Shift(0.0),
+                }
+                let row = Rollers::cylindrical(geometry, self.material, speeds, params);
+                row.solve(given, params)
             }
-            let row = Rollers::cylindrical(geometry, bearing.material, speeds, params);
-            row.solve(given, params)
-        }
-        Geometry::TaperedRoller(geometry) => {
-            if let Given::Load(load) = given[2]
-                && load <= 0.0
-            {
-                return Err(Error::Separation(load));
+            Geometry::TaperedRoller(geometry) => {
+                if let Given::Load(load) = given[2]
+                    && load <= 0.0
+                {
+                    return Err(Error::Separation(load));
+                }
+                let row = Rollers::tapered(geometry, self.material, speeds, params);
+                row.solve(given, params)
             }
-            let row = Rollers::tapered(geometry, bearing.material, speeds, params);
-            row.solve(given, params)
         }
     }
 }
@@ -103,18 +103,4 @@ fn check(bearing: &Bearing, loads: &Loads, speeds: Speeds, params: &Params) -> R
         value("load or shift", number, number.is_finite())?;
     }
     Ok(())
-}
-
-pub(super) fn angles(number: usize, params: &Params) -> Vec<f64> {
-    (0..number)
-        .map(|j| params.first_element + TAU * j as f64 / number as f64)
-        .collect()
-}
-
-/// Direction of the radial load; x where there is none.
-pub(super) fn direction(load: &Vector) -> [f64; 2] {
-    match load[0].hypot(load[1]) {
-        0.0 => [1.0, 0.0],
-        size => [load[0] / size, load[1] / size],
-    }
 }

@@ -3,8 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{
-    GearDimensions, GearError, GearWarning, Member, TipAlteration, checks, inverse_involute,
-    involute,
+    GearDimensions, GearError, GearWarning, Member, TipAlteration, inverse_involute, involute,
 };
 
 /// The centre distance may differ by this many modules from that without backlash: shifts are written with a few digits, and teeth are made thinner.
@@ -161,7 +160,7 @@ impl GearPair {
             overlap_ratio: face_width * beta.sin() / (PI * module),
             warnings: Vec::new(),
         };
-        checks::tips(&pair)?;
+        pair.check_tips()?;
         pair.lay_path();
         pair.contact_ratio = (pair.points.e - pair.points.a) / base_pitch;
         if pair.contact_ratio < 1.0 {
@@ -169,8 +168,8 @@ impl GearPair {
                 ratio: pair.contact_ratio,
             });
         }
-        checks::internal_tips(&pair)?;
-        checks::warn(&mut pair);
+        pair.check_internal_tips()?;
+        pair.add_warnings();
         Ok(pair)
     }
 

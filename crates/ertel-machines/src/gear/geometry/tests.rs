@@ -1,6 +1,5 @@
 use approx::assert_relative_eq;
 
-use super::checks::internal_tip_margin;
 use super::*;
 use crate::gear::test_data::{fzg, rows};
 
@@ -145,7 +144,9 @@ fn tips_of_internal_pairs_against_motion() {
         }
     }
     assert!(seen[0] > 5 && seen[1] > 5, "{seen:?}");
-    let margin = internal_tip_margin(&GearPair::new(&internal([20, 60])).expect("a pair"));
+    let margin = GearPair::new(&internal([20, 60]))
+        .expect("a pair")
+        .internal_tip_margin();
     assert!(margin.is_none_or(|margin| margin > 0.0));
 }
 

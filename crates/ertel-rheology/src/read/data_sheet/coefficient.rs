@@ -1,8 +1,7 @@
 //! Pressure-viscosity coefficients of a data sheet: at the reference temperature, at one or two others, or by correlation.
 
 use super::base_oil::needs_base_oil;
-use super::data::{estimated, figures, given};
-use super::{ZERO_CELSIUS, twice};
+use super::data::{ZERO_CELSIUS, estimated, figures, given, twice};
 use crate::data_sheet::BaseOil;
 use crate::provenance::Datum;
 use crate::viscosity::{PressureLaw, Walther};

@@ -2,7 +2,7 @@
 
 use crate::data_sheet::Estimate;
 use crate::provenance::{Datum, Status};
-use ertel_input::Table;
+use ertel_input::{InputError, Table};
 use ertel_quantity::Dimension;
 
 /// A number that the table gives.
@@ -84,4 +84,15 @@ pub(in crate::read) fn figures(value: f64) -> String {
     } else {
         text
     }
+}
+
+pub(super) const ZERO_CELSIUS: f64 = 273.15;
+pub(super) const CELSIUS_40: f64 = 313.15;
+pub(super) const CELSIUS_100: f64 = 373.15;
+
+pub(super) fn twice(table: &Table<'_>, key: &str, other: &str) -> InputError {
+    table.error(
+        key,
+        format!("`{other}` and `{key}` say the same thing: give one of them"),
+    )
 }

@@ -10,9 +10,9 @@ pub(super) use self::data::{computed, datum_of, figures, given};
 
 use self::base_oil::needs_base_oil;
 use self::coefficient::COEFFICIENTS;
-use self::data::estimated;
+use self::data::{CELSIUS_40, CELSIUS_100, estimated, twice};
 use self::viscosity::{ANY, AT_ANY, DYNAMIC, KINEMATIC, has_dynamic, points};
-use super::{density::reference_temperature, locate};
+use super::{locate, reference_temperature};
 use crate::data_sheet::{BaseOil, WATER_AT_15, viscosity_index};
 use crate::density::{DowsonHigginson, ThermalExpansion};
 use crate::provenance::{Datum, ValidityRange};
@@ -37,11 +37,8 @@ const DENSITY_KEYS: [&str; 3] = ["density_15", "density_20", "relative_density_1
 
 /// 120, with what the rounding of viscosities may take off.
 const LOWEST_INDEX_OF_GROUP_III: f64 = 115.0;
-const ZERO_CELSIUS: f64 = 273.15;
 const CELSIUS_15: f64 = 288.15;
 const CELSIUS_20: f64 = 293.15;
-const CELSIUS_40: f64 = 313.15;
-const CELSIUS_100: f64 = 373.15;
 /// The laws of an oil, and where their numbers come from.
 pub(super) struct Sheet {
     pub density: DensityLaw,
@@ -218,11 +215,4 @@ fn read_density(
     };
     let law = DowsonHigginson::new(rho_0, Some(thermal)).map_err(locate(table))?;
     Ok(DensityLaw::DowsonHigginson(law))
-}
-
-fn twice(table: &Table<'_>, key: &str, other: &str) -> InputError {
-    table.error(
-        key,
-        format!("`{other}` and `{key}` say the same thing: give one of them"),
-    )
 }

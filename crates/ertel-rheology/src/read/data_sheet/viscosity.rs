@@ -1,7 +1,6 @@
 //! Viscosities of a data sheet: two of them, one with the viscosity index, or a grade.
 
-use super::data::{computed, estimated, figures, given};
-use super::{CELSIUS_40, CELSIUS_100, ZERO_CELSIUS};
+use super::data::{CELSIUS_40, CELSIUS_100, ZERO_CELSIUS, computed, estimated, figures, given};
 use crate::DensityLaw;
 use crate::data_sheet::{
     BaseOil, Estimate, ISO_VG, ISO_VG_NAMES, ISO_VG_TOLERANCE, Spread, viscosity_at_40,

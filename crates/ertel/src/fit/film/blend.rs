@@ -1,6 +1,7 @@
 //! The blend of asymptotes.
 
-use super::{Estimate, FilmFitError, Films, Found, LARGEST_CONDITION, LARGEST_EFFECT, moved};
+use super::found::{Estimate, FilmFitError, Found, LARGEST_CONDITION, LARGEST_EFFECT, moved};
+use super::table::Films;
 use crate::contact::Family;
 use crate::fit::{Minimum, MinimumError, minimise};
 use crate::reference::{Asymptotes, moes_line_asymptotes, nijenbanning_venner_moes_asymptotes};

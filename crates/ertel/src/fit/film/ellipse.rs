@@ -1,8 +1,8 @@
 //! Ellipses with the motion at any angle.
 
-use super::{
-    Estimate, FilmFitError, FilmState, Films, Found, LARGEST_CONDITION, LARGEST_EFFECT, moved,
-};
+use super::form::{FilmState, factor};
+use super::found::{Estimate, FilmFitError, Found, LARGEST_CONDITION, LARGEST_EFFECT, moved};
+use super::table::Films;
 use crate::fit::{Minimum, MinimumError, minimise};
 use crate::words::digits;
 
@@ -14,43 +14,6 @@ const COLLINEAR: f64 = 1e6;
 const START: [f64; 5] = [0.67, 0.53, -0.067, 1.23, 2.0 / 3.0];
 /// Index of b among the constants, the only one that can be omitted.
 const MATERIAL_EXPONENT: usize = 2;
-
-/// Factor of ellipticity and angle, for D = R_y/R_x (-) and the angle θ (rad) of the motion to x.
-///
-/// ```text
-///   Φ = [(1 − exp(−e D^f))^(2/a) cos²θ + (D^(1−a−2d) (1 − exp(−e D^(−f))))^(2/a) sin²θ]^(a/2)
-/// ```
-/// The first term is the film of a motion along x in the form of Chittenden et al. 1985 (f = 2/3), the second one that of a
-/// motion along y in the same groups: R_y = D R_x, U_y = U/D, W_y = W/D². Films rise with u^a, so h^(2/a) of the two
-/// components of the speed add up as the squares of these do: a circle does not feel the angle, a long cylinder
-/// feels the component across its axis alone.
-fn factor([a, d, e, f]: [f64; 4], ratio: f64, angle: f64) -> f64 {
-    // ln(1 − exp(−e D^f))
-    let shape = |power: f64| (-(-e * ratio.powf(power)).exp_m1()).ln();
-    let along = shape(f);
-    let sine = angle.sin();
-    if sine == 0.0 {
-        return along.exp();
-    }
-    let across = (1.0 - a - 2.0 * d) * ratio.ln() + shape(-f);
-    // The larger film outside, so that no power overflows.
-    let (larger, n) = (along.max(across), 2.0 / a);
-    let term = |film: f64, share: f64| share * (n * (film - larger)).exp();
-    let sum = term(along, 1.0 - sine * sine) + term(across, sine * sine);
-    (larger + sum.ln() / n).exp()
-}
-
-/// Film by the form, m, with the constants c, a, b, d, e, f and the variables U, G, W, R_y/R_x and θ of a state.
-pub(super) fn film(constants: &[f64], state: &FilmState) -> f64 {
-    let &[c, a, b, d, e, f] = constants else {
-        panic!("six constants, not {}", constants.len());
-    };
-    let &[u, g, w, ratio, angle] = &state.variables[..] else {
-        panic!("five variables, not {}", state.variables.len());
-    };
-    let power_law = c * state.scale * u.powf(a) * g.powf(b) * w.powf(d);
-    power_law * factor([a, d, e, f], ratio, angle)
-}
 
 /// The constants from the unknowns, ln c, ln a, d, ln e, ln f and, last, b where it is one.
 fn constants(x: &[f64]) -> [f64; 6] {

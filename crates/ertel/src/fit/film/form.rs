@@ -2,7 +2,6 @@
 
 use std::borrow::Cow;
 
-use super::{FilmState, ellipse};
 use crate::contact::Family;
 use crate::reference::{ElasticExponents, Fraction};
 
@@ -205,7 +204,7 @@ impl FilmForm {
     /// Film thickness by the form, m, with the constants in the order of [`Self::constants`].
     pub fn film(self, constants: &[f64], state: &FilmState) -> f64 {
         if self == Self::Elliptical {
-            return ellipse::film(constants, state);
+            return elliptical(constants, state);
         }
         if let Self::Blend(contact) = self {
             let [c_1, c_2, s] = [constants[0], constants[1], constants[2]];
@@ -222,4 +221,73 @@ impl FilmForm {
         let powers = state.variables.iter().zip(&constants[1..]);
         powers.fold(constants[0] * state.scale, |h, (v, e)| h * v.powf(*e))
     }
+}
+
+/// Factor of ellipticity and angle, for D = R_y/R_x (-) and the angle θ (rad) of the motion to x.
+///
+/// ```text
+///   Φ = [(1 − exp(−e D^f))^(2/a) cos²θ + (D^(1−a−2d) (1 − exp(−e D^(−f))))^(2/a) sin²θ]^(a/2)
+/// ```
+/// The first term is the film of a motion along x in the form of Chittenden et al. 1985 (f = 2/3), the second one that of a
+/// motion along y in the same groups: R_y = D R_x, U_y = U/D, W_y = W/D². Films rise with u^a, so h^(2/a) of the two
+/// components of the speed add up as the squares of these do: a circle does not feel the angle, a long cylinder
+/// feels the component across its axis alone.
+pub(super) fn factor([a, d, e, f]: [f64; 4], ratio: f64, angle: f64) -> f64 {
+    // ln(1 − exp(−e D^f))
+    let shape = |power: f64| (-(-e * ratio.powf(power)).exp_m1()).ln();
+    let along = shape(f);
+    let sine = angle.sin();
+    if sine == 0.0 {
+        return along.exp();
+    }
+    let across = (1.0 - a - 2.0 * d) * ratio.ln() + shape(-f);
+    // The larger film outside, so that no power overflows.
+    let (larger, n) = (along.max(across), 2.0 / a);
+    let term = |film: f64, share: f64| share * (n * (film - larger)).exp();
+    let sum = term(along, 1.0 - sine * sine) + term(across, sine * sine);
+    (larger + sum.ln() / n).exp()
+}
+
+/// Film by the form, m, with the constants c, a, b, d, e, f and the variables U, G, W, R_y/R_x and θ of a state.
+fn elliptical(constants: &[f64], state: &FilmState) -> f64 {
+    let &[c, a, b, d, e, f] = constants else {
+        panic!("six constants, not {}", constants.len());
+    };
+    let &[u, g, w, ratio, angle] = &state.variables[..] else {
+        panic!("five variables, not {}", state.variables.len());
+    };
+    let power_law = c * state.scale * u.powf(a) * g.powf(b) * w.powf(d);
+    power_law * factor([a, d, e, f], ratio, angle)
+}
+
+/// Which film.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FilmKind {
+    /// Central film h_c.
+    Central,
+    /// Minimum film h_min.
+    Minimum,
+}
+
+impl FilmKind {
+    /// Name, also that of the column after `film_`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Central => "central",
+            Self::Minimum => "minimum",
+        }
+    }
+}
+
+/// A film with its variables.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FilmState {
+    /// Film thickness h, m.
+    pub film: f64,
+    /// Length scale of the formula, m: R √(2U), R or 1 m.
+    pub scale: f64,
+    /// The variables of the form, in its order, SI.
+    pub variables: Vec<f64>,
+    /// Error bar as a share of the film, where it has one.
+    pub error: Option<f64>,
 }

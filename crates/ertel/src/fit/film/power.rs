@@ -1,10 +1,9 @@
 //! Power laws.
 
-use super::{
-    Estimate, FilmFitError, FilmState, Films, Found, LARGEST_CONDITION, LARGEST_EFFECT,
-    MinimumError, moved,
-};
-use crate::fit::{Minimum, minimise};
+use super::form::FilmState;
+use super::found::{Estimate, FilmFitError, Found, LARGEST_CONDITION, LARGEST_EFFECT, moved};
+use super::table::Films;
+use crate::fit::{Minimum, MinimumError, minimise};
 use crate::words::digits;
 
 /// Ratio of largest to smallest value of a variable below which it does not vary. In a table of four digits a number is off by

@@ -1,11 +1,10 @@
 //! Layout of the contact area in a picture: the motion points right, or down if the contact is much longer across the motion than along it.
 
-use std::fmt::Write;
-
+use ertel_plot::Side;
 use ertel_plot::axis::Axis;
-use ertel_plot::chart::Side;
 use ertel_plot::drawing::{Drawing, INK, Stroke, number};
 use ertel_plot::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis, polyline};
+use std::fmt::Write;
 
 /// Ratio of length across to length along the motion from which a contact is rotated, as in result pages.
 const SLENDER: f64 = 1.6;

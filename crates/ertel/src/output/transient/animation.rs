@@ -6,9 +6,9 @@ use super::picture::{Scales, colour_of, coloured, film_axis, film_range};
 use super::report::{at, time_unit};
 use crate::run::transient::TransientSolution;
 use ertel_plot::axis::Axis;
-use ertel_plot::chart::{Chart, Look, PALETTE, Series, Side};
 use ertel_plot::drawing::{Drawing, DrawingError};
 use ertel_plot::png::animate;
+use ertel_plot::{Chart, Look, PALETTE, Series, Side};
 
 /// Maximum number of frames; of more output times, every second or third one is shown.
 const MOST_FRAMES: usize = 120;

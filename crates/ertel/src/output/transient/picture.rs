@@ -10,12 +10,12 @@ use crate::run::transient::{InstantSolution, TransientSolution};
 use crate::solution::Figure;
 use crate::words::force_unit;
 use ertel_plot::axis::Axis;
-use ertel_plot::chart::{Chart, Look, PALETTE, Series, Side};
 use ertel_plot::drawing::{
     Anchor, Drawing, DrawingError, INK, LABEL_SIZE, Raster, Stroke, TICK_SIZE, text_width,
 };
 use ertel_plot::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis};
 use ertel_plot::png::encode;
+use ertel_plot::{Chart, Look, PALETTE, Series, Side};
 
 /// Central and minimum film over time. On the right, dashed: entrainment speed and load if they change, normalised by their maxima if both do, or the film force if a body moves by inertia.
 pub fn film_over_time(title: &str, found: &TransientSolution, is_line: bool) -> Chart {

@@ -9,30 +9,12 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::case::Case;
-use crate::case::study::{AxisValue, MOST_POINTS, Study, StudyColumn, StudyPoint};
+use crate::case::study::{AxisValue, Study, StudyColumn, StudyPoint};
 use crate::params::SensitivityDemand;
 use ertel_input::{Input, excerpt};
 
-pub use sampling::SampleError;
+pub use sampling::{MOST_SAMPLES, MonteCarloParams, SampleError};
 pub use statistics::{Distribution, MonteCarlo, QUANTILES, Sampled};
-
-/// Most samples.
-pub const MOST_SAMPLES: usize = MOST_POINTS;
-
-/// How the inputs are sampled.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct MonteCarloParams {
-    /// Number of samples.
-    pub n: usize,
-    /// The same number makes the same samples.
-    pub seed: u64,
-}
-
-impl Default for MonteCarloParams {
-    fn default() -> Self {
-        Self { n: 100, seed: 1 }
-    }
-}
 
 /// The uncertain inputs of a case.
 fn uncertain(case: &Case) -> Vec<&Input> {

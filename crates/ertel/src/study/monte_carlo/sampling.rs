@@ -8,7 +8,7 @@ use ertel_quantity::Correlation;
 use ertel_quantity::{CUT, Uncertainty};
 use nalgebra::DMatrix;
 
-use super::{MOST_SAMPLES, MonteCarloParams};
+use crate::case::study::MOST_POINTS;
 
 /// Samples that cannot be made.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -111,6 +111,24 @@ fn normal_quantile(probability: f64) -> f64 {
         }
     }
     0.5 * (low + high)
+}
+
+/// Most samples.
+pub const MOST_SAMPLES: usize = MOST_POINTS;
+
+/// How the inputs are sampled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MonteCarloParams {
+    /// Number of samples.
+    pub n: usize,
+    /// The same number makes the same samples.
+    pub seed: u64,
+}
+
+impl Default for MonteCarloParams {
+    fn default() -> Self {
+        Self { n: 100, seed: 1 }
+    }
 }
 
 #[cfg(test)]

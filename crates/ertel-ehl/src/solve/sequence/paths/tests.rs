@@ -4,7 +4,7 @@ use crate::contact::Planar;
 use crate::params::{Formulation, PenaltyScaling};
 use crate::solution::Role;
 use crate::solve::discretisation::LevelSizes;
-use crate::solve::system::FilmConstants;
+use crate::solve::state::FilmConstants;
 use crate::solve::tuning::continuation::SOFTNESS;
 
 /// Start and solution of an isothermal contact in a Newtonian fluid, with pressures of some order.

@@ -3,7 +3,7 @@
 use roxmltree::{Document, Error, Node, ParsingOptions};
 
 use super::super::MapError;
-use super::archive::DESCRIPTION;
+use super::archive::{Archive, DESCRIPTION};
 
 /// Bytes of a description at most: heights in one take some tens each.
 pub(super) const LARGEST_DESCRIPTION: usize = 8 << 20;
@@ -190,4 +190,34 @@ pub(super) fn data<'a>(root: Node<'a, 'a>) -> Result<Vec<&'a str>, MapError> {
     Ok(points
         .map(|datum| datum.text().unwrap_or_default().trim())
         .collect())
+}
+
+/// The text of an element of `DataLink`, which names the files of points.
+pub(super) fn of_link<'a>(root: Node<'a, '_>, key: &str) -> Option<&'a str> {
+    at(root, &["Record3", "DataLink", key])
+}
+
+/// Which of the points have a height: one bit a point, the lowest first.
+pub(super) fn valid(
+    archive: &Archive<'_>,
+    root: Node<'_, '_>,
+    n: usize,
+) -> Result<impl Fn(usize) -> bool + use<>, MapError> {
+    let bits = match of_link(root, "ValidPointsLink") {
+        None => None,
+        Some(name) => {
+            let bits =
+                archive.points(name, n.div_ceil(8), of_link(root, "MD5ChecksumValidPoints"))?;
+            if bits.len() != n.div_ceil(8) {
+                return Err(MapError::content(format!(
+                    "`{name}` does not have a bit for each point"
+                )));
+            }
+            Some(bits)
+        }
+    };
+    Ok(move |k: usize| {
+        bits.as_ref()
+            .is_none_or(|bits| bits[k / 8] >> (k % 8) & 1 == 1)
+    })
 }

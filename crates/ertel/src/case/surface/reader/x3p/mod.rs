@@ -10,7 +10,7 @@ use roxmltree::Node;
 use super::{MapError, checked, finite};
 use crate::contact::topography::Topography;
 use archive::{Archive, DESCRIPTION};
-use description::{Axis, LARGEST_DESCRIPTION, at, data, parsed, required};
+use description::{Axis, LARGEST_DESCRIPTION, at, data, of_link, parsed, required, valid};
 
 pub(super) fn parse(archive: &[u8]) -> Result<Topography, MapError> {
     let archive = Archive::open(archive)?;
@@ -88,36 +88,6 @@ fn grid<'a>(archive: &Archive<'_>, root: Node<'a, 'a>) -> Result<Topography, Map
         }
     }
     finite(counts, spacing, heights)
-}
-
-/// The text of an element of `DataLink`, which names the files of points.
-fn of_link<'a>(root: Node<'a, '_>, key: &str) -> Option<&'a str> {
-    at(root, &["Record3", "DataLink", key])
-}
-
-/// Which of the points have a height: one bit a point, the lowest first.
-fn valid(
-    archive: &Archive<'_>,
-    root: Node<'_, '_>,
-    n: usize,
-) -> Result<impl Fn(usize) -> bool + use<>, MapError> {
-    let bits = match of_link(root, "ValidPointsLink") {
-        None => None,
-        Some(name) => {
-            let bits =
-                archive.points(name, n.div_ceil(8), of_link(root, "MD5ChecksumValidPoints"))?;
-            if bits.len() != n.div_ceil(8) {
-                return Err(MapError::content(format!(
-                    "`{name}` does not have a bit for each point"
-                )));
-            }
-            Some(bits)
-        }
-    };
-    Ok(move |k: usize| {
-        bits.as_ref()
-            .is_none_or(|bits| bits[k / 8] >> (k % 8) & 1 == 1)
-    })
 }
 
 /// Heights in the description: `x;y;z` or `z` each, empty where a point has none.

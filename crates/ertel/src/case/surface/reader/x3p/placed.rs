@@ -5,8 +5,7 @@ use roxmltree::Node;
 use super::super::text::gridded;
 use super::super::{MOST_POINTS, MapError};
 use super::archive::{Archive, DESCRIPTION};
-use super::description::{Axis, at, data};
-use super::{of_link, valid};
+use super::description::{Axis, at, data, of_link, valid};
 use crate::contact::topography::Topography;
 
 /// The axes, and points in a row of the matrix, if there is one.
