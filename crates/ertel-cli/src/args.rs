@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
+use clap_complete::Shell;
 use ertel::case::study::MOST_POINTS;
 use ertel_input::csv::{ColumnMap, CsvParams, Decimal};
 

@@ -17,8 +17,7 @@ use crate::args::SolveArgs;
 use crate::cases::{Job, input_warnings, n_points};
 use crate::events::{Events, path_text};
 use crate::failure::Failure;
-use crate::print;
-use crate::print::warn;
+use crate::print::{self, warn};
 
 /// Checks a case, or the points of its curve, for errors that a solve would refuse; then shows a summary.
 ///

@@ -8,7 +8,7 @@ use ertel::study::plan::Plan;
 use ertel::sweep::{
     FILES, FOLDERS, SHARDS, SweepError, SweepParams, SweepSummary, finished_points, merge, sweep,
 };
-use ertel::words::{digits, length};
+use ertel::words::digits;
 
 use crate::args::SweepArgs;
 use serde_json::{Value, json};

@@ -25,7 +25,7 @@ use crate::contact::Planar;
 use crate::film::closure::{dot, solve};
 use crate::film::cross_film::CrossFilm;
 use crate::film::fluidity::Fluidity;
-use crate::film::{FilmFluid, FilmNodes, MOST_NODES, Nodal};
+use crate::film::{FilmFluid, MOST_NODES, Nodal};
 
 /// A body in the energy equation.
 #[derive(Clone, Debug)]

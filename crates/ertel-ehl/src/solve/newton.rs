@@ -24,6 +24,7 @@ use super::state::State;
 use super::step::{Step, StepSolver, dot};
 use crate::elastic::Accuracy;
 use crate::engine::{Observer, SolveError, Stopped};
+use crate::film::FilmFluid;
 use crate::params::LinearSolver;
 use crate::solution::IterationRecord;
 use crate::solve::evaluate::{central_film, minimum_film};

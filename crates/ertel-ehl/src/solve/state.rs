@@ -90,3 +90,18 @@ pub struct State {
     /// Temperatures, K, column by column; empty where heat is left out.
     pub temperature: Vec<f64>,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::slenderness;
+    use approx::assert_relative_eq;
+
+    /// Cells of T = diag(1, 1/100), turned by 30 degrees or not, are ten times as long one way as the other.
+    #[test]
+    fn slenderness_is_that_of_the_tensor() {
+        assert_relative_eq!(slenderness([1.0, 0.0, 0.01]), 100.0, max_relative = 1e-12);
+        let (c2, s2): (f64, f64) = (0.75, 0.25);
+        let turned = [c2 + 0.01 * s2, 0.99 * (c2 * s2).sqrt(), s2 + 0.01 * c2];
+        assert_relative_eq!(slenderness(turned), 100.0, max_relative = 1e-12);
+    }
+}

@@ -5,7 +5,6 @@ use crate::contact::{Inlet, Pose, Shape};
 use crate::engine::{Observer, Problem, SolveError};
 use crate::solution::IterationRecord;
 use crate::volumes::ending::Ends;
-use crate::volumes::level::Level;
 use crate::volumes::{FiniteVolumes, Plan};
 
 use super::body::Start;
@@ -14,7 +13,7 @@ use super::conditions::{Cavities, Conditions};
 use super::levels::{Levels, Trial, Zones, apart};
 use super::present::Present;
 use super::report::{InstantMeta, measure};
-use super::run::{Instant, Params, TransientError, TransientObserver};
+use super::run::{Params, TransientError, TransientObserver};
 
 /// Allowed local error per step (mean over the dry contact), divided by tolerance^(3/2): films err with the square of the step, a step with
 /// its cube. Measured on a ramp of the speed through a line contact, against a tenth of the tolerance: with 0.27, films of 0.38 % where 0.3 % were asked for.

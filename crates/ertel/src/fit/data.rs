@@ -1,8 +1,6 @@
 //! Measured states from a CSV file.
 
 use ertel_input::csv::{CsvParams, CsvTable, Vocabulary, line_list};
-use ertel_quantity::Dimension;
-use ertel_rheology::DensityLaw;
 
 pub use ertel_input::csv::CsvError as DataError;
 

@@ -15,6 +15,7 @@ use super::sides::SideRule;
 use super::system::HeatSystem;
 use crate::film::cross_film::CrossFilm;
 use crate::forms::energy::film_column;
+use crate::solve::discretisation::Discretisation;
 use crate::solve::points::fields_in;
 
 impl Assembly<'_> {

@@ -14,7 +14,7 @@ use ertel_fem::linear::block_ilu::BlockMatrix;
 use rayon::prelude::*;
 
 use super::cross_flow::divide_by_mass;
-use super::element::{Assembly, Element, size_of_layers};
+use super::element::{Account, Assembly, Element, size_of_layers};
 use super::prescribed::prescribed;
 use super::space::HeatSpace;
 use crate::film::FilmFluid;

@@ -6,7 +6,7 @@
 use ertel_fem::platform::Instant;
 
 use super::columns::{Columns, FilmHeat, Films};
-use super::temperatures::{self, Bodies, Effort, Temperatures, Warm, step, unheated};
+use super::temperatures::{self, Account, Bodies, Effort, Temperatures, Warm, step, unheated};
 use super::warm_up::warmth;
 use crate::engine::HeatError;
 use crate::engine::coupling::{INNER_SHARE, NEGLIGIBLE_RISE, Relaxation};

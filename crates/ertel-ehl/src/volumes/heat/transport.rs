@@ -14,7 +14,7 @@ use std::collections::BinaryHeap;
 use rayon::prelude::*;
 
 use super::columns::{Columns, FilmHeat};
-use super::flow::{BATCH, Flow};
+use super::flow::{BATCH, Flow, Side};
 use super::march::March;
 use crate::volumes::faces::Face;
 

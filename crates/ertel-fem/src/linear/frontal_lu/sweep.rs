@@ -203,7 +203,7 @@ impl Run<'_> {
 #[derive(Clone, Debug)]
 pub struct FrontalLu {
     pattern: Arc<FrontalPattern>,
-    factors: Arc<Factors>,
+    pub(super) factors: Arc<Factors>,
     x: Vec<f32>,
     /// Scratch of each part, and of the fronts above them.
     scratch: Vec<Scratch>,

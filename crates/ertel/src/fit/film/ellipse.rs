@@ -1,6 +1,6 @@
 //! Ellipses with the motion at any angle.
 
-use super::form::{FilmState, factor};
+use super::form::factor;
 use super::found::{Estimate, FilmFitError, Found, LARGEST_CONDITION, LARGEST_EFFECT, moved};
 use super::table::Films;
 use crate::fit::{Minimum, MinimumError, minimise};

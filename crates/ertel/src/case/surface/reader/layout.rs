@@ -68,14 +68,14 @@ pub enum MapError {
 }
 
 impl MapError {
-    fn at(line: usize, problem: impl Into<String>) -> MapError {
+    pub(super) fn at(line: usize, problem: impl Into<String>) -> MapError {
         MapError::Line {
             line,
             problem: problem.into(),
         }
     }
 
-    fn content(problem: impl Into<String>) -> MapError {
+    pub(super) fn content(problem: impl Into<String>) -> MapError {
         MapError::Content(problem.into())
     }
 }
