@@ -1,6 +1,5 @@
 //! Charts as pictures, alone or several in one.
 
-use super::axis::Axis;
 use super::chart::{Chart, ErrorBars, Look, Series, draw_point, line_stroke};
 use super::drawing::{Anchor, Drawing, INK, LABEL_SIZE, Stroke, TICK_SIZE, number};
 use super::frame::{

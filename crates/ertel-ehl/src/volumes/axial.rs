@@ -12,10 +12,7 @@
 use nalgebra::{DMatrix, SymmetricEigen};
 use realfft::num_complex::Complex64;
 
-use super::grid::RING;
-use super::rows::Rows;
-use crate::volumes::rows::RING;
-use crate::volumes::rows::Rows;
+use super::rows::{RING, Rows};
 
 /// Shapes along the axis.
 #[derive(Debug)]

@@ -13,7 +13,6 @@ use rayon::prelude::*;
 
 use super::deflection::Deflection;
 use super::grid::Grid;
-use super::grid::{Grid, RING};
 use super::inverse::Stencils;
 use super::line_factors::{LineFactors, LineKernel, Triple};
 use super::multigrid::{Cycle, Grids};

@@ -9,7 +9,6 @@ use rayon::prelude::*;
 use realfft::num_complex::Complex64;
 
 use super::along::{Along, smooth};
-use super::convolution::{Convolution, smooth};
 use super::grid::Grid;
 use super::inverse::{self, Stencils};
 use super::kernel::{Hat, Kernel, Samples};

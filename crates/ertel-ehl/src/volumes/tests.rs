@@ -16,7 +16,6 @@ use super::grid::Grid;
 use super::kernel::Kernel;
 use super::plan::Plan;
 use super::storage::Storage;
-use super::system::{Balance, State, Storage, System};
 use super::system::{Balance, State, System};
 use super::tangents::Tangents;
 use crate::contact::{Contact, Hertz, HertzZone, Material, Motion, Planar, Scales, Shape, Turn};

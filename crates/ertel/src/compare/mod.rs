@@ -25,8 +25,6 @@ use ertel_input::{Document, InputError};
 
 use crate::case::Study;
 use crate::case::study::PointColumn;
-use crate::figures::{bearing, gears};
-use crate::solution::Figure;
 use crate::study::journal::PointKey;
 
 use measured::Content;

@@ -9,6 +9,7 @@ mod work;
 
 use std::collections::HashSet;
 use std::ops::Range;
+use std::collections::HashMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;

@@ -7,7 +7,6 @@ use ertel::solve::contact_surface::ContactSurface;
 use ertel::solve::discretisation::Discretisation;
 use ertel::solve::evaluate::largest_pressure_where;
 use ertel::solve::state::State;
-use ertel::solve::system::State;
 use ertel_fem::linear::NEVER;
 use ertel_input::Document;
 

@@ -11,11 +11,9 @@ use ertel::problem::problem;
 use ertel::solve::contact_surface::ContactSurface;
 use ertel::solve::discretisation::Discretisation;
 use ertel::solve::evaluated::Evaluated;
-use ertel::solve::points::Evaluated;
 use ertel::solve::region::Elements;
 use ertel::solve::sequence::Problem;
 use ertel::solve::state::State;
-use ertel::solve::system::State;
 use ertel_fem::linear::NEVER;
 use ertel_input::Document;
 

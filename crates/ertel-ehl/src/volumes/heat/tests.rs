@@ -15,14 +15,11 @@ use crate::forms::energy::{BodyHeat, Heat, Heights};
 use crate::transient::scheme::Weights;
 use crate::volumes::contents::Arrival;
 use crate::volumes::contents::Edges;
-use crate::volumes::convolution::Convolution;
 use crate::volumes::deflection::Deflection;
 use crate::volumes::grid::Grid;
-use crate::volumes::grid::{Grid, RING};
 use crate::volumes::kernel::Kernel;
 use crate::volumes::rows::RING;
 use crate::volumes::storage::Storage;
-use crate::volumes::system::{Balance, Linearised, State, Storage, System};
 use crate::volumes::system::{Balance, Linearised, State, System};
 use crate::volumes::tests::problem;
 

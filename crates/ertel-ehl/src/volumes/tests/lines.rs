@@ -4,10 +4,7 @@ use approx::assert_relative_eq;
 
 use super::*;
 use crate::contact::gap::{Body, Form};
-use crate::contact::gap::{Body, Form, GapTerm, Relief};
 use crate::contact::{Inlet, OilLayer};
-use crate::contact::{Inlet, OilLayer, Pose};
-use crate::volumes::behind::Edges;
 use crate::volumes::contents::Edges;
 
 /// A system on a row of nodes at some state that is no solution.

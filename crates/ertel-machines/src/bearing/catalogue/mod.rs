@@ -11,10 +11,8 @@ mod series;
 mod tapered;
 
 pub use clearance::{ClearanceClass, radial_clearance};
-pub use designation::{Designation, DesignationError};
 pub use designation::{Designation, DesignationError, all};
 pub use dimensions::{Boundary, Special};
-pub use internal::{Balls, Internal, Origin, Rollers, Sourced};
 pub use internal::{Entry, Internal, Origin, Rollers, Sourced};
 pub use series::Series;
 
