@@ -4,7 +4,7 @@ use ertel::problem::problem;
 use ertel::solve::contact_surface::ContactSurface;
 use ertel::solve::discretisation::Discretisation;
 use ertel::solve::evaluate::{central_film, minimum_film};
-use ertel::solve::newton::NewtonStats;
+use ertel::solve::newton_level::NewtonStats;
 use ertel::solve::sequence::stage_run::{Finish, StageRun};
 use ertel::solve::sequence::start::cold_start;
 use ertel::solve::sequence::{Problem, Stage};
