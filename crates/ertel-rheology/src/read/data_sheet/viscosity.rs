@@ -519,7 +519,7 @@ fn viscosity_100(
         data.extend(found.map(computed_index));
         return Ok(nu);
     }
-    let Some((index, key)) = index_of(table, base_oil, data)? else {
+    let Some((index, source)) = index_of(table, base_oil, data)? else {
         return Err(table.missing(key).with_help(
             "give it, or `viscosity_index`; a typical index is known for base_oil = \"mineral\" or \"PAO\"",
         ));
@@ -527,7 +527,7 @@ fn viscosity_100(
     let Some(nu) = viscosity_at_100(nu_40, index) else {
         return Err(table
             .error(
-                key,
+                source,
                 format!(
                     "no oil of {} mm^2/s at 40 degC and more than 2 mm^2/s at 100 degC has a viscosity index of {index}",
                     figures(1e6 * nu_40)
