@@ -94,3 +94,54 @@ fn life(e: Estimate, factor: f64, unit: &str) -> String {
         (Some(_), _) => in_unit(e, factor, unit),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mark::{Marked, Marks};
+
+    /// By hand. Powers of runs, which may be per length, keep their unit; a largest pressure that is not resolved is a lower bound.
+    #[test]
+    fn rows_have_display_units() {
+        for (figure, value, text) in [
+            (bearing::FRICTION_POWER, 0.25, "250 mW"),
+            (run::FRICTION_POWER_MEAN, 0.25, "0.25 W"),
+            (bearing::FRICTION_TORQUE, 0.0125, "12.5 N mm"),
+            (gears::FLASH_TEMPERATURE, 20.0, "20 K"),
+            (gears::MESH_LOSS, 0.0125, "0.0125"),
+            (bearing::BASIC_RATING_LIFE_TIME, 7200.0, "2 h"),
+            (machine::FILM_MINIMUM, 250e-9, "250 nm"),
+        ] {
+            assert_eq!(shown(&figure.row(value, "")), text);
+        }
+        let unresolved = |value: f64| Marked {
+            marks: Marks::when(true, Mark::Unresolved),
+            ..Marked::exact(value)
+        };
+        let peak = run::PRESSURE_MAXIMUM_HIGHEST.row(unresolved(1.0169e9), "");
+        assert_eq!(shown(&peak), "at least 1.01 GPa, not resolved");
+        let film = run::FILM_MINIMUM_LAST.row(unresolved(1e-7), "");
+        assert_eq!(shown(&film), "not resolved");
+    }
+
+    #[test]
+    fn rows_of_machines_have_sources_and_those_of_runs_instants() {
+        let rows = [
+            bearing::KAPPA.row(2.0, "ISO 281"),
+            run::APPROACH_HIGHEST.row(1e-6, ""),
+        ];
+        let json = rows_json(&rows);
+        let keys =
+            |name: &str| -> Vec<&String> { json[name].as_object().unwrap().keys().collect() };
+        assert_eq!(
+            keys("kappa"),
+            [
+                "value", "error", "resolved", "marks", "unit", "words", "source"
+            ]
+        );
+        assert_eq!(
+            keys("approach_highest"),
+            ["value", "error", "time", "resolved", "unit", "words"]
+        );
+    }
+}
