@@ -258,6 +258,7 @@ impl Chart {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::axis::Axis;
 
     /// A bar within the frame has two caps and no arrow; one that leaves it above has an arrow there, one that leaves it on both sides two.
     #[test]

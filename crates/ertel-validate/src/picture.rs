@@ -7,6 +7,7 @@ use ertel::contact::{Family, hertz};
 use ertel::output::curve;
 use ertel::output::pictures;
 use ertel::params::PenaltyScaling;
+use ertel::reference::FilmFormula;
 use ertel::solution::Solution;
 use ertel::study::CurveSolution;
 use ertel_plot::{Axis, Chart, Look, PALETTE, Series};

@@ -16,7 +16,7 @@ use ertel::solve::discretisation::{Discretisation, Extents};
 use ertel::solve::heat::column::Column;
 use ertel::solve::heat::newton::{HeatNewton, HeatParams};
 use ertel::solve::heat::system::{Kept, assemble};
-use ertel::solve::system::State;
+use ertel::solve::state::State;
 use ertel_fem::quadrature::Quadrature;
 use ertel_rheology::{ConductivityLaw, ViscosityLaw};
 

@@ -8,10 +8,10 @@ mod text;
 
 use std::ops::Range;
 
+use super::InputError;
 use super::inputs::Recorder;
 use super::source::Source;
 use super::tree::{Entry, Node, Value};
-use super::InputError;
 
 /// A TOML table being read.
 ///

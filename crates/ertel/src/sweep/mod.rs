@@ -7,9 +7,9 @@ mod merge;
 mod params;
 mod work;
 
+use std::collections::HashMap;
 use std::collections::HashSet;
 use std::ops::Range;
-use std::collections::HashMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;

@@ -3,12 +3,8 @@
 use ertel::engine::figures::note_roller;
 use ertel::problem::problem;
 use ertel::solution::{Figure, Figures};
-use ertel::solve::contact_surface::ContactSurface;
-use ertel::solve::discretisation::Discretisation;
 use ertel::solve::evaluate::largest_pressure_where;
 use ertel::solve::state::State;
-use ertel_fem::linear::NEVER;
-use ertel_input::Document;
 
 use super::{COARSE, ROLLING, case, discretisation};
 

@@ -10,7 +10,8 @@ use std::sync::Arc;
 
 use ertel::case::Case;
 use ertel::problem::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation};
+use ertel::solve::contact_surface::ContactSurface;
+use ertel::solve::discretisation::Discretisation;
 use ertel::solve::sequence::{Problem, Stage};
 use ertel_fem::linear::NEVER;
 

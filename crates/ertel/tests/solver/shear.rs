@@ -8,14 +8,11 @@ use ertel::contact::Planar;
 use ertel::engine::friction::{Frictions, friction};
 use ertel::engine::region::Region;
 use ertel::problem::problem;
-use ertel::solve::contact_surface::ContactSurface;
 use ertel::solve::discretisation::Discretisation;
 use ertel::solve::evaluated::Evaluated;
 use ertel::solve::region::Elements;
 use ertel::solve::sequence::Problem;
 use ertel::solve::state::State;
-use ertel_fem::linear::NEVER;
-use ertel_input::Document;
 
 use super::{BALL, COARSE, case, discretisation};
 use crate::common::text::read;

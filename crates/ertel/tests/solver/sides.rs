@@ -1,10 +1,6 @@
 //! Sides of sets of elements, by Gauss's theorem.
 
-use ertel::case::Case;
-use ertel::problem::problem;
-use ertel::solve::contact_surface::ContactSurface;
 use ertel::solve::heat::sides::{SideRule, outer_sides};
-use std::path::Path;
 
 use super::{ball, surface};
 

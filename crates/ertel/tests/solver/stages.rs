@@ -1,17 +1,13 @@
 //! Start and measurements of a stage.
 
 use ertel::problem::problem;
-use ertel::solve::contact_surface::ContactSurface;
-use ertel::solve::discretisation::Discretisation;
 use ertel::solve::evaluate::{central_film, minimum_film};
 use ertel::solve::newton_level::NewtonStats;
+use ertel::solve::sequence::Stage;
 use ertel::solve::sequence::stage_run::{Finish, StageRun};
 use ertel::solve::sequence::start::cold_start;
-use ertel::solve::sequence::{Problem, Stage};
 use ertel::solve::state::{FilmConstants, State};
 use ertel::solve::system::System;
-use ertel_fem::linear::NEVER;
-use ertel_input::Document;
 
 use super::{BALL, COARSE, ROLLING, ball, case, discretisation};
 
