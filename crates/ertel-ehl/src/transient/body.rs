@@ -204,6 +204,21 @@ mod tests {
         assert!(fine < 1e-3 * load, "{fine}");
     }
 
+    /// Bodies that approach each other at 0.3, −∂H_0/∂T, have come nearer by nothing at first, and after a step to 1.9 by 0.1.
+    #[test]
+    fn approach_and_its_velocity() {
+        let start = Start::Apart {
+            gap: 2.0,
+            velocity: 0.3,
+        };
+        let mut own = Separations::new(2.0, start.velocity());
+        assert_eq!(own.approached(), [0.0, 0.3]);
+        let velocity = own.velocity(&Weights::new(&[0.5, 0.0]), 1.9);
+        own.accept(1.9, velocity, 3);
+        assert_relative_eq!(own.approached()[0], 0.1, max_relative = 1e-9);
+        assert_relative_eq!(own.approached()[1], 0.2, max_relative = 1e-9);
+    }
+
     /// A given course moves the bodies from where they were.
     #[test]
     fn a_given_course_counts_from_the_start() {

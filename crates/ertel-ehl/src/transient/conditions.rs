@@ -281,6 +281,41 @@ mod tests {
         );
     }
 
+    /// A step that ends at an instant just before a kink, within rounding, ends at the kink as well.
+    #[test]
+    fn kinks_within_rounding_of_an_instant_count() {
+        let conditions = Conditions {
+            load: Course::Step {
+                from: 1.0,
+                to: 0.5,
+                at: 2.0,
+            },
+            duration: 5.0,
+            instants: vec![2.0 - 1e-10],
+            ..Conditions::default()
+        };
+        let kinks: Vec<bool> = (conditions.stops().iter()).map(|(_, kink)| *kink).collect();
+        assert_eq!(kinks, vec![true, false]);
+    }
+
+    /// By hand: ū = 0.8 with S_⊥ = 0.5 makes v_2 − v_1 = 0.4, half of it each way, and S = 0.25 makes u_1 = 0.7, u_2 = 0.9.
+    #[test]
+    fn velocities_by_hand() {
+        let conditions = Conditions {
+            speeds: Speeds::Mean {
+                entrainment: Course::Constant(0.8),
+                slide_to_roll_ratio: Course::Constant(0.25),
+            },
+            slide_to_roll_ratio_across: Course::Constant(0.5),
+            ..Conditions::default()
+        };
+        for (velocity, [u, v]) in (conditions.velocities(0.0).iter()).zip([[0.7, -0.2], [0.9, 0.2]])
+        {
+            assert_relative_eq!(velocity.centre[0], u, max_relative = 1e-12);
+            assert_relative_eq!(velocity.centre[1], v, max_relative = 1e-12);
+        }
+    }
+
     /// A body at the speed u that turns by ω moves about (0, u/ω): in one step, and in two. One whose spin swings turns by ∫ω.
     #[test]
     fn bodies_turn_about_their_poles() {

@@ -241,6 +241,14 @@ mod tests {
         assert_eq!(changes, [Some(1.0), Some(2.0), Some(2.0)]);
     }
 
+    /// Slopes of 1 over a width of 1 and ½ over 2: α = (1 + 2/3)/3, D = ½/(½α + 1 − α) = 9/13 between them (Fritsch and Butland 1984), by hand.
+    #[test]
+    fn slope_between_uneven_rows() {
+        let smooth = Course::Smooth(vec![[0.0, 0.0], [1.0, 1.0], [3.0, 2.0]]);
+        let slope = (smooth.at(1.0 + 1e-6) - smooth.at(1.0 - 1e-6)) / 2e-6;
+        assert_relative_eq!(slope, 9.0 / 13.0, max_relative = 1e-5);
+    }
+
     /// Smooth curves pass through their rows with one slope, and go beyond none of them.
     #[test]
     fn smooth_curves_make_no_extremum() {

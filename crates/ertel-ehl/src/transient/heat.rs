@@ -324,3 +324,41 @@ fn shrinks(warm: &Warm, before: f64) -> f64 {
         false => before,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::Motion;
+    use crate::forms::energy::BodyHeat;
+    use approx::assert_relative_eq;
+    use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
+
+    /// By hand: 2 a/u of 0.1 mm and 0.5 m/s are 0.4 ms; a body that moves by a half-width meanwhile has 0.25 m/s.
+    #[test]
+    fn steps_in_seconds() {
+        let body = |velocity| BodyHeat {
+            density: 7850.0,
+            conductivity: ConductivityLaw::constant(46.0).unwrap(),
+            heat_capacity: HeatCapacityLaw::constant(470.0).unwrap(),
+            velocity,
+            bulk_temperature: 320.0,
+        };
+        let heat = Heat {
+            conductivity: ConductivityLaw::constant(0.13).unwrap(),
+            heat_capacity: HeatCapacityLaw::constant(2000.0).unwrap(),
+            bodies: Motion::straight(0.5, 0.0).surfaces(1e-4).map(body),
+            inlet_temperature: 313.15,
+            length: 1e-4,
+            film: 1e-6,
+            pressure: 1e9,
+            density: 870.0,
+            viscosity: 0.04,
+            lambda: 0.01,
+            entrainment_speed: 0.5,
+        };
+        let way = [[1.0, 0.0], [2.0, -1.0]].map(|shift| Pose { shift, angle: 0.0 });
+        let motion = StepMotion::new(&heat, 2.0, way);
+        assert_relative_eq!(motion.seconds, 4e-4, max_relative = 1e-12);
+        assert_eq!(motion.velocities, [[0.25, 0.0], [0.5, -0.25]]);
+    }
+}

@@ -248,7 +248,7 @@ fn run(
 const SLOW: f64 = 1e-3;
 
 /// Longest step that the motion at an instant allows.
-fn longest_step(
+pub(super) fn longest_step(
     problem: &Problem<Plan>,
     conditions: &Conditions,
     params: &Params,

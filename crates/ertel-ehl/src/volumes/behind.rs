@@ -79,3 +79,40 @@ fn nearest(grid: &Grid, i: usize, j: usize) -> [usize; 2] {
         j.clamp(rows.start, rows.end - 1),
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{Gap, Planar};
+    use crate::volumes::tests::system;
+    use approx::assert_relative_eq;
+
+    /// By hand: between a sphere and a plane 0.4 apart, oil at (1, 0.5) has passed (0, 0.5), where the gap is 0.4 + 0.125; before the contact the gap is full.
+    #[test]
+    fn oil_behind_has_passed_the_narrowest_place() {
+        let (mut system, _) = system(false, Planar::along_x(1.0));
+        system.edges = Edges::Rigid(Gap::paraboloid(1.0));
+        let content = system.entering(0.4, 0, [1.0, 0.5]);
+        let density = system.fluid.at(0.0).density[0];
+        assert_relative_eq!(content, 0.525 * density, max_relative = 1e-12);
+        assert_eq!(system.entering(0.4, 0, [-1.0, 0.5]), f64::INFINITY);
+    }
+
+    /// Flow across the motion alone: along the edge that it enters contents stay those that are known, along the one that it leaves they are those of the next nodes within.
+    #[test]
+    fn contents_along_edges_follow_the_flow() {
+        let across = Planar {
+            centre: [0.0, 1.0],
+            spin: 0.0,
+        };
+        let (system, mut state) = system(false, across);
+        state.pressure.fill(0.0);
+        let grid = &system.grid;
+        let [nx, ny] = grid.n;
+        let known: Vec<f64> = (0..nx * ny).map(|k| 0.1 + 0.001 * k as f64).collect();
+        let held = system.held(&state, &known, || unreachable!());
+        let at = |values: &[f64], j: usize| values[grid.index(nx / 2, j)];
+        assert_eq!(at(&held, 0), at(&known, 0));
+        assert_eq!(at(&held, ny - 1), at(&known, ny - 1 - RING));
+    }
+}

@@ -286,3 +286,15 @@ impl Default for Edges {
         Edges::Known(Vec::new())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: 0.2 of a density of 0.8 fills 0.25 of a gap of 0.5; a full gap lacks nothing.
+    #[test]
+    fn missing_by_hand() {
+        assert!((missing(0.5, 0.2, 0.8) - 0.25).abs() < 1e-12);
+        assert_eq!(missing(0.5, f64::INFINITY, 0.8), 0.0);
+    }
+}

@@ -106,3 +106,28 @@ fn continue_outside(problem: &Problem<Plan>, system: &mut System, state: &mut St
         .sum();
     system.load -= 2.0 * c * width / inlet.powi(2);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{Contact, Motion};
+    use crate::volumes::grid::Grid;
+    use crate::volumes::level::{convolution, first_state, first_system};
+    use crate::volumes::tests::problem_of;
+    use approx::assert_relative_eq;
+
+    /// Before a cylinder, P = λ|X|/3H² with H = X²/2 carries ∫ 4λ/3|X|³ dX = 2λ/3·4² up to X = −4.
+    #[test]
+    fn load_before_the_edge_of_a_line() {
+        let contact = Contact::line(0.01, 1e5);
+        let problem = problem_of(&contact, &Motion::straight(0.5, 0.0), 0.01);
+        let grid = Grid::of_line([-40, 20], 0.1);
+        let deflection = convolution(&problem, &grid);
+        let mut system = first_system(&problem, grid, deflection);
+        let mut state = first_state(&problem, &system);
+        let before = system.load;
+        continue_outside(&problem, &mut system, &mut state);
+        let hand = 2.0 * problem.scales.lambda / (3.0 * 16.0);
+        assert_relative_eq!(before - system.load, hand, max_relative = 1e-6);
+    }
+}

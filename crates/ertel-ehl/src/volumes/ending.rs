@@ -141,3 +141,30 @@ fn passing(grid: &Grid, at: &Linearised) -> f64 {
     let across = through(1, &mut (0..grid.n[0]).map(|i| [i, j]));
     along.abs().max(across.abs())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::Planar;
+    use crate::volumes::tests::system;
+    use approx::assert_relative_eq;
+
+    /// By hand: a node of 0.25 by 0.35 gains 1 per area; through the seven inner rows of 0.35 at the centre passes a film of 0.5 at the cosine of 0.3 to the rows.
+    #[test]
+    fn mass_gained_over_the_flow_through_the_centre() {
+        let (mut system, mut state) = system(false, Planar::along_x(1.0));
+        system.gap.fill(0.5);
+        state.pressure.fill(0.0);
+        state.wetted.fill(false);
+        state.separation = 0.0;
+        let mut at = system.linearise(&state);
+        let [i, j] = system.grid.centre();
+        let k = system.grid.index(i, j);
+        at.outflow.fill(0.0);
+        at.wetted.fill(false);
+        (at.outflow[k], at.wetted[k]) = (1.0, true);
+        let passing = system.fluid.at(0.0).density[0] * 0.5 * 0.3_f64.cos() * 7.0 * 0.35;
+        let found = balance_error(&system, &at);
+        assert_relative_eq!(found, 0.25 * 0.35 / passing, max_relative = 1e-9);
+    }
+}

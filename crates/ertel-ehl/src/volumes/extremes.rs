@@ -212,6 +212,39 @@ mod tests {
         }
     }
 
+    /// The lowest film lies on the second of three grids, outside the third one: there the second grid has changed it from 0.4 to 0.3, and it may err by as much.
+    #[test]
+    fn a_minimum_outside_the_finest_grid() {
+        let flow = crate::contact::Planar::along_x(1.0);
+        let (system, state) = crate::volumes::tests::system(false, flow);
+        let level = |h: f64, n: usize, low: f64, patch| {
+            let grid = Grid {
+                spacing: [h; 2],
+                ..square(n)
+            };
+            Level {
+                films: values(&grid, |[x, y]| low + 0.5 * ((x - 1.5).powi(2) + y * y)),
+                system: crate::volumes::system::System {
+                    grid,
+                    ..system.clone()
+                },
+                state: state.clone(),
+                patch,
+                warm: None,
+                contents: std::sync::OnceLock::new(),
+            }
+        };
+        let levels = [
+            level(0.5, 13, 0.4, Some([[2, 10]; 2])),
+            level(0.25, 17, 0.3, Some([[4, 12]; 2])),
+            level(0.125, 17, 0.3, None),
+        ];
+        let found = lowest(&levels).unwrap();
+        assert_relative_eq!(found.film, 0.3, max_relative = 1e-12);
+        assert_relative_eq!(found.place[0], 1.5, max_relative = 1e-12);
+        assert_relative_eq!(found.misfit, 0.1, max_relative = 1e-9);
+    }
+
     /// 1 − x² − y² is no sharper than its parabola; a ridge on a single column, 0.2 high, is uncertain by three quarters of its half.
     #[test]
     fn a_ridge_between_nodes_is_sharp() {

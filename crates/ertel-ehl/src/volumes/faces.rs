@@ -216,6 +216,15 @@ mod tests {
         })
     }
 
+    /// By hand: H = 0.1, ρ̄ = 1.06 and c = 0.2 P H = 0.006 at both nodes, which have the same pressure: −H³ρ̄c/λ = −0.001 · 1.06 · 0.006/0.02.
+    #[test]
+    fn oblique_flow_by_hand() {
+        let nodes = [node(0.3, 0.1), node(0.3, 0.1)];
+        let ends = [&nodes[0], &nodes[1]];
+        let flux = face(ends, resistances(ends, true), ends, 0.0, 0.02, 0.05).flux;
+        assert_relative_eq!(flux, -3.18e-4, max_relative = 1e-12);
+    }
+
     /// All derivatives of a flux against differences, flow from either side, where it is smooth, at a kink and where it turns, thinned and not.
     #[test]
     fn derivatives_against_differences() {

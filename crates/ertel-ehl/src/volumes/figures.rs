@@ -500,6 +500,52 @@ mod tests {
         assert!(share < SHARE_OF_END);
     }
 
+    /// By hand: three equal values have a bar of half of what the figure changes by when its integral is cut; a place that stays is known to a cell and a half, one that moves by 4 µm to 6 µm.
+    #[test]
+    fn cuts_and_places_by_hand() {
+        let of = |x: f64| {
+            let mut figures = Figures::default();
+            figures.note(Figure::FilmCentral, Reading::new(2e-7));
+            figures.note(Figure::FilmMinimum, Reading::new(1e-7).at([x, 0.0]));
+            let traction = Reading {
+                cut: 0.004,
+                ..Reading::new(0.05)
+            };
+            figures.note(Figure::TractionCoefficient, traction);
+            figures
+        };
+        for (before, place) in [(3e-5, 1.5e-6), (3.4e-5, 6e-6)] {
+            let figures = [of(3e-5), of(before), of(before)];
+            let bars = bars(figures.each_ref().map(Some), 1e-6, [0.0; 2]);
+            let traction = bars.get(Figure::TractionCoefficient).unwrap().value;
+            assert_relative_eq!(traction, 0.002, max_relative = 1e-9);
+            let found = bars.get(Figure::FilmMinimum).unwrap().place.unwrap();
+            assert_relative_eq!(found, place, max_relative = 1e-9);
+        }
+    }
+
+    /// By hand: areas of 0.5 and 0.25 at y = 0.4 and −0.6 under pressures of 2 and 4: 1 + 1, 0.4 − 0.6, 0.4 + 0.6.
+    #[test]
+    fn moments_by_hand() {
+        let point = |area: f64, y: f64, pressure: f64| crate::engine::Point {
+            area,
+            within: [1.0; 2],
+            in_zone: true,
+            fields: crate::engine::PointFields {
+                place: [0.3, y],
+                pressure,
+                ..Default::default()
+            },
+        };
+        let table = PointTable::new(vec![
+            vec![point(0.5, 0.4, 2.0)],
+            vec![point(0.25, -0.6, 4.0)],
+        ]);
+        for (found, hand) in moments(&table).into_iter().zip([2.0, -0.2, 1.0]) {
+            assert_relative_eq!(found, hand, max_relative = 1e-12);
+        }
+    }
+
     /// By hand: a straight boundary through the middle of a zone leaves half a cell on a strip of two, and none where no part or all of it is beyond.
     #[test]
     fn shares_are_known_to_their_boundary() {

@@ -233,3 +233,66 @@ fn at(shape: &Shape, level: &Level, place: [f64; 2]) -> Option<PointFields> {
 
 /// Share of a cell by which a place may lie beyond the edge of its grid.
 const ON_EDGE: f64 = 1e-9;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{Motion, Planar};
+    use crate::volumes::tests::{problem, system};
+    use approx::assert_relative_eq;
+
+    /// A plane has its slopes at all nodes, at those of the edges too.
+    #[test]
+    fn slopes_of_a_plane() {
+        let (system, _) = system(false, Planar::along_x(1.0));
+        let grid = &system.grid;
+        let plane: Vec<f64> = (grid.nodes())
+            .map(|[i, j]| {
+                let [x, y] = grid.on_axes(i, j);
+                1.0 + 0.3 * x - 0.2 * y
+            })
+            .collect();
+        for [i, j] in grid.nodes() {
+            let [along, across] = slopes(grid, &plane, i, j);
+            assert_relative_eq!(along, 0.3, max_relative = 1e-9);
+            assert_relative_eq!(across, -0.2, max_relative = 1e-9);
+        }
+    }
+
+    /// P = 0.4 − 0.3 (x² + y²/2) + 0.05 x on a half: a place and its mirror image have the same pressure and opposite slopes across, by hand.
+    #[test]
+    fn mirror_images() {
+        let problem = problem(&Motion::straight(0.8, 0.0), 0.01);
+        let (system, state) = system(true, Planar::along_x(1.0));
+        let levels = [Level::new(system, state)];
+        let film = PatchedFilm::new(&problem.shape, &levels);
+        for [x, y] in [[0.25, -0.35], [-0.1, 0.5]] {
+            let [own, image] = [y, -y].map(|y| film.at([x, y]).unwrap());
+            assert_relative_eq!(own.pressure, image.pressure, max_relative = 1e-12);
+            for (fields, y) in [(own, y), (image, -y)] {
+                let [along, across] = fields.pressure_gradient;
+                assert_relative_eq!(along, 0.05 - 0.6 * x, max_relative = 1e-9);
+                assert_relative_eq!(across, -0.3 * y, max_relative = 1e-9);
+            }
+        }
+    }
+
+    /// Bodies that end at x = 1.1: of the cells of 0.25 around 1 and 1.25, nine tenths and nothing lie within, of that around 0.75 all.
+    #[test]
+    fn cells_end_with_the_bodies() {
+        let problem = problem(&Motion::straight(0.8, 0.0), 0.01);
+        let shape = Shape {
+            ends: [1.1, 1e9],
+            ..problem.shape
+        };
+        let (system, _) = system(true, Planar::along_x(1.0));
+        let grid = &system.grid;
+        let [centre, row] = grid.centre();
+        for (steps, share) in [(3, 1.0), (4, 0.9), (5, 0.0)] {
+            for i in [centre - steps, centre + steps] {
+                let found = inside(&Region::of(&shape), grid, i, row);
+                assert_relative_eq!(found, share, epsilon = 1e-9);
+            }
+        }
+    }
+}

@@ -16,6 +16,7 @@ use super::grid::Grid;
 use super::kernel::Kernel;
 use super::plan::Plan;
 use super::storage::Storage;
+use super::summary::summarise;
 use super::system::{Balance, State, System};
 use super::tangents::Tangents;
 use crate::contact::{Contact, Hertz, HertzZone, Material, Motion, Planar, Scales, Shape, Turn};
@@ -25,6 +26,7 @@ use crate::engine::{Extents, Film, NoObserver, Problem};
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures};
 use crate::volumes::contents::Edges;
+use crate::volumes::heat::warmth::Warmth;
 
 fn laws() -> (DensityLaw, ViscosityLaw) {
     let density = DensityLaw::dowson_higginson(870.0).unwrap();
@@ -38,7 +40,7 @@ pub(super) fn problem(motion: &Motion, target: f64) -> Problem<Plan> {
 }
 
 /// The same with bodies of some shape.
-fn problem_of(contact: &Contact, motion: &Motion, target: f64) -> Problem<Plan> {
+pub(super) fn problem_of(contact: &Contact, motion: &Motion, target: f64) -> Problem<Plan> {
     let steel = Material {
         youngs_modulus: 210e9,
         poissons_ratio: 0.3,
@@ -87,7 +89,7 @@ fn assert_mass_is_kept(found: &Volumes) {
 }
 
 /// A system on a small grid at some state that is no solution.
-fn system(half: bool, entrainment: Planar) -> (System, State) {
+pub(super) fn system(half: bool, entrainment: Planar) -> (System, State) {
     let motion = Motion::straight(0.8, 0.0);
     let problem = problem(&motion, 0.01);
     let zone = HertzZone {
@@ -299,6 +301,82 @@ fn second_order_for_manufactured_fields() {
     assert!(order > 1.85, "{errors:?}, order {order}");
 }
 
+/// Balances of a half are those of the whole, at its centreline too.
+#[test]
+fn halves_have_the_balances_of_wholes() {
+    let (half, state) = system(true, Planar::along_x(1.0));
+    let [nx, ny] = half.grid.n;
+    let grid = Grid {
+        half: false,
+        n: [nx, 2 * ny - 1],
+        ..half.grid.clone()
+    };
+    let image = |values: &[f64]| -> Vec<f64> {
+        let row = |j: usize| j.min(2 * (ny - 1) - j);
+        let nodes = grid.nodes();
+        nodes
+            .map(|[i, j]| values[half.grid.index(i, row(j))])
+            .collect()
+    };
+    let pressure = image(&state.pressure);
+    let both = State {
+        wetted: pressure.iter().map(|p| *p > 0.0).collect(),
+        pressure,
+        ..state.clone()
+    };
+    let whole = System {
+        convolution: Deflection::new(&grid, Kernel::HalfSpace { compliance: 0.3 }).into(),
+        gap: image(&half.gap),
+        grid: grid.clone(),
+        ..half.clone()
+    };
+    let [of_half, of_whole] = [(&half, &state), (&whole, &both)].map(|(s, at)| s.linearise(at));
+    for (k, [i, j]) in half.grid.nodes().enumerate() {
+        let other = of_whole.outflow[grid.index(i, j)];
+        assert_relative_eq!(
+            of_half.outflow[k],
+            other,
+            max_relative = 1e-8,
+            epsilon = 1e-10
+        );
+    }
+}
+
+/// A film that drifts flows as one between surfaces that are as much faster; one of twice the conductance has twice the flow that pressure drives.
+#[test]
+fn warmth_moves_the_film() {
+    let (cold, state) = system(false, Planar::along_x(1.0));
+    let warm = |system: &System, flow: f64, drift: [f64; 2]| {
+        let warmth = Warmth {
+            temperature: 313.15,
+            density: 1.0,
+            flow: [flow; 2],
+            drift,
+        };
+        let mut system = system.clone();
+        system.warmth = vec![warmth; system.grid.n_nodes()];
+        system.linearise(&state).faces
+    };
+    let drift = [0.3, -0.2];
+    let [u, v] = cold.grid.turn.to_motion(drift);
+    let moving = |centre: [f64; 2]| System {
+        entrainment: Planar { centre, spin: 0.0 },
+        ..cold.clone()
+    };
+    let still = moving([0.0; 2]);
+    let faster = moving([1.0 + u, v]).linearise(&state).faces;
+    let driven = still.linearise(&state).faces;
+    for (found, other, factor) in [
+        (warm(&cold, 1.0, drift), faster, 1.0),
+        (warm(&still, 2.0, [0.0; 2]), driven, 2.0),
+    ] {
+        for (found, other) in found.iter().flatten().zip(other.iter().flatten()) {
+            let flux = factor * other.flux;
+            assert_relative_eq!(found.flux, flux, max_relative = 1e-6, epsilon = 1e-9);
+        }
+    }
+}
+
 /// A whole grid and patches with the same cells have the same films; mass is kept node by node, and all of the load is carried.
 #[test]
 fn patches_are_whole_grids() {
@@ -309,7 +387,7 @@ fn patches_are_whole_grids() {
     let [wide, patched] = [wide, patched].map(|mut problem| {
         // Steps go on until mass is kept by the ridge, too.
         problem.plan.newton.ends = Ends::of(0.0);
-        let found = solved(&problem);
+        let mut found = solved(&problem);
         assert!(found.balance_error.abs() < 1e-2, "{}", found.balance_error);
         let sum: f64 = (PatchedFilm::new(&problem.shape, &found.levels)
             .points()
@@ -318,7 +396,19 @@ fn patches_are_whole_grids() {
         .sum();
         assert_relative_eq!(sum, problem.load, max_relative = 1e-5);
         assert_mass_is_kept(&found);
-        found.measured(&problem)
+        // The outlet lies between two nodes.
+        let h = found.levels.last().unwrap().system.grid.spacing[0];
+        let outlet = figures(&problem, &found.levels).get(Figure::OutletPosition);
+        let half_cell = 0.5 * h * problem.scales.length;
+        assert_relative_eq!(outlet.unwrap().misfit, half_cell, max_relative = 1e-9);
+        let measured = found.measured(&problem);
+        // A hundredth more of the pressures of the finest grid, over the whole load.
+        let finest = found.levels.last_mut().unwrap();
+        let more = 0.01 * finest.system.load / problem.load;
+        finest.state.pressure.iter_mut().for_each(|p| *p *= 1.01);
+        let error = summarise(&problem, &found, &measured).load_balance_error;
+        assert_relative_eq!(error, more, max_relative = 1e-3);
+        measured
     });
     for figure in [Figure::FilmCentral, Figure::FilmMinimum] {
         let [a, b] = [&wide, &patched].map(|m| m.figures.value(figure).unwrap());

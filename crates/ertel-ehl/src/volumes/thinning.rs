@@ -270,6 +270,17 @@ mod tests {
             max_relative = 1e-6
         );
         assert_eq!(found.oblique[0][0], 0.0);
+        // Sliding at an angle of cosine 0.6 and sine 0.8: K_xx = 0.36 κ_∥ + 0.64 κ_⊥, K_xy = 0.48 (κ_∥ − κ_⊥) > 0.
+        let size = slide[0];
+        let rule = &mut CrossFilm::default();
+        let (slide, gradient) = ([0.6 * size, 0.8 * size], [0.0, 1e-6]);
+        let found = Thinned::at(&fluid, (&at, 0.1), gradient, slide, None, rule);
+        let (along, across) = (x.cosh(), x.sinh() / x);
+        for (ln, [a, b]) in found.ln_flow.iter().zip([[0.36, 0.64], [0.64, 0.36]]) {
+            assert_relative_eq!(ln[0], (a * along + b * across).ln(), max_relative = 1e-6);
+        }
+        let oblique = 0.48 * (along - across) * (-at.ln_viscosity[0]).exp() * 1e-6;
+        assert_relative_eq!(found.oblique[0][0], oblique, max_relative = 1e-5);
     }
 
     /// All derivatives against differences, sliding along the grid and at an angle, with a gradient and without: there κ is that of a gradient

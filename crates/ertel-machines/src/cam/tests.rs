@@ -292,6 +292,13 @@ fn forces_by_hand() {
     let at = |speed| cam.at(&operation(speed), FRAC_PI_2).expect("a contact");
     let point = at(200.0);
     assert_relative_eq!(point.force, 331.6, max_relative = 1e-12);
+    // What else presses on the follower adds to it.
+    let pressed = CamOperation {
+        extra_force: 40.0,
+        ..operation(200.0)
+    };
+    let found = cam.at(&pressed, FRAC_PI_2).expect("a contact");
+    assert_relative_eq!(found.force, 371.6, max_relative = 1e-12);
     let load = 331.6 / 12e-3;
     assert_relative_eq!(point.load_per_length, load, max_relative = 1e-12);
     let pressure = (load * 226.4e9 / (TAU * 14e-3)).sqrt();
@@ -426,6 +433,36 @@ fn refusals() {
         ..operation(1.0)
     };
     assert!(cam.turn(&wide, 10).is_err());
+}
+
+/// Reversals under a flat face of rounded tables: 22 + 28 cos 2θ = 0 (see [`entrainment_vanishes`]) lies within the bar, and at its ends, on either side, the entrainment exceeds its own bar.
+#[test]
+fn reversals_of_rounded_tables_are_bracketed() {
+    let first = 0.5 * (-22.0_f64 / 28.0).acos();
+    let right = [first, PI - first, PI + first, TAU - first];
+    for (digit, n) in [(1e-5, 180_i32), (2e-5, 90), (3e-5, 120), (5e-5, 180)] {
+        let angles: Vec<f64> = (0..n).map(|i| TAU * f64::from(i) / f64::from(n)).collect();
+        let lifts: Vec<f64> = (angles.iter())
+            .map(|angle| digit * (4e-3 * (1.0 - (2.0 * angle).cos()) / digit).round())
+            .collect();
+        let law = LiftLaw::rounded_table(&angles, &lifts, digit, None).expect("a law");
+        let cam = Cam::new(law, Follower::Flat, 18e-3).expect("a cam");
+        let operation = operation(200.0);
+        let found = cam.reversals(&operation, 720).expect("angles");
+        assert_eq!(found.len(), 4);
+        for (angle, right) in found.into_iter().zip(right) {
+            let bar = cam.reversal_bar(&operation, angle);
+            assert!((angle - right).abs() < bar, "{angle} {right} {bar}");
+            for end in [angle - bar, angle + bar] {
+                let speed = cam
+                    .at(&operation, end)
+                    .expect("a contact")
+                    .entrainment_speed;
+                let own = cam.bars(&operation, end).entrainment_speed;
+                assert!(speed.abs() >= 0.999_999 * own, "{end}: {speed} {own}");
+            }
+        }
+    }
 }
 
 /// Lifts rounded on paper, in mm and inch: the bar of s'' holds the closed form at every angle, and is far below what a law through all lifts is off by.

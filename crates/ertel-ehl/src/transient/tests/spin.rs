@@ -4,9 +4,10 @@ use approx::assert_relative_eq;
 use ertel_rheology::shear::{ReeEyring, ShearLaw, ShearThinning};
 
 use super::{Films, Given, Params, ball_on_glass, line, mass_error, run, steady};
-use crate::contact::Contact;
-use crate::contact::gap::{Body, Form};
-use crate::transient::{Conditions, Course};
+use crate::contact::gap::{Body, Form, GapTerm, Relief};
+use crate::contact::{Contact, Pose, Turn};
+use crate::transient::march::longest_step;
+use crate::transient::{Conditions, Course, Speeds};
 
 /// ω of body 1 and body 2, and S_⊥.
 const SPIN: [f64; 2] = [0.8, -0.2];
@@ -38,6 +39,41 @@ fn params() -> Params {
         tolerance: 1e-2,
         ..Params::default()
     }
+}
+
+/// By hand: bodies that move at 0.5 and 1.5, the second one spinning at 2, whose surface moves at 3.5 at the edge of the contact: 20/3.5. Waves of 0.12 on the first body move by a 24th of
+/// that at the speed of this body: 0.005/0.5, then 0.005/1.5.
+#[test]
+fn longest_steps_by_hand() {
+    let mut problem = ball().problem();
+    let mut conditions = Conditions {
+        speeds: Speeds::Each([0.5, 1.5].map(Course::Constant)),
+        spin: [0.0, 2.0].map(Course::Constant),
+        ..steady(1.0)
+    };
+    let form = Form::Waves {
+        wavelength: 0.12,
+        amplitude: 0.01,
+        direction: 0.0,
+    };
+    let relief = Relief {
+        form,
+        body: Body::First,
+        place: [0.0; 2],
+        moved: Pose::START,
+        turn: Turn::NONE,
+    };
+    let step = |problem: &_, conditions: &_| longest_step(problem, conditions, &params(), 0.0);
+    let fastest = params().largest_step / 3.5;
+    assert_relative_eq!(step(&problem, &conditions), fastest, max_relative = 1e-12);
+    problem.shape.gap.terms.push(GapTerm::Relief(relief));
+    assert_relative_eq!(step(&problem, &conditions), 0.01, max_relative = 1e-12);
+    conditions.speeds = Speeds::Each([1.5, 0.5].map(Course::Constant));
+    assert_relative_eq!(
+        step(&problem, &conditions),
+        0.005 / 1.5,
+        max_relative = 1e-12
+    );
 }
 
 /// Films and friction power of a spinning ball stay under constant conditions, and spin and sliding that begin in time lead to them.

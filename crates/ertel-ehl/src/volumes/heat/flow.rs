@@ -315,3 +315,20 @@ fn through(
     }
     through
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::volumes::rows::Rows;
+
+    /// Rows at 0, 1, 2, 4 and 8: from the one at 2, whose face towards 4 is half of 2 away, inflow comes from 4 and 8, 4 apart, and outflow from 1, 1 behind: a = ½ · 2/4 and ½ · 2/1. Towards 1
+    /// half of 1 is to be bridged: inflow from 1 and 0, ½ · 1/1, and outflow from 4, ½ · 1/2.
+    #[test]
+    fn uneven_steps_by_hand() {
+        let rows = Rows::at(vec![0.0, 1.0, 2.0, 4.0, 8.0], false);
+        let grid = Grid::of_roller([-3, 3], 0.5, rows, 2, false);
+        let [.., after, before] = sides_of(&grid, grid.index(3, 2));
+        assert_eq!(after.ahead, [0.25, 1.0]);
+        assert_eq!(before.ahead, [0.5, 0.25]);
+    }
+}

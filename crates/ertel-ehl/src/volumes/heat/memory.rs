@@ -407,6 +407,7 @@ fn sinc(x: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::contact::{HertzZone, Turn};
+    use crate::volumes::rows::Rows;
     use approx::assert_relative_eq;
 
     /// Half-width, m, and cells of it.
@@ -485,6 +486,28 @@ mod tests {
             let carried = over.carried(&below.cold(grid.n_nodes()));
             let after = below.rise(&over.remembered(carried, &heat));
             assert!(differs(&after) < most, "{peclet:?}: {}", differs(&after));
+        }
+    }
+
+    /// The same below a roller whose load falls towards its ends: heat spreads along its axis, too.
+    #[test]
+    fn for_ever_is_steady_along_a_roller() {
+        let places = (-18..=18).map(|j| f64::from(j) / 16.0).collect();
+        let rows = Rows::at(places, false);
+        let grid = Grid::of_roller([-32, 32], CELL, rows, 18, false);
+        let below = below(&grid, [20.0, 0.0]);
+        let heat = bell(&grid);
+        let steady = Spreading::new(&grid, &below.body, A, 0.0).apply(&heat);
+        let own = below.rise(&below.settled(&heat));
+        for [i, j] in grid.nodes().filter(|[_, j]| (2..=34).contains(j)) {
+            let k = grid.index(i, j);
+            let size = largest(&steady);
+            assert!(
+                (own[k] - steady[k]).abs() < 0.01 * size,
+                "{i} {j}: {} {}",
+                own[k],
+                steady[k]
+            );
         }
     }
 

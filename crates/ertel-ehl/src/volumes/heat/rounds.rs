@@ -408,6 +408,21 @@ pub(super) fn largest_rise(own: &Temperatures, heat: &Heat) -> f64 {
 mod tests {
     use super::*;
 
+    /// By hand: a pressure of 0.5 after one of 0.15, two steps to a unit of time: 2 · 0.5 − 0.3.
+    #[test]
+    fn rates_by_hand() {
+        let storage = |past: f64| Storage {
+            rate: 2.0,
+            past: vec![past],
+        };
+        let in_time = InTime {
+            temperature: storage(0.0),
+            pressure: storage(-0.3),
+            contraction: 0.0,
+        };
+        assert!((in_time.pressure_rate(&[0.5])[0] - 0.7).abs() < 1e-12);
+    }
+
     /// By hand: changes of 0.1 that shrink by a tenth leave 0.011; with half steps, 0.0056; slowly shrinking changes leave more than their own size, and ratios of large ones are ignored.
     #[test]
     fn remaining_errors_by_hand() {

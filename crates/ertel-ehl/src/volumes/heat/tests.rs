@@ -1,12 +1,12 @@
 //! Films between perfect conductors against closed forms.
 
 use approx::assert_relative_eq;
-use ertel_rheology::density::DensityLaw;
+use ertel_rheology::density::{DensityLaw, DowsonHigginson, ThermalExpansion};
 use ertel_rheology::viscosity::{Cheng, ViscosityLaw};
 use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
 
-use super::columns::{FilmHeat, Films};
-use super::temperatures::{Bodies, Temperatures, account, step, unheated};
+use super::columns::{Columns, FilmHeat, Films, place};
+use super::temperatures::{Bodies, Temperatures, account, moving_body, step, unheated};
 use super::warm_up::of_film;
 use crate::contact::{HertzZone, Motion, Turn};
 use crate::film::cross_film::CrossFilm;
@@ -147,8 +147,21 @@ impl Channel {
 
     /// The same at an instant.
     fn solve_at(&self, stored: Option<&Storage>, own: &mut Temperatures) -> Linearised {
+        self.solve_with(stored, own, 1.0)
+    }
+
+    /// The same with some times the flow through the faces.
+    fn solve_with(
+        &self,
+        stored: Option<&Storage>,
+        own: &mut Temperatures,
+        more: f64,
+    ) -> Linearised {
         let bodies = Bodies::new(&self.system.grid, &self.heat, 3.15, None);
-        let at = self.system.linearise(&self.state);
+        let mut at = self.system.linearise(&self.state);
+        for face in at.faces.iter_mut().flatten() {
+            face.flux *= more;
+        }
         for _ in 0..12 {
             let temperature = own.film.clone();
             let now = self.films(&temperature);
@@ -180,8 +193,8 @@ fn couette(speed: f64, viscosity: &ViscosityLaw, order: usize) -> (f64, f64, f64
 }
 
 /// A film that comes warm between cold walls, T = T_w + ΔT cos πs, cools as e^(−x/l), l = ρ c u h²/(π² k) (Graetz's problem of a plug flow, its first wave): largest
-/// error of the temperatures at mid-film, of ΔT.
-fn cooling_error(cells: u32) -> f64 {
+/// error of the temperatures at mid-film, of ΔT. The faces of the film equation carry `more` times the flow of the nodes, and l is as much longer.
+fn cooling_error(cells: u32, more: f64) -> f64 {
     let speed = 1.0;
     let motion = Motion::straight(speed, 0.0);
     let length = problem(&motion, 0.01).scales.length;
@@ -193,14 +206,14 @@ fn cooling_error(cells: u32) -> f64 {
     let channel = Channel::new(height, &motion, &viscosity, 4.0 * h, h);
     let grid = &channel.system.grid;
     let mut own = unheated(grid, &channel.heat, NODES);
-    let rise = |x: f64, s: f64| 20.0 * (std::f64::consts::PI * s).cos() * (-1.0 - x).exp();
+    let rise = |x: f64, s: f64| 20.0 * (std::f64::consts::PI * s).cos() * (-(1.0 + x) / more).exp();
     let heights = FilmNodes::new(8).points().to_vec();
     for (k, [i, j]) in grid.nodes().enumerate().filter(|(_, [i, _])| *i < RING) {
         for (t, s) in own.film[NODES * k..].iter_mut().zip(&heights) {
             *t = AMBIENT + rise(grid.place(i, j)[0], *s);
         }
     }
-    channel.solve(&mut own);
+    channel.solve_with(None, &mut own, more);
     let errors = (grid.nodes().enumerate())
         .filter(|(_, [i, j])| grid.is_unknown(*i, *j))
         .map(|(k, [i, j])| {
@@ -213,11 +226,20 @@ fn cooling_error(cells: u32) -> f64 {
 /// Convection along the flow: the closed form, by the second order.
 #[test]
 fn film_cools_along_the_flow() {
-    let [coarse, middle, fine] = [16, 32, 64].map(cooling_error);
+    let [coarse, middle, fine] = [16, 32, 64].map(|cells| cooling_error(cells, 1.0));
     assert!(fine < 2e-4, "{coarse} {middle} {fine}");
     for [before, after] in [[coarse, middle], [middle, fine]] {
         let order = (before / after).log2();
         assert!((1.8..2.3).contains(&order), "{order}: {before} {after}");
+    }
+}
+
+/// The film equation says how much flows: with 1.5 and with 3 times the flow of the nodes the film cools as much later.
+#[test]
+fn heat_is_carried_by_the_flow_of_the_film_equation() {
+    for more in [1.5, 3.0] {
+        let error = cooling_error(32, more);
+        assert!(error < 1e-3, "{more}: {error}");
     }
 }
 
@@ -361,4 +383,96 @@ fn flow_of_a_film_warmer_on_one_side() {
     // Δu = 0.6 of the mean speed.
     assert_relative_eq!(found.drift[0], -0.6 * centre, max_relative = 1e-5);
     assert_relative_eq!(found.density, 1.0, max_relative = 1e-9);
+    // The film drifts along the sliding, at any angle to the grid.
+    let turned = of_film(
+        &fluid,
+        (0.2, 0.1, 0.01),
+        [0.0; 2],
+        [0.6 * slide[0], 0.8 * slide[0]],
+        &temperature,
+        scales.lambda,
+        &mut CrossFilm::default(),
+    );
+    for (drift, part) in turned.drift.into_iter().zip([0.6, 0.8]) {
+        assert_relative_eq!(drift, -0.6 * part * centre, max_relative = 1e-5);
+    }
+}
+
+/// Oil that expands by β = 5e-4/K under a pressure that rises by p_h/1000 in the time a/u: h T β p_h/1000 · u/a of heat, whether it rises in time or along the flow. All of it enters the equations across
+/// the film, and where temperatures are given the oil carries it off.
+#[test]
+fn compression_by_hand() {
+    let motion = Motion::straight(1.0, 0.0);
+    let viscosity = ViscosityLaw::constant(VISCOSITY).unwrap();
+    let mut channel = Channel::of_order(4, FILM, &motion, &viscosity, (1.0, 0.25));
+    let problem = problem(&motion, 0.01);
+    let scales = &problem.scales;
+    let expansion = ThermalExpansion {
+        reference_temperature: AMBIENT,
+        temperature_coefficient: 5e-4,
+    };
+    let law = DowsonHigginson::new(DENSITY, Some(expansion)).unwrap();
+    let density = DensityLaw::DowsonHigginson(law);
+    channel.system.fluid = FilmFluid::new(&density, &viscosity, AMBIENT, scales)
+        .with_shear(None, &motion.sliding(scales.length), scales)
+        .with_nodes(FilmNodes::new(4));
+    let grid = channel.system.grid.clone();
+    let hand = FILM * AMBIENT * 5e-4 * 1e-3 * scales.pressure / scales.length;
+    let zeros = vec![0.0; grid.n_nodes()];
+    let rates = vec![1e-3; grid.n_nodes()];
+    let places = grid.nodes().map(|[i, j]| grid.place(i, j)[0]);
+    let rising: Vec<f64> = places.map(|x| 1e-3 * (2.0 + x)).collect();
+    for (pressure, rate) in [(&zeros, &rates), (&rising, &zeros)] {
+        channel.state.pressure.clone_from(pressure);
+        let at = channel.system.linearise(&channel.state);
+        let mut own = unheated(&grid, &channel.heat, 5);
+        let temperature = own.film.clone();
+        let now = Films {
+            pressure_rate: rate,
+            ..channel.films(&temperature)
+        };
+        let columns = Columns::new(&channel.of(None), &now);
+        let found = account(&channel.of(None), &now, &at.faces, &mut own);
+        for (k, [i, j]) in grid.nodes().enumerate() {
+            let [shear, compression, _] = found.made[k];
+            assert_relative_eq!(compression, hand, max_relative = 1e-2);
+            let rows: f64 = columns.rows[5 * k..][..5].iter().sum();
+            assert_relative_eq!(rows, -shear - compression, max_relative = 1e-9);
+            if !grid.is_unknown(i, j) {
+                let to_bodies = own.flux[0][k] + own.flux[1][k];
+                let carried = shear + compression - to_bodies;
+                assert_relative_eq!(found.carried[k], carried, max_relative = 1e-9);
+            }
+        }
+    }
+}
+
+/// A grid at an angle of 0.3 to the motion: bodies at 1 m/s cross it by cos 0.3 and sin 0.3, and a pressure that rises along the motion alone does so for the film.
+#[test]
+fn grids_at_an_angle_by_hand() {
+    let motion = Motion::straight(1.0, 0.0);
+    let viscosity = ViscosityLaw::constant(VISCOSITY).unwrap();
+    let channel = Channel::of_order(4, FILM, &motion, &viscosity, (1.0, 0.25));
+    let zone = HertzZone {
+        axis_ratio: 1.0,
+        turn: Turn::by(0.3),
+        roller: None,
+    };
+    let grid = Grid::covering([[-1.0, 1.0]; 2], [0.25; 2], false, &zone);
+    let [along, across] = moving_body(&channel.heat, 0, &grid, 3.15).velocity;
+    assert_relative_eq!(along, 0.3_f64.cos(), max_relative = 1e-12);
+    assert_relative_eq!(across.abs(), 0.3_f64.sin(), max_relative = 1e-12);
+    let n = grid.n_nodes();
+    let places = grid.nodes().map(|[i, j]| grid.place(i, j)[0]);
+    let rising: Vec<f64> = places.map(|x| 0.1 + 0.02 * x).collect();
+    let temperature = vec![AMBIENT; 5 * n];
+    let films = Films {
+        pressure: &rising,
+        film: &vec![0.1; n],
+        ..channel.films(&temperature)
+    };
+    let [i, j] = grid.centre();
+    let [x, y] = place(&grid, &films, 5, grid.index(i, j)).pressure_gradient;
+    assert_relative_eq!(x, 0.02, max_relative = 1e-9);
+    assert_relative_eq!(y, 0.0, epsilon = 1e-12);
 }

@@ -155,6 +155,24 @@ mod tests {
         assert_relative_eq!(bearing.radius(Ring::Outer), outer, max_relative = 1e-12);
     }
 
+    /// The volume of a slender cone's frustum in 1000 discs of the radius D/2 + z tan ν; a steep cup, so that the taper counts.
+    #[test]
+    fn mass_by_discs() {
+        let steep = TaperedGeometry {
+            cup_angle: 40_f64.to_radians(),
+            ..tapered()
+        };
+        let taper = steep.half_angle().tan();
+        let step = 11e-3 / 1000.0;
+        let volume: f64 = (0..1000)
+            .map(|k| {
+                let z = (f64::from(k) + 0.5) * step - 5.5e-3;
+                std::f64::consts::PI * (4e-3 + z * taper).powi(2) * step
+            })
+            .sum();
+        assert_relative_eq!(steep.mass(7850.0), 7850.0 * volume, max_relative = 1e-6);
+    }
+
     #[test]
     fn out_of_range() {
         let good = tapered();

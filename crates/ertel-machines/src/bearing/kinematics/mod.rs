@@ -31,3 +31,20 @@ pub fn recommended_speed_factor(geometry: &Geometry) -> f64 {
         Geometry::TaperedRoller(_) => 3.5e5,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// By hand: 3000/min = 100π rad/s inside and 1000/min the other way outside at d_m = 50 mm: 4000 · 50 mm/min.
+    #[test]
+    fn speed_factor_by_hand() {
+        let turn = std::f64::consts::PI / 30.0;
+        let speeds = Speeds {
+            inner: 3000.0 * turn,
+            outer: -1000.0 * turn,
+        };
+        assert_relative_eq!(speed_factor(speeds, 50e-3), 2e5, max_relative = 1e-12);
+    }
+}

@@ -177,6 +177,9 @@ mod tests {
         let ratio = fixed([0.56, 0.56]) / fixed([0.52, 0.53]);
         assert!((0.3..0.7).contains(&ratio), "{ratio}");
         assert!(dynamic([0.525, 0.53]) < dynamic([0.52, 0.53]));
+        // Inside, ball and raceway are less conformal: Σρ = (2.522 + 0.077)/D against (1.657 + 0.148)/D outside. A wider groove outside changes nothing.
+        assert_eq!(fixed([0.52, 0.54]), fixed([0.52, 0.53]));
+        assert!(fixed([0.53, 0.53]) < fixed([0.52, 0.53]));
     }
 
     /// Both formulas meet at 25.4 mm: 25.4^0.4 = 3.647.

@@ -406,6 +406,50 @@ fn balls_at_speed() {
     assert!((inner.spin[0] - inner.spin[1]).abs() > 1.0);
 }
 
+/// By hand: a ball of 12.7 mm has 8.41940e-3 kg; γ = 12.7/70, ω_m = [1000 (1 − γ) − 200 (1 + γ)]/2 = 291.143 rad/s at 35 mm: 24.978 N. A roller of 10 mm by 10 mm has 6.16538e-3 kg; γ = 10/54,
+/// ω_m = 288.889 rad/s at 27 mm: 13.893 N, which is also what the rollers of a solved bearing have.
+#[test]
+fn centrifugal_forces_by_hand() {
+    let speeds = Speeds {
+        inner: 1000.0,
+        outer: -200.0,
+    };
+    let density = Material::STEEL.density;
+    let ball = Geometry::Ball(typical(0.0)).centrifugal_force(density, speeds);
+    assert_relative_eq!(ball, 24.978, max_relative = 1e-4);
+    let rollers = Geometry::CylindricalRoller(cylindrical(0.0));
+    let roller = rollers.centrifugal_force(density, speeds);
+    assert_relative_eq!(roller, 13.893, max_relative = 1e-4);
+    let loads = Loads::forces(5000.0, 0.0);
+    let found = Bearing::steel(rollers).solve(&loads, speeds, &Params::default());
+    let element = &found.unwrap().elements[0];
+    assert_relative_eq!(element.centrifugal_force, roller, max_relative = 1e-12);
+}
+
+/// A ball that the inner ring does not reach is pressed outwards: its contact angle is 0 at both rings, and it rolls as fast as one with that angle, ω_m = ω_i (1 − D/d_m)/2.
+#[test]
+fn loose_balls_have_the_angle_of_the_outer_ring() {
+    let bearing = Bearing::steel(Geometry::Ball(typical(30e-6)));
+    let speeds = Speeds {
+        inner: 500.0,
+        outer: 0.0,
+    };
+    let loads = Loads {
+        axial: Given::Shift(-150e-6),
+        ..Loads::forces(3000.0, 0.0)
+    };
+    let found = bearing.solve(&loads, speeds, &Params::default()).unwrap();
+    let loose: Vec<&Element> = (found.elements.iter())
+        .filter(|element| element.contacts[0].load == 0.0)
+        .collect();
+    assert!(!loose.is_empty());
+    for element in loose {
+        assert_eq!(element.contacts.each_ref().map(|c| c.angle), [0.0; 2]);
+        let cage = 250.0 * (1.0 - 12.7 / 70.0);
+        assert_relative_eq!(element.cage_speed, cage, max_relative = 1e-9);
+    }
+}
+
 /// A roller bearing of zero clearance and two directions of load: F_r = Σ Q cos ψ, slices add up, and tilt shifts the load along the rollers.
 #[test]
 fn rollers() {
@@ -424,6 +468,10 @@ fn rollers() {
     let modulus = Material::STEEL.reduced_modulus;
     let pressure = (middle.line_load * modulus / (2.0 * PI * first.radii[0])).sqrt();
     assert_relative_eq!(middle.pressure, pressure, max_relative = 1e-9);
+    // Half-width b = √(8 w R/(π E')) under the mean load per length w = Q/L.
+    let mean = first.load / 10e-3;
+    let half_width = (8.0 * mean * first.radii[0] / (PI * modulus)).sqrt();
+    assert_relative_eq!(first.semi_axes[0], half_width, max_relative = 1e-9);
     let tilted = Loads {
         tilt: [Given::Shift(0.0), Given::Shift(1e-3)],
         ..Loads::forces(5000.0, 0.0)

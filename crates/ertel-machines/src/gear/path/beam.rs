@@ -125,6 +125,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
+    use crate::gear::geometry::GearDimensions;
     use crate::gear::test_data::{c14, steel, steel_operation};
 
     /// A beam of even thickness t = 4 mm and length 8 mm under a force across it at its end: 4 l³/(E t³) + 2.4 (1 + ν) l/(E t) =
@@ -152,6 +153,31 @@ mod tests {
             let found = foundation(tooth, pair.radius_at(member, 0.0), steel(), 15e-3);
             assert_relative_eq!(found, right, max_relative = 1e-8);
         }
+    }
+
+    /// Two equal gears: a pinion of half the modulus at a place is as soft as a wheel of half the modulus at the mirrored place, and the wheel that is touched near its root bends less than the
+    /// pinion near its tip.
+    #[test]
+    fn equal_gears_may_change_places() {
+        let dimensions = GearDimensions::spur(4.5e-3, [24, 24], std::f64::consts::PI / 9.0, 14e-3);
+        let pair = GearPair::new(&dimensions).expect("a pair");
+        let soft = Material {
+            youngs_modulus: 103e9,
+            ..steel()
+        };
+        let compliance = |materials: [Material; 2], s: f64| {
+            let operation = Operation {
+                materials,
+                ..steel_operation(200.0, 1500.0)
+            };
+            let beams = Beams::new(&pair, &operation, [15e-3; 2]).expect("beams");
+            beams.stiffness(&pair, s).recip()
+        };
+        let s = 0.8 * pair.points.e;
+        let pinion = compliance([soft, steel()], s);
+        let wheel = compliance([steel(), soft], s);
+        assert_relative_eq!(pinion, compliance([steel(), soft], -s), max_relative = 1e-9);
+        assert!(pinion > 1.1 * wheel, "{pinion} {wheel}");
     }
 
     /// C14 with bores of 15 mm, at three places. By a separate program, with the fillet and the involute in 20 000 parts.
