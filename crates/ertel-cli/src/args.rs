@@ -517,6 +517,12 @@ pub enum SolidsCommand {
     },
 }
 
+/// `ertel completions`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Bash: ertel completions bash > ~/.local/share/bash-completion/completions/ertel
+Zsh:  ertel completions zsh > \"${fpath[1]}/_ertel\"
+Fish: ertel completions fish > ~/.config/fish/completions/ertel.fish")]
 pub struct CompletionsArgs {
     /// The shell
     #[arg(value_name = "SHELL", value_enum)]

@@ -1,6 +1,6 @@
 //! `ertel completions` and `ertel man`.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::{fs, io};
 
 use clap::CommandFactory;
@@ -10,13 +10,6 @@ use ertel_input::file::{LARGEST_DOCUMENT, read_bytes};
 use crate::args::{Cli, CompletionsArgs, ManArgs};
 use crate::failure::Failure;
 use crate::print;
-
-/// `ertel completions`.
-#[derive(Debug, Args)]
-#[command(after_help = "\
-Bash: ertel completions bash > ~/.local/share/bash-completion/completions/ertel
-Zsh:  ertel completions zsh > \"${fpath[1]}/_ertel\"
-Fish: ertel completions fish > ~/.config/fish/completions/ertel.fish")]
 
 /// Prints the completions.
 ///

@@ -11,7 +11,7 @@ use ertel::machine::figures;
 use ertel::output;
 use ertel::run;
 use ertel::run::over_time::over_time;
-use ertel::solution::{Solution, Unresolved, Why};
+use ertel::solution::Solution;
 use ertel::study::{CurveSolution, solve_curve, solve_in_balance};
 use ertel::warning::{Warning, by_kind};
 use serde_json::{Value, json};

@@ -92,7 +92,7 @@ fn modules(root: &Path) -> BTreeMap<Module, File> {
         .collect();
     let tests: Vec<Module> = (modules.iter())
         .flat_map(|(module, file)| {
-            (file.tests.iter()).map(|name| [module.as_slice(), &[name.clone()]].concat())
+            (file.tests.iter()).map(|name| [module.as_slice(), std::slice::from_ref(name)].concat())
         })
         .collect();
     modules.retain(|module, _| !tests.iter().any(|test| module.starts_with(test)));
@@ -246,7 +246,7 @@ fn read_use(words: &[String], mut at: usize, before: &Module, file: &mut File) -
                 return at + 2;
             }
             word if is_name(word) => {
-                if !(word == "self" && !path.is_empty()) {
+                if word != "self" || path.is_empty() {
                     path.push(words[at].clone());
                 }
                 at += 1;
