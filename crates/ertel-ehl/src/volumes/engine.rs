@@ -15,6 +15,7 @@ use super::newton::{NewtonInfo, NewtonParams, newton};
 use super::patches::{first_cells, grid};
 use super::plan::{LEAST_GRIDS, Plan, newton_params};
 use super::preconditioner::pattern;
+use super::pseudo_time::march;
 use super::rows::RING;
 use super::system::{State, System};
 use crate::contact::Symmetry;
@@ -57,7 +58,7 @@ const SOFTNESS: [f64; 6] = [243.0, 81.0, 27.0, 9.0, 3.0, 1.0];
 /// continuation. Attempts that converge stay below 10; others exceed 1e6 within two iterations and diverge.
 const DIVERGED_IMBALANCE: f64 = 1e4;
 
-/// Newton's method on a grid: directly, with shorter steps, or by continuation from higher speeds.
+/// Newton's method on a grid: directly, with shorter steps, by continuation from higher speeds, or as the end of a film in time.
 fn solve_on(
     problem: &Problem<Plan>,
     system: &mut System,
@@ -113,6 +114,10 @@ fn solve_on(
     }
     system.lambda = problem.scales.lambda;
     system.fluid = problem.fluid.clone();
+    if !all.converged && !all.interrupted {
+        *state = start;
+        all = all.and(march(system, &pattern, state, params, about, observer));
+    }
     ended(all)
 }
 

@@ -29,6 +29,7 @@
 //! | [`multigrid`], [`transfer`] | a cycle over coarser grids that solves it |
 //! | [`stencil`], [`rectangle`] | its matrix, incomplete and complete factors |
 //! | [`newton`], [`ending`] | Newton's method with active sets, and when it ends |
+//! | [`pseudo_time`] | a steady film as the end of one in time |
 //! | [`beyond`], [`far_pressure`] | the region beyond the first grid |
 //! | [`level`] | from a grid to one with cells of half the size on a smaller patch |
 //! | [`film`], [`composite`], [`fields`] | the film on all patches together; its mesh and fields |
@@ -74,6 +75,7 @@ pub mod passing;
 pub mod patches;
 pub mod plan;
 pub mod preconditioner;
+pub mod pseudo_time;
 pub mod rectangle;
 pub mod reduction;
 pub mod roller_zone;

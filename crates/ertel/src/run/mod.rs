@@ -158,7 +158,12 @@ fn solve_here(
                 }),
             }
         }
-        Ok(end) if lacks_a_film(case, &end.0) && may_use_other_method(case, first) => {
+        // Not the other way round: grids end at their limit of unknowns, and elements took minutes there without resolving the film either.
+        Ok(end)
+            if first == Method::FiniteElements
+                && lacks_a_film(case, &end.0)
+                && may_use_other_method(case, first) =>
+        {
             match by(first.other(), observer) {
                 Ok(other) if unresolved_films(&other.0).is_empty() => {
                     let lacking = unresolved_films(&end.0).join(" and ");
