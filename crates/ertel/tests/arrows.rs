@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// The modules of the solver, each above those that it may use.
-pub const SOLVER: [&str; 15] = [
+pub const SOLVER: [&str; 16] = [
     "words",
     "warning",
     "contact",
@@ -13,6 +13,7 @@ pub const SOLVER: [&str; 15] = [
     "film",
     "forms",
     "elastic",
+    "stress",
     "solution",
     "mixed",
     "engine",

@@ -26,6 +26,7 @@ mod uncertainty;
 mod unresolved;
 
 use crate::contact::{ContactKind, Groups, Hertz, Scales, Shape};
+use crate::stress::Stresses;
 use crate::warning::Warning;
 
 pub use checks::{Balance, Checks, SummedTo};
@@ -98,6 +99,8 @@ pub struct Solution {
     pub film_reduction: Option<FilmReduction>,
     /// Temperatures and heat; `None` for an isothermal contact.
     pub thermal: Option<Thermal>,
+    /// Stresses in the bodies, where requested.
+    pub stresses: Option<Stresses>,
     /// Sensitivities to the inputs, where requested and computable.
     pub sensitivities: Option<Sensitivities>,
     /// Uncertainty of the figures from that of the inputs; `None` where inputs have none.

@@ -22,7 +22,9 @@ pub use lubricant::{
     CONDUCTIVITIES, DENSITIES, HEAT_CAPACITIES, LUBRICANT, SHEAR_LAWS, VISCOSITIES,
 };
 pub use machine::MACHINES;
-pub use settings::{CODES, COMPARE, INTERFEROGRAM, MESH, OUTPUT, SOLVER, THERMAL};
+pub use settings::{
+    CODES, COMPARE, HARDNESS, INTERFEROGRAM, MESH, OUTPUT, SOLVER, STRESS, THERMAL,
+};
 pub use unknown::{unknown_first, unknown_path};
 
 use crate::Bounds;

@@ -22,7 +22,7 @@
 //! viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
 //! ```
 //!
-//! `[surface_roughness]` describes rough surfaces and their asperities. `kind = "roller"` also needs `length` and `profile`.
+//! `[stress]` asks for the stresses in the bodies. `[surface_roughness]` describes rough surfaces and their asperities. `kind = "roller"` also needs `length` and `profile`.
 //!
 //! `[machine]` describes a bearing, a gear or a cam instead of `[contact]` and `[motion]`.
 //!
@@ -53,6 +53,7 @@ mod roller;
 mod roughness;
 mod sections;
 mod set;
+mod stress;
 pub mod study;
 mod surface;
 mod thermal;
@@ -75,6 +76,7 @@ use crate::params::{
     ElasticModel, LinearSolver, MeshParams, OutputParams, SolverParams, ThermalParams,
 };
 
+use crate::stress::StressParams;
 use crate::warning::{Warning, WarningKind, silence};
 use bodies::Bodies;
 pub use bodies::Body;
@@ -138,6 +140,8 @@ pub struct Case {
     pub solver: SolverParams,
     /// Heat in film and bodies, if the file requests it; [`Case::thermal`] also considers `solver.isothermal`.
     pub thermal: Option<ThermalParams>,
+    /// Stresses in the bodies, if the file asks for them.
+    pub stress: Option<StressParams>,
     /// Output settings.
     pub output: OutputParams,
     /// Warnings about the input.
@@ -321,6 +325,9 @@ impl Case {
             }
             None => Supply::Flooded,
         };
+        let stress = (root.optional_table("stress")?)
+            .map(stress::read)
+            .transpose()?;
         let output = match root.optional_table("output")? {
             Some(table) => {
                 let is_in_time = root.contains("transient");
@@ -356,6 +363,7 @@ impl Case {
             mesh,
             solver,
             thermal,
+            stress,
             output,
             warnings: Vec::new(),
             source: document.text().to_owned(),

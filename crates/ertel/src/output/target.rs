@@ -14,7 +14,7 @@ use super::result_json::FORMAT;
 use super::transient::{TRANSIENT_FORMAT, is_file_of_instant};
 
 /// Files of a result; a folder with any other file is not replaced.
-const OWN_FILES: [&str; 102] = [
+const OWN_FILES: [&str; 106] = [
     "result.json",
     super::html::REPORT_PAGE,
     "curve.json",
@@ -40,6 +40,10 @@ const OWN_FILES: [&str; 102] = [
     "film.png",
     "convergence.png",
     "cross-film.csv",
+    "stress.csv",
+    "stress.svg",
+    "stress.png",
+    "stress.pdf",
     "temperature.vtu",
     "temperature.svg",
     "temperature.png",

@@ -9,6 +9,7 @@ mod layout;
 mod maps;
 mod profile;
 mod sampling;
+mod stress;
 
 pub use convergence::convergence;
 pub(super) use field::draw_ticks;
@@ -102,6 +103,10 @@ pub fn pictures_in(
     }
     if let Some(thermal) = &solution.thermal {
         tasks.extend(heat::heat_pictures(title, solution, thermal, scale));
+    }
+    if let Some(stresses) = &solution.stresses {
+        let draw = || stress::stress_map(title, stresses, solution.hertz.half_width);
+        tasks.push(("stress", Box::new(draw)));
     }
     tasks.push((
         "convergence",
