@@ -33,7 +33,7 @@ pub struct HertzLoad {
 }
 
 /// Directions of waves: first and largest number.
-const DIRECTIONS: [usize; 2] = [32, 2048];
+const DIRECTIONS: [usize; 2] = [32, 8192];
 /// Change of the stresses over the largest pressure at which the number is no longer doubled.
 const SETTLED: f64 = 1e-13;
 /// Depth of the surface over the smaller semi-axis of an ellipse.

@@ -9,7 +9,7 @@ use super::Kind::{
 use super::lubricant::{CONDUCTIVITY, HEAT_CAPACITY, LUBRICANT};
 use super::machine::MACHINES;
 use super::rows;
-use super::settings::{COMPARE, MESH, OUTPUT, SOLVER, THERMAL};
+use super::settings::{COMPARE, MESH, OUTPUT, SOLVER, STRESS, THERMAL};
 use super::{ANGLE, LENGTH, PRESSURE, ROTATION, SPEED, TEMPERATURE, TIME};
 use crate::usual::{
     COATINGS, CROWNS, GROOVES, HEIGHTS, HERTZ_PRESSURE, LENGTHS, LINE_LOAD, LOAD, MODULUS,
