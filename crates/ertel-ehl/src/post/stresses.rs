@@ -45,26 +45,7 @@ pub fn stresses(
         true => line_loads(&fields, hertz),
         false => [CELLS, COARSE_CELLS].map(|n| grid_loads(&fields, shape, hertz, n)),
     };
-    let half = shape.zone.half_extents().map(|h| h * hertz.half_width);
-    let smaller = match (is_line, hertz.half_width_y) {
-        (true, _) | (_, None) => hertz.half_width,
-        (_, Some(b)) => b.min(hertz.half_width),
-    };
-    let contact = Contact {
-        params,
-        depths: Depths {
-            largest: params.depth.unwrap_or(DEPTH * smaller),
-            planes: params.planes,
-        },
-        cut: params.cut_depth.unwrap_or(CUT * smaller),
-        x: match &fine.bodies[0] {
-            Load::Grid(load) => load.centres[0].clone(),
-            _ => passage(hertz.half_width),
-        },
-        is_line: is_line || shape.zone.roller.is_some(),
-        pressure: hertz.pressure,
-        reach: REACH[0] * half[0],
-    };
+    let contact = passing(params, shape, hertz, &fine.bodies[0]);
     let reference = |nu: f64| fine.dry.levels(&contact.x, &contact.depths, nu);
     let mut levels = reference(poisson[0]);
     let bodies = [0, 1].map(|body: usize| {
@@ -93,6 +74,30 @@ pub fn stresses(
         dang_van_weight: params.dang_van,
         load_share: fine.sums[0] / load,
         points: rows * contact.x.len() * (params.planes + 1),
+    }
+}
+
+/// Depths and passage of a contact.
+fn passing<'a>(params: &'a StressParams, shape: &Shape, hertz: &Hertz, load: &Load) -> Contact<'a> {
+    let half = shape.zone.half_extents().map(|h| h * hertz.half_width);
+    let smaller = match (shape.is_line(), hertz.half_width_y) {
+        (true, _) | (_, None) => hertz.half_width,
+        (_, Some(b)) => b.min(hertz.half_width),
+    };
+    Contact {
+        params,
+        depths: Depths {
+            largest: params.depth.unwrap_or(DEPTH * smaller),
+            planes: params.planes,
+        },
+        cut: params.cut_depth.unwrap_or(CUT * smaller),
+        x: match load {
+            Load::Grid(load) => load.centres[0].clone(),
+            _ => passage(hertz.half_width),
+        },
+        is_line: shape.is_line() || shape.zone.roller.is_some(),
+        pressure: hertz.pressure,
+        reach: REACH[0] * half[0],
     }
 }
 

@@ -60,10 +60,20 @@ pub(super) fn stress_map(title: &str, stresses: &Stresses, half_width: f64) -> D
         draw_section(&mut drawing, section, factor, (&levels, &colours), at);
     }
     drawing.end_clip();
+    draw_axes(&mut drawing, frame, &x, &z);
+    draw_bar(&mut drawing, bar, &colours, &ticks);
+    let label = format!("Stress after von Mises ({unit})");
+    let at = [right + 26.0, bar.top + 0.5 * bar.height];
+    drawing.turned_text(at, &label, LABEL_SIZE, Anchor::Middle, INK, -90.0);
+    drawing
+}
+
+/// The surface, the names of the bodies, and the axes.
+fn draw_axes(drawing: &mut Drawing, frame: Frame, x: &Axis, z: &Axis) {
     let surface = format!(
         "M{} {}h{}",
         number(frame.left),
-        number(frame.y(&z, 0.0)),
+        number(frame.y(z, 0.0)),
         number(frame.width)
     );
     drawing.stroke(&surface, Stroke::solid("#ffffff", 1.2));
@@ -80,14 +90,9 @@ pub(super) fn stress_map(title: &str, stresses: &Stresses, half_width: f64) -> D
         );
     }
     drawing.stroke(&frame.outline(), Stroke::solid(INK, FRAME_WIDTH));
-    label_x_axis(&mut drawing, frame, &x, false);
-    draw_ticks(&mut drawing, [frame, frame], &x, &z);
-    label_y_axis(&mut drawing, frame, &z, Side::Left, INK);
-    draw_bar(&mut drawing, bar, &colours, &ticks);
-    let label = format!("Stress after von Mises ({unit})");
-    let at = [right + 26.0, bar.top + 0.5 * bar.height];
-    drawing.turned_text(at, &label, LABEL_SIZE, Anchor::Middle, INK, -90.0);
-    drawing
+    label_x_axis(drawing, frame, x, false);
+    draw_ticks(drawing, [frame, frame], x, z);
+    label_y_axis(drawing, frame, z, Side::Left, INK);
 }
 
 fn draw_section(
