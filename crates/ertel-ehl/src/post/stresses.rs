@@ -23,6 +23,8 @@ const PARTS: usize = 6;
 /// Default of the largest depth and of the cut over the smaller half-width.
 const DEPTH: f64 = 3.0;
 const CUT: f64 = 0.1;
+/// Least depth over the cut, where one of both is a default.
+const LEAST_REST: f64 = 4.0;
 
 /// Loads of both bodies and of the dry contact, along with the share of the load that is on them.
 struct Loads {
@@ -84,13 +86,22 @@ fn passing<'a>(params: &'a StressParams, shape: &Shape, hertz: &Hertz, load: &Lo
         (true, _) | (_, None) => hertz.half_width,
         (_, Some(b)) => b.min(hertz.half_width),
     };
+    // Lives are computed from twice the cut on, too.
+    let (depth, cut) = match (params.depth, params.cut_depth) {
+        (Some(depth), Some(cut)) => (depth, cut),
+        (Some(depth), None) => (depth, (CUT * smaller).min(depth / LEAST_REST)),
+        (None, cut) => {
+            let cut = cut.unwrap_or(CUT * smaller);
+            ((DEPTH * smaller).max(LEAST_REST * cut), cut)
+        }
+    };
     Contact {
         params,
         depths: Depths {
-            largest: params.depth.unwrap_or(DEPTH * smaller),
+            largest: depth,
             planes: params.planes,
         },
-        cut: params.cut_depth.unwrap_or(CUT * smaller),
+        cut,
         x: match load {
             Load::Grid(load) => load.centres[0].clone(),
             _ => passage(hertz.half_width),
