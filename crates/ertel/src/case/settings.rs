@@ -1,4 +1,4 @@
-//! Lubricant, heat, supply and solution of a contact: `[solver]`, `[thermal]`, `[lubricant]`, `[mesh]`, `[inlet]`, `[output]`.
+//! Lubricant, heat, supply and solution of a contact: `[solver]`, `[thermal]`, `[lubricant]`, `[mesh]`, `[inlet]`, `[stress]`, `[output]`.
 
 use std::path::Path;
 
@@ -6,9 +6,10 @@ use ertel_input::{InputError, Table};
 
 use super::geometry::Geometry;
 use super::lubricant::{self, Lubricant};
-use super::{friction, inlet, params, thermal};
+use super::{friction, inlet, params, stress, thermal};
 use crate::contact::{Hertz, Supply};
 use crate::params::{MeshParams, OutputParams, SolverParams, ThermalParams};
+use crate::stress::StressParams;
 use crate::warning::Warning;
 
 /// Contents of these sections.
@@ -20,6 +21,7 @@ pub(super) struct Settings {
     pub friction_by_law: bool,
     pub mesh: MeshParams,
     pub supply: Supply,
+    pub stress: Option<StressParams>,
     pub output: OutputParams,
     /// Warnings about the range of the data of the lubricant.
     pub warnings: Vec<Warning>,
@@ -72,6 +74,7 @@ impl Settings {
             }
             None => Supply::Flooded,
         };
+        let stress = root.optional_table("stress")?.map(stress::read);
         let is_in_time = root.contains("transient");
         let output = root.optional_table("output")?;
         let output = output.map(|table| params::read_output(table, &solver, contact, is_in_time));
@@ -83,6 +86,7 @@ impl Settings {
             friction_by_law,
             mesh,
             supply,
+            stress: stress.transpose()?,
             warnings,
         })
     }

@@ -22,7 +22,7 @@ use super::machine::{machine_pictures, table_of_pressed, warnings, write_figures
 use super::pictures::Picture;
 use super::report::{write_case, write_contact, write_effort, write_formulas, write_results};
 use super::transient::{transient_table, write_results as write_transient};
-use super::{curve_report, curve_table, heat, inputs};
+use super::{curve_report, curve_table, heat, inputs, stress};
 use crate::case::CaseEcho;
 use crate::compare::Comparison;
 use crate::figures::Definition;
@@ -133,6 +133,7 @@ pub fn report_page(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Stri
             if let Some(thermal) = &solution.thermal {
                 heat::write_results(out, solution, thermal);
             }
+            stress::write_results(out, solution);
         },
         "",
     );

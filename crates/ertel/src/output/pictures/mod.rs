@@ -10,6 +10,7 @@ mod maps;
 mod profile;
 mod sampling;
 mod shared;
+mod stress;
 
 pub use convergence::convergence;
 pub use fluid::{ViscosityCurve, viscosity_chart};
@@ -103,6 +104,10 @@ pub fn pictures_in(
     }
     if let Some(thermal) = &solution.thermal {
         tasks.extend(heat::heat_pictures(title, solution, thermal, scale));
+    }
+    if let Some(stresses) = &solution.stresses {
+        let draw = || stress::stress_map(title, stresses, solution.hertz.half_width);
+        tasks.push(("stress", Box::new(draw)));
     }
     tasks.push((
         "convergence",
