@@ -81,3 +81,43 @@ fn between(loads: &[[f64; 2]], y: f64) -> f64 {
     };
     a[1] + (b[1] - a[1]) * (y - a[0]) / (b[0] - a[0])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::Planar;
+    use crate::volumes::grid::Grid;
+    use crate::volumes::level::Level;
+    use crate::volumes::rows::Rows;
+    use crate::volumes::system::{State, System};
+    use crate::volumes::tests::system;
+    use approx::assert_relative_eq;
+
+    /// A row under the Hertz pressure √(1 − x²) of a line bears the load per length of that line.
+    #[test]
+    fn loads_of_a_line() {
+        let places = (-6..=6).map(|j| 0.25 * f64::from(j)).collect();
+        let grid = Grid::of_roller([-40, 40], 0.05, Rows::at(places, false), 6, false);
+        let (own, state) = system(false, Planar::along_x(1.0));
+        let nodes = grid.nodes().map(|[i, j]| grid.on_axes(i, j)[0]);
+        let pressure = nodes.map(|x| (1.0 - x * x).max(0.0).sqrt()).collect();
+        let level = Level {
+            films: vec![0.0; grid.n_nodes()],
+            system: System { grid, ..own },
+            state: State { pressure, ..state },
+            patch: None,
+            warm: None,
+            contents: std::sync::OnceLock::new(),
+        };
+        let found = loads(&Volumes {
+            levels: vec![level],
+            stats: Vec::new(),
+            stopped: false,
+            edge_effects: [0.0; 2],
+            balance_error: 0.0,
+        });
+        for [_, load] in found {
+            assert_relative_eq!(load, 1.0, max_relative = 1e-2);
+        }
+    }
+}

@@ -14,6 +14,7 @@ use super::figures::figures;
 use super::film::PatchedFilm;
 use super::grid::Grid;
 use super::kernel::Kernel;
+use super::level::Sampled;
 use super::plan::Plan;
 use super::storage::Storage;
 use super::summary::summarise;
@@ -339,6 +340,30 @@ fn halves_have_the_balances_of_wholes() {
             max_relative = 1e-8,
             epsilon = 1e-10
         );
+    }
+}
+
+/// Values between the nodes of a coarse grid are exact for cubics.
+#[test]
+fn cubics_between_coarse_nodes() {
+    let zone = HertzZone {
+        axis_ratio: 1.0,
+        turn: Turn::NONE,
+        roller: None,
+    };
+    let square = |reach: f64, h: f64| {
+        let bounds = [[-reach, reach]; 2];
+        Grid::covering(bounds, [h; 2], false, &zone)
+    };
+    let (coarse, fine) = (square(2.0, 0.5), square(1.0, 0.25));
+    let cubic = |[x, y]: [f64; 2]| x.powi(3) - 2.0 * x * y * y + 0.5 * y.powi(3) + x;
+    let values: Vec<f64> = (coarse.nodes())
+        .map(|[i, j]| cubic(coarse.on_axes(i, j)))
+        .collect();
+    let sampled = Sampled::new(&coarse, &fine);
+    for [i, j] in fine.nodes() {
+        let exact = cubic(fine.on_axes(i, j));
+        assert_relative_eq!(sampled.cubic(&values, i, j), exact, epsilon = 1e-12);
     }
 }
 

@@ -476,3 +476,42 @@ fn grids_at_an_angle_by_hand() {
     assert_relative_eq!(x, 0.02, max_relative = 1e-9);
     assert_relative_eq!(y, 0.0, epsilon = 1e-12);
 }
+
+/// The oil carries as much heat at the nodes of a half as at those of the whole, at the centreline too, where pressure drives it across.
+#[test]
+fn halves_carry_the_heat_of_wholes() {
+    let motion = Motion::straight(1.0, 0.0);
+    let viscosity = ViscosityLaw::constant(VISCOSITY).unwrap();
+    let [half, whole] = [true, false].map(|half| {
+        let mut channel = Channel::of_order(4, FILM, &motion, &viscosity, (1.0, 0.25));
+        let own = channel.system.grid.clone();
+        let [nx, ny] = own.n;
+        let grid = Grid {
+            half,
+            n: [nx, if half { ny } else { 2 * ny - 1 }],
+            ..own
+        };
+        let of = |f: &dyn Fn(f64, f64) -> f64| -> Vec<f64> {
+            let places = grid.nodes().map(|[i, j]| grid.place(i, j));
+            places.map(|[x, y]| f(x, y)).collect()
+        };
+        channel.films = vec![channel.films[0]; grid.n_nodes()];
+        channel.state.pressure = of(&|x, y| 0.3 - 0.1 * (x * x + y * y));
+        channel.state.wetted = vec![true; grid.n_nodes()];
+        channel.system.convolution = Convolution::new(&grid, 0.0).into();
+        channel.system.gap = channel.films.clone();
+        channel.system.grid = grid.clone();
+        let warm = of(&|x, y| AMBIENT + 5.0 * x.cos() * (1.0 + 0.5 * y * y));
+        let mut own = unheated(&grid, &channel.heat, 5);
+        own.film = warm.iter().flat_map(|t| [*t; 5]).collect();
+        let temperature = own.film.clone();
+        let faces = channel.system.linearise(&channel.state).faces;
+        let now = channel.films(&temperature);
+        let carried = account(&channel.of(None), &now, &faces, &mut own).carried;
+        (grid, carried)
+    });
+    for (k, [i, j]) in half.0.nodes().enumerate() {
+        let other = whole.1[whole.0.index(i, j)];
+        assert_relative_eq!(half.1[k], other, max_relative = 1e-8, epsilon = 1e-3);
+    }
+}
