@@ -292,7 +292,7 @@ fn forces_by_hand() {
     let at = |speed| cam.at(&operation(speed), FRAC_PI_2).expect("a contact");
     let point = at(200.0);
     assert_relative_eq!(point.force, 331.6, max_relative = 1e-12);
-    // What else presses on the follower adds to it.
+    // An additional force on the follower adds to it.
     let pressed = CamOperation {
         extra_force: 40.0,
         ..operation(200.0)

@@ -1,4 +1,4 @@
-//! What the pictures of a contact share: the unit of films, and the visible part of the motion's axis.
+//! Shared by the pictures of a contact: the unit of films, and the visible part of the motion's axis.
 
 use ertel_plot::Drawing;
 
