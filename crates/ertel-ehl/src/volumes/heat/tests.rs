@@ -498,7 +498,8 @@ fn halves_carry_the_heat_of_wholes() {
         channel.films = vec![channel.films[0]; grid.n_nodes()];
         channel.state.pressure = of(&|x, y| 0.3 - 0.1 * (x * x + y * y));
         channel.state.wetted = vec![true; grid.n_nodes()];
-        channel.system.convolution = Convolution::new(&grid, 0.0).into();
+        channel.system.convolution =
+            Deflection::new(&grid, Kernel::HalfSpace { compliance: 0.0 }).into();
         channel.system.gap = channel.films.clone();
         channel.system.grid = grid.clone();
         let warm = of(&|x, y| AMBIENT + 5.0 * x.cos() * (1.0 + 0.5 * y * y));

@@ -3,12 +3,13 @@
 use std::fmt::Write;
 
 use super::super::BODIES;
-use super::field::{bar_ticks, closed, draw_ticks};
+use super::field::{bar_ticks, closed};
+use super::layout::draw_ticks;
 use super::maps::shades;
 use crate::stress::{Section, Stresses};
 use crate::words::pressure_unit;
+use ertel_plot::Side;
 use ertel_plot::axis::Axis;
-use ertel_plot::chart::Side;
 use ertel_plot::contour::Triangulation;
 use ertel_plot::drawing::{
     Anchor, Drawing, INK, LABEL_SIZE, Stroke, TICK_SIZE, number, text_width,
