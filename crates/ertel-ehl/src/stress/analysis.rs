@@ -9,7 +9,7 @@ use super::results::{
 };
 use super::{Depths, Hardness, HertzLoad, Level, Load, Peak, dang_van, fatemi_socie};
 
-/// What both bodies share.
+/// Settings and geometry that both bodies share.
 pub struct Contact<'a> {
     /// Settings.
     pub params: &'a StressParams,

@@ -52,7 +52,7 @@ impl Criterion {
     }
 }
 
-/// What a life is computed from: the levels of a body and where they are.
+/// The levels of a body and their depths, from which lives are computed.
 #[derive(Clone, Copy)]
 pub struct Volume<'a> {
     /// Depths of the levels.

@@ -6,7 +6,7 @@ use super::depths::{Depths, crest, place};
 use super::grid::{GridLoad, Planes};
 use super::{HertzLoad, LineLoad, Stress};
 
-/// What presses and shears a body.
+/// Pressure and shear on a body.
 #[derive(Clone, Debug)]
 pub enum Load {
     /// A line contact.

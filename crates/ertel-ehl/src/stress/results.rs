@@ -89,7 +89,7 @@ pub struct Section {
     pub stress: Vec<Stress>,
 }
 
-/// What a passage does at a depth; of the whole plane but for the indices, which are those of the middle.
+/// Largest values of a passage at a depth; of the whole plane but for the indices, which are those of the middle.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Layer {
     /// Depth, m.

@@ -129,6 +129,8 @@ fn contact(poisson: f64, ratio: f64, friction: f64) -> HertzLoad {
 }
 
 /// On the axis, ellipses along and across the motion and the circle.
+///
+/// Theory: Stresses in the bodies.
 #[test]
 fn axis_of_ellipses() {
     let deviation = worst(AXIS.iter().flat_map(|[ratio, z, xx, yy, zz, xz]| {
