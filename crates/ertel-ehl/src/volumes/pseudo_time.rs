@@ -33,7 +33,7 @@ const MOST_ITERATIONS: usize = 12;
 const STEP_ERROR: f64 = 0.02;
 
 /// Most nodes: on fine grids the steps would take longer than all grids before.
-const MOST_NODES: usize = 50_000;
+pub const MOST_NODES: usize = 50_000;
 
 /// Marches from `state` to the steady film of a grid, and ends with it in `state`.
 pub fn march(
@@ -45,9 +45,6 @@ pub fn march(
     observer: &mut dyn Observer,
 ) -> NewtonInfo {
     let mut all = NewtonInfo::default();
-    if system.grid.n_nodes() > MOST_NODES {
-        return all;
-    }
     let of_step = NewtonParams {
         ends: Ends::of(STEP_ERROR),
         max_iterations: MOST_ITERATIONS.min(params.max_iterations),
@@ -62,6 +59,11 @@ pub fn march(
         let info = newton(system, pattern, state, params, about, observer);
         all = all.and(NewtonInfo {
             converged: info.converged && is_steady,
+            // An error reports the change of the last step that failed.
+            change: match info.converged {
+                true => all.change,
+                false => info.change,
+            },
             ..info
         });
         if all.converged || all.interrupted {

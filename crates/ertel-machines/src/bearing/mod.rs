@@ -1,7 +1,7 @@
 //! Rolling bearings: geometry, load distribution, speeds, rating lives and friction models, in SI.
 //!
-//! A [`Bearing`] under [`Loads`] at [`Speeds`] is solved for the load of each element on each ring: what comes
-//! out per contact are load, angle, radii, speeds, spin and the Hertz ellipse, from which a lubricated contact can be set up.
+//! A [`Bearing`] under [`Loads`](load::Loads) at [`Speeds`] is solved for the load of each element on each ring. The results
+//! per contact are load, angle, radii, speeds, spin and the Hertz ellipse, from which a lubricated contact can be set up.
 //!
 //! ```
 //! use ertel_machines::bearing::geometry::Ring;

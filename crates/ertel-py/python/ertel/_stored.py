@@ -108,7 +108,7 @@ class Warned:
 
     @property
     def warnings(self) -> list[str]:
-        """Warnings about the result, one sentence each; those of failed contacts first."""
+        """Warnings about the result, one sentence each; in whole machines, those of failed contacts first."""
         return list(self._document["warnings"])
 
     @property

@@ -27,7 +27,7 @@ impl Fluid {
     /// `kinematic_viscosity_40`, `kinematic_viscosity_100` or `viscosity_index`, `density_15`, `density_20` or
     /// `relative_density_15`, `base_oil`, `pressure_viscosity_coefficient` or those at one or two temperatures
     /// (`pressure_viscosity_coefficient_40`), `pressure_law`. The remaining data are
-    /// estimated ([`crate::data_sheet`]); such numbers have [`Status::Estimated`] in the provenance. `base_oil` may also be given with
+    /// estimated ([`crate::data_sheet`]); such numbers have [`Status::Estimated`](crate::provenance::Status::Estimated) in the provenance. `base_oil` may also be given with
     /// `viscosity`: `shear_thinning = { law = "estimate" }` and [`Fluid::estimate_heat`] use it.
     ///
     /// The table may have further keys; its owner calls [`Table::finish`]. `name` is what the fluid is called in

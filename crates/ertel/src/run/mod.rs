@@ -36,7 +36,7 @@ use crate::warning::{Warning, WarningKind, silence};
 
 /// Version of the numerics: incremented whenever the figures of some case change by more than rounding. Study points
 /// solved by an earlier version are then recomputed.
-pub const NUMERICS: u32 = 25;
+pub const NUMERICS: u32 = 26;
 
 /// Checks that a case can be solved: it has the required data, and an allowed mesh resolves its film.
 /// Takes milliseconds.
