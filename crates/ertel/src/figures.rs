@@ -147,6 +147,8 @@ definitions! {
         FILM_MINIMUM, "film_minimum", "smallest film", Length, Films;
         LAMBDA_MINIMUM, "lambda_minimum", "λ (minimum film / σ)", Coefficient, Films;
         HERTZ_PRESSURE_MAXIMUM, "hertz_pressure_maximum", "largest Hertz pressure", Stress, Mechanics;
+        VON_MISES_MAXIMUM, "von_mises_maximum", "largest von Mises stress in a body", Stress, Mechanics;
+        ORTHOGONAL_SHEAR_MAXIMUM, "orthogonal_shear_maximum", "largest half range of orthogonal shear", Stress, Mechanics;
         FRICTION_POWER_ROLLING, "friction_power_rolling", "power lost by rolling", Power, Friction;
     }
 

@@ -7,7 +7,8 @@ use ertel::engine::NoObserver;
 use ertel::output;
 use ertel::params::OutputParams;
 use ertel::run;
-use ertel::solution::Solution;
+use ertel::solution::{Figure, Solution};
+use ertel::stress::ShakedownBy;
 
 const LINE: &str = include_str!("golden/cases/line.toml");
 const CIRCLE: &str = include_str!("golden/cases/circle.toml");
@@ -50,10 +51,17 @@ fn check(solution: &Solution, dry: [f64; 2]) {
         let shear = &body.orthogonal_half_range;
         let known = stresses.dry.orthogonal_half_range.unwrap();
         assert!((shear.value / known.value - 1.0).abs() < 0.1, "{shear:?}");
-        assert!(body.lives.iter().all(|lives| lives.largest_stress[1] > 0.0));
+        assert!(body.lives.iter().all(|lives| lives.largest_stress[1].value > 0.0));
     }
     assert!(one.utilisation.is_some() && two.utilisation.is_none());
-    assert_eq!(one.shakedown.is_some(), solution.shape.is_line());
+    let by = match solution.shape.is_line() {
+        true => ShakedownBy::OrthogonalShear,
+        false => ShakedownBy::SmallestSphere,
+    };
+    assert_eq!(one.shakedown.by, by);
+    assert!(one.shakedown.safety.is_some());
+    let figure = solution.figure(Figure::VonMisesBody1).unwrap();
+    assert_eq!(figure.value, one.von_mises.value);
 }
 
 #[test]

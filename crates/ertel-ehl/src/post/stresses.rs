@@ -1,10 +1,10 @@
 //! Stresses in the bodies of a solved contact, from its pressure and wall shear.
 
 use crate::contact::{Hertz, Shape};
-use crate::solution::{ContactFields, Field, SurfaceField};
+use crate::solution::{Bar, ContactFields, Field, Figure, Measured, Reading, SurfaceField};
 use crate::stress::{
-    Body, Contact, Depths, GridLoad, HertzLoad, LineLoad, Load, StressParams, Stresses, analyse,
-    dry_contact,
+    Body, BodyStresses, Contact, Depths, Extreme, GridLoad, HertzLoad, LineLoad, Load, OverDepth,
+    StressParams, Stresses, analyse, dry_contact,
 };
 
 /// Cells of a grid along x and along y: odd, so that the middle of the contact is the centre of a cell, and twice the number transforms fast.
@@ -34,11 +34,12 @@ struct Loads {
     sums: [f64; 3],
 }
 
-/// Stresses in both bodies under the fields on the contact area; `load`: N, N/m of lines, `poisson`: of both bodies.
+/// Stresses in both bodies under the fields on the contact area; `load`: N, N/m of lines, `poisson`: of both bodies, `relative_error`: of the
+/// pressure.
 pub fn stresses(
     params: &StressParams,
     (shape, hertz, load): (&Shape, &Hertz, f64),
-    surface: &SurfaceField,
+    (surface, relative_error): (&SurfaceField, f64),
     poisson: [f64; 2],
 ) -> Stresses {
     let fields = ContactFields::new(shape, surface, None);
@@ -47,12 +48,15 @@ pub fn stresses(
         true => line_loads(&fields, hertz),
         false => [CELLS, COARSE_CELLS].map(|n| grid_loads(&fields, shape, hertz, n)),
     };
-    let contact = passing(params, shape, hertz, &fine.bodies[0]);
-    let reference = |nu: f64| fine.dry.levels(&contact.x, &contact.depths, nu);
-    let mut levels = reference(poisson[0]);
+    let contact = Contact {
+        relative_error,
+        ..passing(params, shape, hertz, &fine.bodies[0])
+    };
+    let reference = |nu: f64| contact.reference([&fine.dry, &coarse.dry], nu);
+    let mut dry = reference(poisson[0]);
     let bodies = [0, 1].map(|body: usize| {
         if body == 1 && poisson[1] != poisson[0] {
-            levels = reference(poisson[1]);
+            dry = reference(poisson[1]);
         }
         let own = Body {
             load: &fine.bodies[body],
@@ -61,7 +65,7 @@ pub fn stresses(
             traction: fine.sums[1 + body] / fine.sums[0],
             hardness: params.hardness[body].as_ref(),
         };
-        analyse(&contact, &own, &levels)
+        analyse(&contact, &own, &dry)
     });
     let rows = fine.bodies[0].rows().len();
     Stresses {
@@ -76,6 +80,59 @@ pub fn stresses(
         dang_van_weight: params.dang_van,
         load_share: fine.sums[0] / load,
         points: rows * contact.x.len() * (params.planes + 1),
+    }
+}
+
+/// Adds the figures of the bodies to those of the contact.
+pub fn note(measured: &mut Measured, stresses: &Stresses) {
+    let [one, two] = &stresses.bodies;
+    let figures = [
+        Figure::VonMisesBody1,
+        Figure::LargestShearBody1,
+        Figure::OrthogonalShearBody1,
+        Figure::DangVanBody1,
+        Figure::UtilisationBody1,
+    ];
+    note_body(measured, one, figures);
+    let figures = [
+        Figure::VonMisesBody2,
+        Figure::LargestShearBody2,
+        Figure::OrthogonalShearBody2,
+        Figure::DangVanBody2,
+        Figure::UtilisationBody2,
+    ];
+    note_body(measured, two, figures);
+}
+
+fn note_body(measured: &mut Measured, body: &BodyStresses, figures: [Figure; 5]) {
+    let [von_mises, shear, orthogonal, dang_van, utilisation] = figures;
+    let mut note = |figure, reading, error| {
+        measured.figures.note(figure, reading);
+        measured.bars.set(
+            figure,
+            Bar {
+                value: error,
+                place: None,
+            },
+        );
+    };
+    let extremes: [(Figure, &Extreme); 3] = [
+        (von_mises, &body.von_mises),
+        (shear, &body.largest_shear),
+        (orthogonal, &body.orthogonal_half_range),
+    ];
+    for (figure, extreme) in extremes {
+        let reading = Reading::new(extreme.value).at([extreme.x, extreme.y]);
+        note(figure, reading, extreme.error);
+    }
+    let over_depth: [(Figure, Option<&OverDepth>); 2] = [
+        (dang_van, Some(&body.dang_van)),
+        (utilisation, body.utilisation.as_ref()),
+    ];
+    for (figure, found) in over_depth {
+        if let Some(found) = found {
+            note(figure, Reading::new(found.value), found.error);
+        }
     }
 }
 
@@ -109,6 +166,7 @@ fn passing<'a>(params: &'a StressParams, shape: &Shape, hertz: &Hertz, load: &Lo
         is_line: shape.is_line() || shape.zone.roller.is_some(),
         pressure: hertz.pressure,
         reach: REACH[0] * half[0],
+        relative_error: 0.0,
     }
 }
 

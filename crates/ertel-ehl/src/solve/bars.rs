@@ -133,7 +133,8 @@ fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
         | ErrorClass::FilmColdest
         | ErrorClass::Body1Hottest
         | ErrorClass::Body2Hottest
-        | ErrorClass::MeanTemperature => integral,
+        | ErrorClass::MeanTemperature
+        | ErrorClass::OfBodies => integral,
     }
 }
 
@@ -173,7 +174,8 @@ fn temperature_bar(figure: Figure, level: &LevelStats) -> f64 {
         | ErrorClass::HeatShear
         | ErrorClass::HeatCompression
         | ErrorClass::HeatCarried
-        | ErrorClass::ShareOfZone => 0.0,
+        | ErrorClass::ShareOfZone
+        | ErrorClass::OfBodies => 0.0,
     }
 }
 

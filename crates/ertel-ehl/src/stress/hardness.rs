@@ -17,21 +17,29 @@ const STEPS: usize = 60;
 const REACH: f64 = 4.0;
 
 impl Hardness {
+    /// The same at all depths, as of through-hardened steel.
+    pub fn uniform(hardness: f64) -> Hardness {
+        Hardness {
+            points: vec![[0.0, hardness]],
+        }
+    }
+
     /// From a table, depths ascending.
     ///
     /// # Errors
-    /// Which rule is broken: there are two points or more, depths ascend from zero or more, and the hardness falls to that of the last
-    /// depth, the core.
+    /// Which rule is broken: there are two points or more, depths ascend from zero or more, and no hardness is below that of the last depth,
+    /// the core.
     pub fn of_table(points: Vec<[f64; 2]>) -> Result<Hardness, &'static str> {
         if points.len() < 2 {
-            return Err("a table of hardness needs at least two depths");
+            return Err(
+                "a table of hardness needs at least two depths; a body of one hardness has `uniform`",
+            );
         }
         if points[0][0] < 0.0 || points.windows(2).any(|pair| pair[1][0] <= pair[0][0]) {
             return Err("the depths of a table of hardness must ascend, from zero or more");
         }
         let core = points[points.len() - 1][1];
-        let highest = points.iter().fold(0.0, |h: f64, p| h.max(p[1]));
-        if highest <= core || points.iter().any(|p| p[1] < core) {
+        if points.iter().any(|p| p[1] < core) {
             return Err(
                 "the hardness must fall to a core value: that of the last depth must be the lowest",
             );

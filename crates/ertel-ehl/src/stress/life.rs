@@ -68,6 +68,11 @@ impl Volume<'_> {
         WEIBULL[usize::from(self.is_line)]
     }
 
+    /// Exponent of the stress in a life.
+    pub(super) fn stress_exponent(&self) -> f64 {
+        STRESS_EXPONENT / self.weibull()
+    }
+
     /// ∫∫ (τ − τ_u)^c/z^h dz dy below a depth, up to a factor of the grid.
     fn integral(&self, criterion: Criterion, cut: f64, limit: f64) -> f64 {
         let rows = self.levels.first().map_or(0, |level| level.rows.len());

@@ -50,8 +50,10 @@ pub struct Level {
     pub tension: Peak,
     /// Half the largest range of σ_xz over a passage; x where σ_xz is largest in size.
     pub half_range: Peak,
-    /// Largest |σ_xz|.
-    pub orthogonal: Peak,
+    /// The same in the middle row.
+    pub middle_range: Peak,
+    /// Largest |σ_xz| of the middle row.
+    pub middle_orthogonal: f64,
     /// Shear row by row.
     pub rows: Vec<RowShear>,
     /// Stresses along the middle row.
@@ -114,6 +116,8 @@ impl Level {
                 }
             })
             .collect();
+        let middle = y.len() / 2;
+        let (middle_orthogonal, along) = crest(n, |i| row(middle)[i].xz().abs());
         let (value, t) = crest(y.len(), |j| rows[j].half_range);
         Level {
             von_mises: of(&Stress::von_mises),
@@ -124,9 +128,14 @@ impl Level {
                 x: orthogonal.x,
                 y: place(y, t),
             },
-            orthogonal,
+            middle_range: Peak {
+                value: rows[middle].half_range,
+                x: place(x, along),
+                y: y[middle],
+            },
+            middle_orthogonal,
             rows,
-            middle: row(y.len() / 2).to_vec(),
+            middle: row(middle).to_vec(),
         }
     }
 }

@@ -15,15 +15,17 @@ mod hertz;
 mod life;
 mod line;
 mod load;
+mod measures;
 mod rectangle;
 mod results;
+mod sections;
 mod sphere;
 mod tensor;
 
 #[cfg(test)]
 mod tests;
 
-pub use analysis::{Body, Contact, analyse, dry_contact};
+pub use analysis::{Body, Contact, Reference, analyse};
 pub use depths::Depths;
 pub use fatigue::{DangVan, dang_van, fatemi_socie};
 pub use grid::{GridLoad, Planes};
@@ -32,8 +34,9 @@ pub use hertz::HertzLoad;
 pub use life::{Criterion, Volume, lundberg_palmgren};
 pub use line::LineLoad;
 pub use load::{Level, Load, Peak, RowShear};
+pub use measures::dry_contact;
 pub use results::{
-    AtDepth, BodyStresses, DryContact, Extreme, Layer, Lives, Profile, Section, Shakedown,
-    StressParams, Stresses,
+    AtDepth, BodyStresses, DryContact, Extreme, Layer, Life, Lives, OverDepth, Profile, Section,
+    Shakedown, ShakedownBy, StressParams, Stresses,
 };
 pub use tensor::{COMPONENTS, Stress};

@@ -37,7 +37,7 @@ impl Default for StressParams {
     }
 }
 
-/// A largest value with its place; bars are differences from loads, places and depths half as dense.
+/// A largest value with its place; bars are differences from loads, places and depths half as dense, and the bar of the solution's pressure.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Extreme {
     /// The value, Pa.
@@ -61,6 +61,28 @@ pub struct AtDepth {
     pub value: f64,
     /// Depth, m.
     pub depth: f64,
+}
+
+/// A largest value over depth; bars as those of [`Extreme`].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct OverDepth {
+    /// The value.
+    pub value: f64,
+    /// Error bar.
+    pub error: f64,
+    /// Depth, m.
+    pub depth: f64,
+    /// Error bar of the depth, m.
+    pub depth_error: f64,
+}
+
+/// A relative life; the bar as that of [`Extreme`].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Life {
+    /// The life over that of the reference.
+    pub value: f64,
+    /// Error bar.
+    pub error: f64,
 }
 
 /// The stresses at all depths below a place.
@@ -89,7 +111,8 @@ pub struct Section {
     pub stress: Vec<Stress>,
 }
 
-/// Largest values of a passage at a depth; of the whole plane but for the indices, which are those of the middle.
+/// Largest values of a passage at a depth; of the whole plane but for the indices, the shear of the shakedown and the range of σ_xz under
+/// rollers, which are those of the middle.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Layer {
     /// Depth, m.
@@ -104,6 +127,9 @@ pub struct Layer {
     pub orthogonal_half_range: f64,
     /// Dang Van's index, Pa.
     pub dang_van: f64,
+    /// Least yield strength in shear that shakes down: |σ_xz| of lines and rollers, else the radius of the smallest sphere around the path of the
+    /// deviator over √2, Pa.
+    pub shakedown_shear: f64,
     /// Fatemi and Socie's parameter, Pa; where there is a hardness.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fatemi_socie: Option<f64>,
@@ -113,19 +139,34 @@ pub struct Layer {
     /// Stress after von Mises over the yield strength.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub utilisation: Option<f64>,
+    /// The shear of the shakedown over the yield strength in shear.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shakedown_use: Option<f64>,
 }
 
-/// Elastic limit in repeated passages by Melan's static theorem, for lines: residual stresses σ_xx and σ_yy that depend on the depth alone may be
-/// added, so that σ_xz decides.
+/// What limits the shakedown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ShakedownBy {
+    /// Lines and rollers: residual stresses depend on the depth alone, have no σ_xz, and let |σ_xz| decide (Melan's static theorem).
+    OrthogonalShear,
+    /// Others: residual stresses may take the deviator to the centre of the smallest sphere around its path. Whether they are in equilibrium is
+    /// not checked: the limit is an upper bound.
+    SmallestSphere,
+}
+
+/// Elastic limit in repeated passages.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Shakedown {
-    /// Largest |σ_xz|: the least yield strength in shear k that shakes down, Pa.
-    pub shear: Extreme,
+    /// What limits it.
+    pub by: ShakedownBy,
+    /// Least yield strength in shear k that shakes down, Pa.
+    pub shear: OverDepth,
     /// Hertz pressure over that: the limit p_h/k.
     pub pressure_over_yield: f64,
-    /// Smallest k over |σ_xz| of all depths, where there is a hardness; k = σ_y/√3.
+    /// Smallest yield strength in shear over the shear of all depths, where there is a hardness; k = σ_y/√3.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub safety: Option<f64>,
+    pub safety: Option<OverDepth>,
 }
 
 /// Lives by one criterion over those of the frictionless Hertz contact of the same load without fatigue limit.
@@ -136,9 +177,9 @@ pub struct Lives {
     /// Depths from which it is counted, m: half the cut, the cut, and twice the cut.
     pub cut_depth: [f64; 3],
     /// By the volume integral with the fatigue limit; `None`: no stress exceeds the limit.
-    pub integral: [Option<f64>; 3],
+    pub integral: [Option<Life>; 3],
     /// By the largest stress and its depth, without fatigue limit.
-    pub largest_stress: [f64; 3],
+    pub largest_stress: [Life; 3],
 }
 
 /// Stresses in a body.
@@ -154,16 +195,15 @@ pub struct BodyStresses {
     pub largest_shear: Extreme,
     /// Largest principal stress: tension.
     pub tension: Extreme,
-    /// Half the largest range of σ_xz over a passage, below the cut.
+    /// Half the largest range of σ_xz over a passage, below the cut; under a roller in its middle.
     pub orthogonal_half_range: Extreme,
     /// Largest index of Dang Van below the cut, Pa.
-    pub dang_van: AtDepth,
-    /// Shakedown of line contacts and rollers.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub shakedown: Option<Shakedown>,
+    pub dang_van: OverDepth,
+    /// Shakedown.
+    pub shakedown: Shakedown,
     /// Largest stress after von Mises over the yield strength.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub utilisation: Option<AtDepth>,
+    pub utilisation: Option<OverDepth>,
     /// Relative lives.
     pub lives: Vec<Lives>,
     /// Depth by depth.

@@ -19,7 +19,9 @@ use self::contacts::figure_of;
 use self::curve::Curve;
 use crate::case::{Case, Mechanics};
 use crate::figures::Row;
-use crate::figures::machine::{FILM_CENTRAL, FILM_MINIMUM, LAMBDA_MINIMUM};
+use crate::figures::machine::{
+    FILM_CENTRAL, FILM_MINIMUM, LAMBDA_MINIMUM, ORTHOGONAL_SHEAR_MAXIMUM, VON_MISES_MAXIMUM,
+};
 use crate::mark::Marked;
 pub use crate::point::MachineFigures;
 use crate::point::{MachineSolution, PointSolution};
@@ -37,6 +39,7 @@ pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
         false => solved,
     };
     let mut all = films(solved);
+    all.extend(stresses(solved));
     let mut warnings = Vec::new();
     match &solved.machine.mechanics {
         Mechanics::Bearing(bearing) => {
@@ -91,6 +94,32 @@ fn films(solved: &MachineSolution) -> Vec<Row> {
         (FILM_CENTRAL, central),
         (FILM_MINIMUM, film),
         (LAMBDA_MINIMUM, lambda),
+    ]
+    .into_iter()
+    .filter_map(|(figure, estimate)| Some(figure.row(estimate?, "")))
+    .collect()
+}
+
+/// The largest stresses in the bodies of all contacts.
+fn stresses(solved: &MachineSolution) -> Vec<Row> {
+    let largest = |figures: [Figure; 2]| {
+        // The smallest of the negative values.
+        let of = |point: &PointSolution| {
+            let bodies = figures.into_iter().filter_map(|f| figure_of(point, f));
+            let largest = bodies.max_by(|a, b| a.value.total_cmp(&b.value));
+            Some(largest? * -1.0)
+        };
+        Some(smallest(solved, of)? * -1.0)
+    };
+    [
+        (
+            VON_MISES_MAXIMUM,
+            largest([Figure::VonMisesBody1, Figure::VonMisesBody2]),
+        ),
+        (
+            ORTHOGONAL_SHEAR_MAXIMUM,
+            largest([Figure::OrthogonalShearBody1, Figure::OrthogonalShearBody2]),
+        ),
     ]
     .into_iter()
     .filter_map(|(figure, estimate)| Some(figure.row(estimate?, "")))

@@ -3,10 +3,14 @@
 use std::io::{self, Write};
 
 use super::BODIES;
-use super::figure::{percent, pressure_estimate};
+use super::figure::{estimate, number, percent, place, pressure_estimate, unresolved};
 use super::lines::Lines;
-use crate::solution::{Estimate, Solution};
-use crate::stress::{BodyStresses, COMPONENTS, Extreme, Lives, Profile, Stresses};
+use crate::mark::of_figure;
+use crate::solution::{Estimate, Figure, Located, Solution};
+use crate::stress::{
+    BodyStresses, COMPONENTS, Extreme, Life, Lives, OverDepth, Profile, Shakedown, ShakedownBy,
+    Stresses,
+};
 use crate::words::{digits, length, pressure};
 
 /// The stresses of both bodies, if there are any.
@@ -15,11 +19,31 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
         return;
     };
     out.heading("Stresses in the bodies");
-    let share = Estimate {
-        value: stresses.load_share,
-        error: None,
-    };
-    out.row("pressure on their grid over load", percent(share));
+    out.row(
+        "pressure on their grid over load",
+        percent(Estimate {
+            value: stresses.load_share,
+            error: None,
+        }),
+    );
+    write_dry(out, stresses);
+    for (role, body) in BODIES.into_iter().zip(&stresses.bodies) {
+        write_body(out, role, body, solution, stresses);
+    }
+    out.note("x, y: along and across the motion; traction: on the body, along x. Lives: over those of the dry contact without friction and without fatigue limit.");
+    for mark in of_figure(solution, Figure::VonMisesBody1).iter() {
+        out.note(&format!("stresses: {}", mark.words()));
+    }
+    if !solution.unresolved.is_empty() {
+        let all: Vec<String> = solution.unresolved.iter().map(unresolved).collect();
+        out.note(&format!(
+            "The contact is not resolved: {}. The stresses are those of its pressure and shear as they are, their bars may be too narrow.",
+            all.join("; ")
+        ));
+    }
+}
+
+fn write_dry(out: &mut Lines, stresses: &Stresses) {
     let dry = &stresses.dry;
     let mut text = format!(
         "von Mises {} at depth {}, largest shear {}",
@@ -35,13 +59,15 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
         ));
     }
     out.row("dry contact without friction", text);
-    for (role, body) in BODIES.into_iter().zip(&stresses.bodies) {
-        write_body(out, role, body, stresses);
-    }
-    out.note("x: along the motion; traction: on the body, along x. Lives: over those of the dry contact without friction and without fatigue limit.");
 }
 
-fn write_body(out: &mut Lines, role: &str, body: &BodyStresses, stresses: &Stresses) {
+fn write_body(
+    out: &mut Lines,
+    role: &str,
+    body: &BodyStresses,
+    solution: &Solution,
+    stresses: &Stresses,
+) {
     out.row(&format!("{role}: traction/load"), digits(body.traction, 4));
     for (name, extreme) in [
         ("largest von Mises stress", &body.von_mises),
@@ -52,32 +78,17 @@ fn write_body(out: &mut Lines, role: &str, body: &BodyStresses, stresses: &Stres
             &body.orthogonal_half_range,
         ),
     ] {
-        out.row(&format!("  {name}"), at_place(extreme));
+        out.row(&format!("  {name}"), at_place(extreme, solution));
     }
-    let index = &body.dang_van;
     out.row(
         &format!("  Dang Van (α {})", digits(stresses.dang_van_weight, 3)),
-        format!("{} at depth {}", pressure(index.value), length(index.depth)),
+        at_depth(&body.dang_van, pressure_estimate),
     );
-    if let Some(shakedown) = &body.shakedown {
-        let mut text = format!(
-            "elastic up to p_h/k {}, by σ_xz of {}",
-            digits(shakedown.pressure_over_yield, 4),
-            at_place(&shakedown.shear)
-        );
-        if let Some(safety) = shakedown.safety {
-            text.push_str(&format!("; k over σ_xz at least {}", digits(safety, 3)));
-        }
-        out.row("  shakedown", text);
-    }
+    out.row("  shakedown", shakedown(&body.shakedown));
     if let Some(utilisation) = &body.utilisation {
-        let share = Estimate {
-            value: utilisation.value,
-            error: None,
-        };
         out.row(
             "  von Mises over yield strength",
-            format!("{} at depth {}", percent(share), length(utilisation.depth)),
+            at_depth(utilisation, percent),
         );
     }
     for lives in &body.lives {
@@ -85,19 +96,68 @@ fn write_body(out: &mut Lines, role: &str, body: &BodyStresses, stresses: &Stres
     }
 }
 
-fn at_place(extreme: &Extreme) -> String {
+fn shakedown(found: &Shakedown) -> String {
+    let (words, stress) = match found.by {
+        ShakedownBy::OrthogonalShear => ("", "σ_xz"),
+        ShakedownBy::SmallestSphere => ("at most ", "a shear path"),
+    };
+    let mut text = format!(
+        "elastic up to {words}p_h/k {}, by {stress} of {}",
+        digits(found.pressure_over_yield, 4),
+        at_depth(&found.shear, pressure_estimate)
+    );
+    if let Some(safety) = found.safety {
+        text.push_str(&format!("; k over it {}", at_depth(&safety, number)));
+    }
+    text
+}
+
+/// A value with its bar and its depth.
+fn at_depth(found: &OverDepth, words: impl Fn(Estimate) -> String) -> String {
+    let value = words(Estimate {
+        value: found.value,
+        error: Some(found.error),
+    });
+    format!("{value} at depth {}", length(found.depth))
+}
+
+/// Distance from the plane of motion over the half-width that counts as none.
+const MIDDLE: f64 = 5e-4;
+
+fn at_place(extreme: &Extreme, solution: &Solution) -> String {
     let value = pressure_estimate(Estimate {
         value: extreme.value,
         error: Some(extreme.error),
     });
-    let (x, depth) = (length(extreme.x), length(extreme.depth));
-    format!("{value} at x {x}, depth {depth}")
+    // Places across are those of parabolas, zero up to rounding.
+    let is_middle = extreme.y.abs() < MIDDLE * solution.hertz.half_width;
+    let at = Located {
+        value: extreme.value,
+        error: Some(extreme.error),
+        resolved: true,
+        x: extreme.x,
+        y: if is_middle { 0.0 } else { extreme.y },
+        place_error: None,
+        place_resolved: true,
+    };
+    let depth = Estimate {
+        value: extreme.depth,
+        error: Some(extreme.depth_error),
+    };
+    format!("{value} {}, depth {}", place(solution, &at), estimate(&depth))
 }
 
 fn life(lives: &Lives) -> String {
-    let number = |life: Option<f64>| life.map_or("unlimited".to_owned(), |life| digits(life, 3));
-    let [half, own, twice] = lives.integral.map(number);
-    let [half_largest, largest, twice_largest] = lives.largest_stress.map(|life| digits(life, 3));
+    let shown = |life: Life| {
+        number(Estimate {
+            value: life.value,
+            error: Some(life.error),
+        })
+    };
+    let by_volume =
+        (lives.integral).map(|life| life.map_or_else(|| "unlimited".to_owned(), shown));
+    let [half, own, twice] = by_volume;
+    let [half_largest, largest, twice_largest] = lives.largest_stress.map(shown);
     format!(
         "{own} by volume, {largest} by largest stress ({}, from depth {}; from half and twice that {half} and {twice}, {half_largest} and {twice_largest})",
         lives.criterion.words(),

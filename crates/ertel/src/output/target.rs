@@ -22,7 +22,7 @@ pub const REPORT_PAGE: &str = "report.html";
 pub(super) const FIELDS: [&str; 2] = ["fields-", ".vtu"];
 
 /// Files of a result that are no pictures; a folder with any other file is not replaced.
-const FILES: [&str; 19] = [
+const FILES: [&str; 20] = [
     "result.json",
     REPORT_PAGE,
     "curve.json",
@@ -35,6 +35,7 @@ const FILES: [&str; 19] = [
     "result.nc",
     "cross-film.csv",
     "stress.csv",
+    "stress.vtu",
     "temperature.vtu",
     "cross-check.csv",
     "transient.json",

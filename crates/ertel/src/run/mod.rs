@@ -91,6 +91,9 @@ pub fn solve_from(
             solution.compare_with_flooded(full);
         }
         solution.stresses = stresses(case, &solution);
+        if let Some(stresses) = &solution.stresses {
+            post::stresses::note(&mut solution.measured, stresses);
+        }
         silence(&mut solution.warnings, &case.output.silence);
         let start = Start {
             own: own.map(Box::new),
@@ -105,10 +108,13 @@ fn stresses(case: &Case, solution: &Solution) -> Option<Stresses> {
     let params = case.stress.as_ref()?;
     let contact = (&solution.shape, &solution.hertz, case.contact.load);
     let poisson = [&case.body_1, &case.body_2].map(|body| body.elasticity.poissons_ratio);
+    let pressure = (solution.figure(Figure::PressureCentral))
+        .or_else(|| solution.figure(Figure::PressureMaximum));
+    let relative_error = pressure.and_then(|at| Some(at.error? / at.value));
     Some(post::stresses::stresses(
         params,
         contact,
-        &solution.surface,
+        (&solution.surface, relative_error.unwrap_or(0.0)),
         poisson,
     ))
 }

@@ -158,8 +158,8 @@ fn orthogonal_shear_of_lines_with_traction() {
     {
         let levels = Load::Line(hertz_line(mu)).levels(&passage(2.0, 800), &depths, 0.3);
         let (value, at, t) = half_range(&levels, &depths, 0.05);
-        let (largest, _) = crest(levels.len() - 1, |i| levels[i + 1].orthogonal.value);
-        let whole = (levels.iter()).fold(largest, |m, level| m.max(level.orthogonal.value));
+        let (largest, _) = crest(levels.len() - 1, |i| levels[i + 1].middle_orthogonal);
+        let whole = (levels.iter()).fold(largest, |m, level| m.max(level.middle_orthogonal));
         deviations[0] = worst([
             deviations[0],
             value - amplitude,

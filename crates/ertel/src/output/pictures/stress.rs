@@ -6,6 +6,7 @@ use super::super::BODIES;
 use super::field::{bar_ticks, closed};
 use super::layout::draw_ticks;
 use super::maps::shades;
+use crate::solution::Solution;
 use crate::stress::{Section, Stresses};
 use crate::words::pressure_unit;
 use ertel_plot::Side;
@@ -22,8 +23,13 @@ const HEIGHTS: [f64; 2] = [200.0, 700.0];
 /// Gap before the colour bar and its width, px.
 const BAR: [f64; 2] = [22.0, 16.0];
 
-/// The stress after von Mises: body 2 above, body 1 below.
-pub(super) fn stress_map(title: &str, stresses: &Stresses, half_width: f64) -> Drawing {
+/// The stress after von Mises, if there are stresses: body 2 above, body 1 below.
+pub fn stress_map(title: &str, solution: &Solution) -> Option<Drawing> {
+    let stresses = solution.stresses.as_ref()?;
+    Some(map(title, stresses, solution.hertz.half_width))
+}
+
+fn map(title: &str, stresses: &Stresses, half_width: f64) -> Drawing {
     let sections = stresses.bodies.each_ref().map(|body| &body.section);
     let top = (sections.iter())
         .flat_map(|section| section.stress.iter().map(|s| s.von_mises()))
