@@ -27,8 +27,9 @@ fn solved(text: &str, method: &str) -> (Case, Solution) {
 fn check(solution: &Solution, dry: [f64; 2]) {
     let stresses = solution.stresses.as_ref().unwrap();
     let (a, p) = (solution.hertz.half_width, solution.hertz.pressure);
+    // A thick film has pressure far before the contact.
     assert!(
-        (stresses.load_share - 1.0).abs() < 0.01,
+        (stresses.load_share - 1.0).abs() < 0.03,
         "{}",
         stresses.load_share
     );
@@ -50,7 +51,8 @@ fn check(solution: &Solution, dry: [f64; 2]) {
         assert!((largest / p - dry[0]).abs() < 0.08, "{largest}");
         let shear = &body.orthogonal_half_range;
         let known = stresses.dry.orthogonal_half_range.unwrap();
-        assert!((shear.value / known.value - 1.0).abs() < 0.1, "{shear:?}");
+        // Light loads spread into the inlet.
+        assert!((shear.value / known.value - 1.0).abs() < 0.15, "{shear:?}");
         assert!(body.lives.iter().all(|lives| lives.largest_stress[1].value > 0.0));
     }
     assert!(one.utilisation.is_some() && two.utilisation.is_none());

@@ -144,7 +144,7 @@ pub struct Layer {
     pub shakedown_use: Option<f64>,
 }
 
-/// What limits the shakedown.
+/// Condition that limits the shakedown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ShakedownBy {
@@ -158,7 +158,7 @@ pub enum ShakedownBy {
 /// Elastic limit in repeated passages.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Shakedown {
-    /// What limits it.
+    /// Condition that limits it.
     pub by: ShakedownBy,
     /// Least yield strength in shear k that shakes down, Pa.
     pub shear: OverDepth,

@@ -1,4 +1,4 @@
-//! What is kept of the stresses of a body: profiles over depth, and the plane of motion.
+//! Stresses of a body for output: profiles over depth, and the plane of motion.
 
 use super::analysis::{Body, Contact};
 use super::results::{Profile, Section};

@@ -146,6 +146,22 @@ fn formulas_of_lundberg_and_palmgren() {
     }
 }
 
+/// Without friction the path of the deviator under a circle fits into a sphere as wide as the range of σ_xz: p_0/k = 4.68, Johnson (1985, section 9.2) has 4.7;
+/// under a line 4.0.
+#[test]
+fn shakedown_by_the_smallest_sphere() {
+    let depths = Depths {
+        largest: 1.0,
+        planes: 60,
+    };
+    for (ratio, known) in [(Some(1.0), 0.213_890_9), (None, 0.25)] {
+        let levels = dry(ratio, 0.0).levels(&passage(3.0, 300), &depths, 0.3);
+        let radius = |level: &Level| dang_van(&level.middle, 0.3).radius / 2.0_f64.sqrt();
+        let largest = levels.iter().map(radius).fold(0.0, f64::max);
+        assert!((largest / known - 1.0).abs() < 3e-3, "{ratio:?} {largest}");
+    }
+}
+
 #[test]
 fn orthogonal_shear_of_lines_with_traction() {
     let depths = Depths {
