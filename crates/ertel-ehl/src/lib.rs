@@ -8,6 +8,7 @@
 //! | [`film`] | the fluid in the film and its flow at a point |
 //! | [`forms`] | weak forms at a point |
 //! | [`elastic`] | elastic bodies |
+//! | [`stress`] | stresses in the bodies, and what they mean for fatigue |
 //! | [`solution`], [`mixed`] | figures and fields in SI; asperities |
 //! | [`engine`] | the interface of numerical methods: problem, film, errors, coupling of film and heat; figures of any film |
 //! | [`post`] | figures, fields and warnings of any film for output |
@@ -26,6 +27,7 @@ pub mod params;
 pub mod post;
 pub mod solution;
 pub mod solve;
+pub mod stress;
 pub mod transient;
 pub mod volumes;
 pub mod warning;

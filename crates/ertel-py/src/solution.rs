@@ -11,7 +11,7 @@ use ertel::run::Start;
 use ertel::run::transient::TransientSolution;
 use ertel::solution::{ContactFields, Solution};
 use ertel::study::CurveSolution;
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -95,6 +95,33 @@ impl NativeSolution {
         (columns.into_iter())
             .map(|(name, values)| (name, values.into_pyarray(py)))
             .collect()
+    }
+
+    /// Places along the motion and depths, m, and the components of the stress in a body (6 x depths x places, Pa) in the plane of motion; `None` without stresses.
+    #[allow(clippy::type_complexity)]
+    fn stress_section<'py>(
+        &self,
+        py: Python<'py>,
+        body: usize,
+    ) -> PyResult<
+        Option<(
+            Bound<'py, PyArray1<f64>>,
+            Bound<'py, PyArray1<f64>>,
+            Bound<'py, PyArray3<f64>>,
+        )>,
+    > {
+        let Some(stresses) = &self.solution.stresses else {
+            return Ok(None);
+        };
+        let section = &stresses.bodies[body].section;
+        let shape = [6, section.depth.len(), section.x.len()];
+        let components = (0..6).flat_map(|i| section.stress.iter().map(move |s| s.0[i]));
+        let components: Vec<f64> = components.collect();
+        Ok(Some((
+            section.x.clone().into_pyarray(py),
+            section.depth.clone().into_pyarray(py),
+            components.into_pyarray(py).reshape(shape)?,
+        )))
     }
 
     /// Writes the files that `ertel solve` writes.

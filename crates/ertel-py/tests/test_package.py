@@ -430,3 +430,14 @@ def test_no_leak(line: dict[str, Any]) -> None:
             before = resident()
     gc.collect()
     assert resident() - before < 30_000, "kB"
+
+
+def test_stresses(cases: Path) -> None:
+    result = ertel.Case.from_file(cases / "stresses.toml").solve()
+    profile, section = result.stress_profile(1), result.stress_section(2)
+    assert profile["depth"].shape == profile["xz"].shape == (61,)
+    assert section["xx"].shape == (61, section["x"].size)
+    # The surface carries the pressure.
+    assert -profile["zz"][0] == pytest.approx(float(result.pressure_central), rel=0.02)
+    with pytest.raises(KeyError, match="no body 3"):
+        result.stress_profile(3)

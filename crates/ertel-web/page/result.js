@@ -7,6 +7,7 @@ const PICTURES = {
   convergence: "Convergence of Newton’s method",
   temperature: "Temperatures on the centreline",
   "cross-film": "Temperature across the film",
+  stress: "Stress after von Mises in the bodies",
   interferogram: "Interferogram",
 };
 const TYPES = { json: "application/json", svg: "image/svg+xml", png: "image/png", html: "text/html", nc: "application/x-netcdf" };

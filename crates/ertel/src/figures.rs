@@ -148,6 +148,8 @@ definitions! {
         LAMBDA_MINIMUM, "lambda_minimum", "λ (minimum film / σ)", Coefficient, Films;
         ASPERITY_LOAD_SHARE_MAXIMUM, "asperity_load_share_maximum", "largest load share of asperities", Share, Films;
         HERTZ_PRESSURE_MAXIMUM, "hertz_pressure_maximum", "largest Hertz pressure", Stress, Mechanics;
+        VON_MISES_MAXIMUM, "von_mises_maximum", "largest von Mises stress in a body", Stress, Mechanics;
+        ORTHOGONAL_SHEAR_MAXIMUM, "orthogonal_shear_maximum", "largest half range of orthogonal shear", Stress, Mechanics;
         FRICTION_POWER_ROLLING, "friction_power_rolling", "power lost by rolling", Power, Friction;
     }
 

@@ -42,7 +42,7 @@
 
 pub use ertel_ehl::{
     contact, elastic, engine, film, forms, interference, mixed, params, post, solution, solve,
-    transient, volumes, warning, words,
+    stress, transient, volumes, warning, words,
 };
 
 pub mod case;

@@ -116,7 +116,11 @@ impl Sum for Marks {
 /// The marks of a figure of a contact. Friction that no lubricant transmits also invalidates heat and temperatures.
 pub fn of_figure(solution: &Solution, figure: Figure) -> Marks {
     let is_of_friction = match figure.section() {
-        Section::Traction | Section::Shear | Section::Temperature | Section::Heat => true,
+        Section::Traction
+        | Section::Shear
+        | Section::Temperature
+        | Section::Heat
+        | Section::Stress => true,
         Section::Film
         | Section::Pressure
         | Section::Supply

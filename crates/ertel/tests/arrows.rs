@@ -10,7 +10,7 @@ use circles::CIRCLES;
 use files::{arrows, circles};
 
 /// The modules of the solver, each above those that it may use.
-pub const SOLVER: [&str; 15] = [
+pub const SOLVER: [&str; 16] = [
     "words",
     "warning",
     "contact",
@@ -19,6 +19,7 @@ pub const SOLVER: [&str; 15] = [
     "film",
     "forms",
     "elastic",
+    "stress",
     "solution",
     "mixed",
     "engine",

@@ -28,6 +28,7 @@ mod sensitivities;
 mod skewed;
 mod solver;
 mod starvation;
+mod stresses;
 mod thermal_results;
 mod thick_films;
 mod verify_cases;

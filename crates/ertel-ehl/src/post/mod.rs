@@ -5,5 +5,6 @@ pub mod fields;
 pub mod limits;
 pub mod mixed;
 pub mod shear;
+pub mod stresses;
 pub mod summary;
 pub mod thermal;

@@ -76,6 +76,8 @@ pub enum Section {
     Temperature,
     /// Sources and sinks of heat.
     Heat,
+    /// Stresses in the bodies.
+    Stress,
 }
 
 /// Lower bound of the error bar of a figure, in addition to the difference of two meshes.
@@ -127,6 +129,8 @@ pub enum ErrorClass {
     Body2Hottest,
     /// By the root-mean-square error of the temperatures over the Hertz zone.
     MeanTemperature,
+    /// Of the stresses in the bodies, which are computed from the solution and have their bars from there.
+    OfBodies,
 }
 
 /// Whether a figure is read off at a place that it has alone.

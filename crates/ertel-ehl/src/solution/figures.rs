@@ -167,6 +167,26 @@ figures! {
     HeatToBody2, "heat_to_body_2", "", "heat carried off by body 2", Power, Heat, HeatCarried, Whole;
     /// Heat carried off by the lubricant: W, or W/m.
     HeatByFilm, "heat_by_film", "", "heat carried off by the film", Power, Heat, HeatCarried, Whole;
+    /// Largest stress after von Mises in body 1.
+    VonMisesBody1, "von_mises_body_1", "", "largest von Mises stress, body 1", Stress, Stress, OfBodies, Place;
+    /// Largest shear stress in body 1.
+    LargestShearBody1, "largest_shear_body_1", "", "largest shear stress, body 1", Stress, Stress, OfBodies, Place;
+    /// Largest half range of the orthogonal shear in body 1.
+    OrthogonalShearBody1, "orthogonal_shear_body_1", "", "half range of orthogonal shear, body 1", Stress, Stress, OfBodies, Place;
+    /// Largest index of Dang Van in body 1.
+    DangVanBody1, "dang_van_body_1", "", "Dang Van's index, body 1", Stress, Stress, OfBodies, Whole;
+    /// Largest stress after von Mises over the yield strength in body 1.
+    UtilisationBody1, "utilisation_body_1", "", "von Mises over yield strength, body 1", Share, Stress, OfBodies, Whole;
+    /// Largest stress after von Mises in body 2.
+    VonMisesBody2, "von_mises_body_2", "", "largest von Mises stress, body 2", Stress, Stress, OfBodies, Place;
+    /// Largest shear stress in body 2.
+    LargestShearBody2, "largest_shear_body_2", "", "largest shear stress, body 2", Stress, Stress, OfBodies, Place;
+    /// Largest half range of the orthogonal shear in body 2.
+    OrthogonalShearBody2, "orthogonal_shear_body_2", "", "half range of orthogonal shear, body 2", Stress, Stress, OfBodies, Place;
+    /// Largest index of Dang Van in body 2.
+    DangVanBody2, "dang_van_body_2", "", "Dang Van's index, body 2", Stress, Stress, OfBodies, Whole;
+    /// Largest stress after von Mises over the yield strength in body 2.
+    UtilisationBody2, "utilisation_body_2", "", "von Mises over yield strength, body 2", Share, Stress, OfBodies, Whole;
 }
 
 impl Figure {

@@ -6,6 +6,7 @@ use super::{
     Stats, Summary, SummedTo, SurfaceField, Thermal, Traction, Uncertainties, Unresolved,
 };
 use crate::contact::{ContactKind, Groups, Hertz, Scales, Shape};
+use crate::stress::Stresses;
 use crate::warning::Warning;
 
 /// The solution of a case.
@@ -46,6 +47,8 @@ pub struct Solution {
     pub film_reduction: Option<FilmReduction>,
     /// Temperatures and heat; `None` for an isothermal contact.
     pub thermal: Option<Thermal>,
+    /// Stresses in the bodies, where requested.
+    pub stresses: Option<Stresses>,
     /// Sensitivities to the inputs, where requested and computable.
     pub sensitivities: Option<Sensitivities>,
     /// Uncertainty of the figures from that of the inputs; `None` where inputs have none.

@@ -9,7 +9,7 @@ use super::Kind::{
 use super::lubricant::{CONDUCTIVITY, CORRELATION, HEAT_CAPACITY, LUBRICANT};
 use super::machine::{MACHINES, PROFILE};
 use super::rows;
-use super::settings::{COMPARE, MESH, OUTPUT, SOLVER, THERMAL};
+use super::settings::{COMPARE, MESH, OUTPUT, SOLVER, STRESS, THERMAL};
 use super::{ANGLE, LENGTH, PRESSURE, ROTATION, SPEED, TEMPERATURE, TIME};
 use crate::usual::{
     COATINGS, GROOVES, HEIGHTS, HERTZ_PRESSURE, LENGTHS, LINE_LOAD, LOAD, MODULUS, OIL_LAYER,
@@ -25,6 +25,7 @@ rows! {
         machine: Machine(MACHINES) => "dimensions, loads and speeds of a machine element, instead of `[contact]` and `[motion]`";
         bodies: Table(BODIES) => "both bodies: elastic constants, thermal properties, radii of ellipses, composite roughness";
         surface_roughness: Table(ROUGHNESS) => "optional: rough surfaces and their asperities, which share the load with the oil";
+        stress: Table(STRESS) => "optional: this section, even if empty, asks for the stresses in both bodies of a steady contact";
         inlet: Table(INLET) => "optional: how much oil reaches the contact; without this section the inlet is fully flooded";
         lubricant: FluidOrTable(LUBRICANT) => "the lubricant by its name, its laws or its data sheet, and the temperature of the film";
         temperature: TEMPERATURE => "temperature of the film, where `lubricant` is a name";

@@ -22,7 +22,9 @@ pub use lubricant::{
 pub use machine::MACHINES;
 pub use paths::{all, rows_of};
 pub use row::{Kind, Law, Laws, Row};
-pub use settings::{CODES, COMPARE, INTERFEROGRAM, MESH, OUTPUT, SOLVER, THERMAL};
+pub use settings::{
+    CODES, COMPARE, HARDNESS, INTERFEROGRAM, MESH, OUTPUT, SOLVER, STRESS, THERMAL,
+};
 pub use unknown::{unknown_first, unknown_path};
 
 use row::{

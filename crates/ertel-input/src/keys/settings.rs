@@ -3,7 +3,8 @@
 use ertel_quantity::Dimension as D;
 
 use super::Kind::{
-    Choice, Choices, Count, Number, Points, Quantities, Quantity, Share, Switch, Table, Text,
+    Choice, Choices, Count, Number, Numbers, Points, Quantities, Quantity, Share, Switch, Table,
+    Text,
 };
 use super::rows;
 use super::{LENGTH, TEMPERATURE};
@@ -73,6 +74,26 @@ rows! {
         profiles: Points, default "[[-1, 0], [0, 0], [0.9, 0]]" => r"points at which profiles across the film are written, in half-widths{};
             `[]` for none. In a line contact y is 0";
         field: Switch, default "false" => "`true`: write the temperature of the whole film and of both bodies";
+    }
+    /// `[stress]`.
+    pub STRESS {
+        depth: LENGTH => "largest depth of the planes, 10 nm to 1 m; default three times the smaller half-width of the dry contact";
+        planes: Count, bounds [10.0, 400.0], default "60" => "number of planes below the surface, denser towards it";
+        cut_depth: LENGTH => r"depth from which fatigue is counted, 10 nm to 1 m; default a tenth of the smaller half-width. Lives are also given
+            for half and for twice the cut";
+        fatigue_limit: Quantity(&[D::PRESSURE]) => "fatigue limit τ_u of the life integral, 0 to 10 GPa; default zero";
+        dang_van_weight: Number, bounds [0.0, 2.0], default "0.3" => "weight α of the hydrostatic stress in Dang Van's index";
+        fatemi_socie_weight: Number, bounds [0.0, 2.0], default "1" => "weight κ of the normal stress in Fatemi and Socie's parameter";
+        body_1_hardness, body_2_hardness: Table(HARDNESS) => r"hardness of the body over depth: `surface`, `core` and `case_depth`, or a
+            table `depth` and `hardness`, or `uniform`";
+    }
+    /// `[stress.body_1_hardness]`.
+    pub HARDNESS {
+        surface, core: Number, bounds [10.0, 2000.0] => "hardness of surface and core of a case-hardened body, HV; surface above, core below 550";
+        case_depth: LENGTH => "depth at which it has 550 HV, 10 nm to 1 m";
+        depth: Quantities(&[D::LENGTH]) => "instead: increasing depths of a table, to the core";
+        hardness: Numbers => "hardness at these depths, HV, 10 to 2000; none below that of the last depth, the core";
+        uniform: Number, bounds [10.0, 2000.0] => "instead: hardness of a body that is equally hard at all depths, HV";
     }
     /// `[mesh]`.
     pub MESH {

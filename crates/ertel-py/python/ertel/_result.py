@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
+# Components of a stress, in the order of documents and arrays.
+_COMPONENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
+
 
 _Extent = tuple[float, float, float, float]
 
@@ -225,6 +228,48 @@ class Result(Warned, Stored):
             else:
                 self._centreline = dict(self._native.centreline())
         return self._centreline
+
+    def stress_profile(self, body: int = 1, below: str = "middle") -> dict[str, Floats]:
+        """Stresses in a body over depth, Pa and m, below the ``"middle"`` of the contact or the ``"largest"`` stress after von Mises.
+
+        Keys: ``depth``, the components ``xx``, ``yy``, ``zz``, ``xy``, ``xz``, ``yz`` (x along the motion, z into the body, tension positive) and
+        ``orthogonal_range``, the range of ``xz`` that points of this depth see while the contact passes.
+
+        Raises
+        ------
+        KeyError
+            Without ``[stress]`` in the case, and for another place.
+        """
+        profile = self._stressed(body)[{"middle": "axis", "largest": "below_largest"}[below]]
+        components = np.array(profile["stress"], dtype=float).T
+        found = {"depth": np.array(profile["depth"], dtype=float)}
+        found |= dict(zip(_COMPONENTS, components, strict=True))
+        return found | {"orthogonal_range": np.array(profile["orthogonal_range"], dtype=float)}
+
+    def stress_section(self, body: int = 1) -> dict[str, Floats]:
+        """Stresses in a body in the plane of motion through the middle of the contact, SI.
+
+        Keys: ``x``, ``depth``, and the components as in :meth:`stress_profile`, each of the shape (depths, places).
+
+        Raises
+        ------
+        KeyError
+            Without ``[stress]`` in the case, and for a stored result, whose section is in ``stress.vtu``.
+        """
+        self._stressed(body)
+        section = None if self._native is None else self._native.stress_section(body - 1)
+        if section is None:
+            raise KeyError("stored results have the section in `stress.vtu`")
+        x, depth, stress = section
+        return {"x": x, "depth": depth} | dict(zip(_COMPONENTS, stress, strict=True))
+
+    def _stressed(self, body: int) -> dict[str, Any]:
+        if body not in (1, 2):
+            raise KeyError(f"no body {body}: there are 1 and 2")
+        stress = self._document.get("stress")
+        if stress is None:
+            raise KeyError("this result has no stresses: the case has no [stress]")
+        return stress["bodies"][body - 1]
 
     def to_xarray(self, n_points: int = 201, extent: tuple[float, float, float, float] | None = None) -> xr.Dataset:
         """Fields on a regular grid, `n_points` along x; not a number outside the contact area.

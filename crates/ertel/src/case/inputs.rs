@@ -12,7 +12,7 @@ use super::{Case, finite_volumes_refuse};
 use crate::params::{Method, SensitivityDemand};
 
 /// Sections of numerical settings.
-const NUMERICS: [&str; 4] = ["mesh", "solver", "output", "curve"];
+const NUMERICS: [&str; 5] = ["mesh", "solver", "output", "curve", "stress"];
 
 /// Numerical settings of `[thermal]`.
 const NUMERICS_OF_HEAT: [&str; 2] = ["thermal.tolerance", "thermal.depth"];

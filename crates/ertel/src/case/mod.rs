@@ -22,7 +22,7 @@
 //! viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
 //! ```
 //!
-//! `[surface_roughness]` describes rough surfaces and their asperities. `kind = "roller"` also needs `length` and `profile`.
+//! `[stress]` asks for the stresses in the bodies. `[surface_roughness]` describes rough surfaces and their asperities. `kind = "roller"` also needs `length` and `profile`.
 //!
 //! `[machine]` describes a bearing, a gear or a cam instead of `[contact]` and `[motion]`.
 //!
@@ -54,6 +54,7 @@ mod roughness;
 mod sections;
 mod set;
 mod settings;
+mod stress;
 pub mod study;
 mod surface;
 mod thermal;
@@ -76,6 +77,7 @@ use crate::params::{
     ElasticModel, LinearSolver, MeshParams, OutputParams, SolverParams, ThermalParams,
 };
 
+use crate::stress::StressParams;
 use crate::warning::{Warning, WarningKind, silence};
 pub use bodies::Body;
 pub use builder::{CaseBuilder, Setting};
@@ -138,6 +140,8 @@ pub struct Case {
     pub solver: SolverParams,
     /// Heat in film and bodies, if the file requests it; [`Case::thermal`] also considers `solver.isothermal`.
     pub thermal: Option<ThermalParams>,
+    /// Stresses in the bodies, if the file asks for them.
+    pub stress: Option<StressParams>,
     /// Output settings.
     pub output: OutputParams,
     /// Warnings about the input.
@@ -309,6 +313,7 @@ impl Case {
             mesh: settings.mesh,
             solver: settings.solver,
             thermal: settings.thermal,
+            stress: settings.stress,
             output: settings.output,
             warnings: [geometry.warnings, settings.warnings].concat(),
             source: document.text().to_owned(),

@@ -1,4 +1,4 @@
-//! Lubricant, heat, supply and solution of a contact: `[solver]`, `[thermal]`, `[lubricant]`, `[mesh]`, `[inlet]`, `[output]`.
+//! Lubricant, heat, supply and solution of a contact: `[solver]`, `[thermal]`, `[lubricant]`, `[mesh]`, `[inlet]`, `[stress]`, `[output]`.
 
 use std::path::Path;
 
@@ -6,9 +6,10 @@ use ertel_input::{InputError, Table};
 
 use super::geometry::Geometry;
 use super::lubricant::{self, Lubricant};
-use super::{friction, inlet, params, thermal};
+use super::{friction, inlet, params, stress, thermal};
 use crate::contact::{Hertz, Supply};
 use crate::params::{MeshParams, OutputParams, SolverParams, ThermalParams};
+use crate::stress::StressParams;
 use crate::warning::Warning;
 
 /// Contents of these sections.
@@ -20,8 +21,9 @@ pub(super) struct Settings {
     pub friction_by_law: bool,
     pub mesh: MeshParams,
     pub supply: Supply,
+    pub stress: Option<StressParams>,
     pub output: OutputParams,
-    /// Warnings about the range of the data of the lubricant.
+    /// Warnings about the range of the data of the lubricant, and about depths of stresses.
     pub warnings: Vec<Warning>,
 }
 
@@ -51,7 +53,7 @@ impl Settings {
             shear: geometry.machine.is_some() && !solver.newtonian,
             flank_temperature: geometry.bulk_temperature,
         };
-        let (lubricant, warnings) = lubricant::read(root, folder, conditions)?;
+        let (lubricant, mut warnings) = lubricant::read(root, folder, conditions)?;
         let asked = solver_table.is_some_and(|mut table| table.contains("newtonian"));
         let friction_by_law = friction::by_law(
             root,
@@ -72,6 +74,10 @@ impl Settings {
             }
             None => Supply::Flooded,
         };
+        let stress = root.optional_table("stress")?;
+        let stress = stress.map(|table| stress::read(table, &geometry.hertz));
+        let (stress, unusual) = stress.transpose()?.unzip();
+        warnings.extend(unusual.unwrap_or_default());
         let is_in_time = root.contains("transient");
         let output = root.optional_table("output")?;
         let output = output.map(|table| params::read_output(table, &solver, contact, is_in_time));
@@ -83,6 +89,7 @@ impl Settings {
             friction_by_law,
             mesh,
             supply,
+            stress,
             warnings,
         })
     }

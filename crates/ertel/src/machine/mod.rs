@@ -21,6 +21,7 @@ use crate::case::{Case, Mechanics};
 use crate::figures::Row;
 use crate::figures::machine::{
     ASPERITY_LOAD_SHARE_MAXIMUM, FILM_CENTRAL, FILM_MINIMUM, LAMBDA_MINIMUM,
+    ORTHOGONAL_SHEAR_MAXIMUM, VON_MISES_MAXIMUM,
 };
 use crate::mark::Marked;
 pub use crate::point::MachineFigures;
@@ -39,6 +40,7 @@ pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
         false => solved,
     };
     let mut all = films(solved);
+    all.extend(stresses(solved));
     let mut warnings = Vec::new();
     match &solved.machine.mechanics {
         Mechanics::Bearing(bearing) => {
@@ -96,6 +98,32 @@ fn films(solved: &MachineSolution) -> Vec<Row> {
         (FILM_MINIMUM, film),
         (LAMBDA_MINIMUM, lambda),
         (ASPERITY_LOAD_SHARE_MAXIMUM, share),
+    ]
+    .into_iter()
+    .filter_map(|(figure, estimate)| Some(figure.row(estimate?, "")))
+    .collect()
+}
+
+/// The largest stresses in the bodies of all contacts.
+fn stresses(solved: &MachineSolution) -> Vec<Row> {
+    let largest = |figures: [Figure; 2]| {
+        // The smallest of the negative values.
+        let of = |point: &PointSolution| {
+            let bodies = figures.into_iter().filter_map(|f| figure_of(point, f));
+            let largest = bodies.max_by(|a, b| a.value.total_cmp(&b.value));
+            Some(largest? * -1.0)
+        };
+        Some(smallest(solved, of)? * -1.0)
+    };
+    [
+        (
+            VON_MISES_MAXIMUM,
+            largest([Figure::VonMisesBody1, Figure::VonMisesBody2]),
+        ),
+        (
+            ORTHOGONAL_SHEAR_MAXIMUM,
+            largest([Figure::OrthogonalShearBody1, Figure::OrthogonalShearBody2]),
+        ),
     ]
     .into_iter()
     .filter_map(|(figure, estimate)| Some(figure.row(estimate?, "")))

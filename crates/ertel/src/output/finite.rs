@@ -33,6 +33,7 @@ pub(super) fn first_not_finite(case: &CaseEcho, solution: &Solution) -> Option<S
         checks,
         film_reduction,
         thermal,
+        stresses,
         sensitivities,
         uncertainty,
         formulas,
@@ -64,6 +65,7 @@ pub(super) fn first_not_finite(case: &CaseEcho, solution: &Solution) -> Option<S
         .or_else(|| find("checks", checks))
         .or_else(|| find("film_reduction", film_reduction))
         .or_else(|| find("thermal", thermal))
+        .or_else(|| find("stresses", stresses))
         .or_else(|| find("sensitivities", sensitivities))
         .or_else(|| find("uncertainty", uncertainty))
         .or_else(|| find("formulas", formulas))

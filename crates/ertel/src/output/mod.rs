@@ -25,6 +25,7 @@ mod report;
 mod result_json;
 mod results;
 mod rows;
+mod stress;
 mod study;
 mod surfaces;
 mod target;
@@ -126,7 +127,7 @@ pub(crate) const BODIES: [&str; 2] = ["body 1", "body 2"];
 
 /// Writes a result folder: `result.json`, `report.txt`, `report.html`, `case.toml`, `centreline.csv`,
 /// `surface.vtu`, `body.vtu`, `result.nc` and the pictures, as `params` requests (its `folder` is ignored); for a thermal contact
-/// also `cross-film.csv` and `temperature.vtu`.
+/// also `cross-film.csv` and `temperature.vtu`; with stresses in the bodies `stress.csv` and `stress.vtu`.
 ///
 /// The files are written next to the target, synced to disk, and then moved into place; a
 /// former result is replaced, anything else is refused.
@@ -205,6 +206,10 @@ fn write_files(
         folder.file("cross-film.csv", |out| {
             heat::write_profiles(out, profiles, half_width)
         })?;
+    }
+    if let Some(stresses) = &solution.stresses {
+        folder.file("stress.csv", |out| stress::write_profiles(out, stresses))?;
+        folder.file("stress.vtu", |out| vtu::write_stresses(out, stresses))?;
     }
     if let Some(field) = thermal.and_then(|t| t.field.as_ref()) {
         folder.file("temperature.vtu", |out| {

@@ -99,6 +99,9 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
     if let Some(mixed) = &solution.mixed {
         document["mixed"] = serde_json::to_value(mixed)?;
     }
+    if let Some(stresses) = &solution.stresses {
+        document["stress"] = serde_json::to_value(stresses)?;
+    }
     if let Some(thermal) = &solution.thermal {
         document["thermal"] = serde_json::to_value(thermal)?;
     }
@@ -148,6 +151,9 @@ pub(super) fn units(is_line: bool) -> Value {
                 "length",
                 "body_end_x",
                 "body_end_y",
+                "depth",
+                "depth_error",
+                "cut_depth",
             ],
         ),
         (
@@ -160,6 +166,14 @@ pub(super) fn units(is_line: bool) -> Value {
                 "hardness",
                 "reduced_modulus",
                 "youngs_modulus",
+                "von_mises",
+                "largest_shear",
+                "tension",
+                "orthogonal_half_range",
+                "dang_van",
+                "fatemi_socie",
+                "fatigue_limit",
+                "orthogonal_range",
             ],
         ),
         ("Pa s", &["viscosity"]),

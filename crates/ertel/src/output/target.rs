@@ -22,7 +22,7 @@ pub const REPORT_PAGE: &str = "report.html";
 pub(super) const FIELDS: [&str; 2] = ["fields-", ".vtu"];
 
 /// Files of a result that are no pictures; a folder with any other file is not replaced.
-const FILES: [&str; 18] = [
+const FILES: [&str; 20] = [
     "result.json",
     REPORT_PAGE,
     "curve.json",
@@ -34,6 +34,8 @@ const FILES: [&str; 18] = [
     "body.vtu",
     "result.nc",
     "cross-film.csv",
+    "stress.csv",
+    "stress.vtu",
     "temperature.vtu",
     "cross-check.csv",
     "transient.json",
@@ -52,8 +54,9 @@ const FORMER: [&str; 4] = [
 ];
 
 /// Pictures of a result without suffix, in addition to those of [`DRAWN`].
-const PICTURES: [&str; 15] = [
+const PICTURES: [&str; 16] = [
     "stribeck",
+    "stress",
     "centreline",
     "pressure",
     "film",

@@ -5,9 +5,11 @@
 //! bytes of a JSON text: meshio reads numbers there, but no strings.
 
 mod instant;
+mod stress;
 mod whole;
 
 pub use instant::{write_collection, write_instant};
+pub use stress::write_stresses;
 
 use std::io::{self, Write};
 

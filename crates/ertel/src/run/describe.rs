@@ -145,6 +145,7 @@ pub(super) fn describe<Plan>(
         checks,
         film_reduction: found.film_reduction,
         sensitivities: None,
+        stresses: None,
         uncertainty: None,
         thermal,
         history,

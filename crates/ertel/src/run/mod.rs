@@ -26,9 +26,11 @@ use crate::case::{Case, finite_volumes_refuse};
 use crate::contact::Supply;
 use crate::engine::{Observer, SolveError};
 use crate::params::{Method, SolverParams};
+use crate::post;
 pub use crate::problem::{estimated_film, groups, predicted_film, problem};
 use crate::solution::{Figure, Solution, Unresolved, Why};
 use crate::solve::sequence;
+use crate::stress::Stresses;
 use crate::warning::{Warning, WarningKind, silence};
 
 /// Version of the numerics: incremented whenever the figures of some case change by more than rounding. Study points
@@ -85,6 +87,10 @@ pub fn solve_from(
         if let Some((full, _)) = &flooded {
             solution.compare_with_flooded(full);
         }
+        solution.stresses = stresses(case, &solution);
+        if let Some(stresses) = &solution.stresses {
+            post::stresses::note(&mut solution.measured, stresses);
+        }
         silence(&mut solution.warnings, &case.output.silence);
         let start = Start {
             own: own.map(Box::new),
@@ -92,6 +98,22 @@ pub fn solve_from(
         };
         Ok((solution, start))
     })
+}
+
+/// The stresses in the bodies, if the case asks for them.
+fn stresses(case: &Case, solution: &Solution) -> Option<Stresses> {
+    let params = case.stress.as_ref()?;
+    let contact = (&solution.shape, &solution.hertz, case.contact.load);
+    let poisson = [&case.body_1, &case.body_2].map(|body| body.elasticity.poissons_ratio);
+    let pressure = (solution.figure(Figure::PressureCentral))
+        .or_else(|| solution.figure(Figure::PressureMaximum));
+    let relative_error = pressure.and_then(|at| Some(at.error? / at.value));
+    Some(post::stresses::stresses(
+        params,
+        contact,
+        (&solution.surface, relative_error.unwrap_or(0.0)),
+        poisson,
+    ))
 }
 
 /// A solution and the start for the next one.

@@ -46,6 +46,7 @@ pub fn roller() -> Roller {
 pub fn case(kind: ContactKind, load: f64) -> Case {
     let steel = Body::elastic("steel", STEEL);
     Case {
+        stress: None,
         roughness_rules: Vec::new(),
         title: String::new(),
         contact: match kind {

@@ -131,6 +131,8 @@ fn tables_of_the_reference_are_those_of_the_keys() {
         ("inlet", keys::INLET),
         ("lubricant", lubricant),
         ("thermal", keys::THERMAL),
+        ("stress", keys::STRESS),
+        ("hardness", keys::HARDNESS),
         ("mesh", keys::MESH),
         ("solver", keys::SOLVER),
         ("output", keys::OUTPUT),

@@ -19,10 +19,10 @@ pub use data::{DATA_FORMAT, DATA_VERSION};
 use super::compare::{comparison_picture, failures, write_figures as write_compared};
 use super::lines::{Block, Lines, shown_warnings};
 use super::machine::{machine_pictures, table_of_pressed, warnings, write_figures, write_idle};
-use super::pictures::Picture;
+use super::pictures::{Picture, stress_map};
 use super::report::{write_case, write_contact, write_effort, write_formulas, write_results};
 use super::transient::{transient_table, write_results as write_transient};
-use super::{curve_report, curve_table, heat, inputs};
+use super::{curve_report, curve_table, heat, inputs, stress};
 use crate::case::CaseEcho;
 use crate::compare::Comparison;
 use crate::figures::Definition;
@@ -133,6 +133,7 @@ pub fn report_page(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Stri
             if let Some(thermal) = &solution.thermal {
                 heat::write_results(out, solution, thermal);
             }
+            stress::write_results(out, solution);
         },
         "",
     );
@@ -172,6 +173,7 @@ pub fn report_page(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Stri
         case_file: case.case_file.as_deref(),
         has_uncertainty: solution.uncertainty.is_some(),
         pictures: Vec::new(),
+        bodies: stress_map(&case.title, solution).map(|map| STANDARD.encode(map.svg())),
         data,
     })
 }
@@ -453,6 +455,8 @@ struct Page<'a> {
     has_uncertainty: bool,
     /// SVG files in base 64.
     pictures: Vec<String>,
+    /// SVG file of the stresses in the bodies, likewise.
+    bodies: Option<String>,
     #[serde(skip)]
     data: Value,
 }

@@ -5,6 +5,7 @@ pub(super) mod classic;
 use classic::{Attribute, Dataset, Values, Variable};
 
 use crate::solution::{ContactFields, Field, Figure, Solution};
+use crate::stress::{COMPONENTS, Stresses};
 
 /// Default number of points along x.
 pub const N_POINTS: usize = 201;
@@ -124,7 +125,46 @@ pub(super) fn of_solution(title: &str, solution: &Solution) -> Vec<u8> {
         kind: solution.kind.name(),
         version: env!("CARGO_PKG_VERSION"),
     };
-    netcdf(about, &fields, &axes, &figures(solution))
+    let mut data = dataset(about, &fields, &axes, &figures(solution));
+    if let Some(stresses) = &solution.stresses {
+        add_stresses(&mut data, stresses);
+    }
+    data.to_bytes()
+}
+
+/// The components of the stresses of both bodies over depth and x, in the plane of motion through the middle of the contact.
+fn add_stresses(data: &mut Dataset, stresses: &Stresses) {
+    let first = data.dimensions.len();
+    let section = &stresses.bodies[0].section;
+    let axes = [
+        ("depth", &section.depth, "depth below the surface"),
+        ("stress_x", &section.x, "position along the motion"),
+    ];
+    for (i, (name, values, words)) in axes.into_iter().enumerate() {
+        data.dimensions.push((name, values.len()));
+        data.variables.push(Variable {
+            name: name.to_owned(),
+            dimensions: vec![first + i],
+            attributes: named("m", words),
+            values: Values::Double(values.clone()),
+        });
+    }
+    for (body, number) in stresses.bodies.iter().zip(1..) {
+        for (i, component) in COMPONENTS.into_iter().enumerate() {
+            let words = format!("stress {component} in body {number}");
+            let values = body.section.stress.iter().map(|s| s.0[i]);
+            data.variables.push(Variable {
+                name: format!("stress_{component}_body_{number}"),
+                dimensions: vec![first, first + 1],
+                attributes: named("Pa", &words),
+                values: Values::Double(values.collect()),
+            });
+        }
+    }
+}
+
+fn named(unit: &str, words: &str) -> Vec<(&'static str, Attribute)> {
+    vec![("units", text(unit)), ("long_name", text(words))]
 }
 
 /// A text without control characters.
@@ -137,10 +177,18 @@ pub(super) fn text(text: &str) -> Attribute {
 pub fn netcdf(
     about: About<'_>,
     fields: &ContactFields,
-    [x, y]: &[Vec<f64>; 2],
+    axes: &[Vec<f64>; 2],
     figures: &[GridFigure],
 ) -> Vec<u8> {
-    let named = |unit: &str, words: &str| vec![("units", text(unit)), ("long_name", text(words))];
+    dataset(about, fields, axes, figures).to_bytes()
+}
+
+fn dataset(
+    about: About<'_>,
+    fields: &ContactFields,
+    [x, y]: &[Vec<f64>; 2],
+    figures: &[GridFigure],
+) -> Dataset {
     let axis = |name: &str, dimension, values: &[f64], words| Variable {
         name: name.to_owned(),
         dimensions: vec![dimension],
@@ -201,5 +249,5 @@ pub fn netcdf(
             values: Values::Double(vec![own.value]),
         });
     }
-    data.to_bytes()
+    data
 }

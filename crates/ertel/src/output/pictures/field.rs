@@ -224,7 +224,7 @@ impl FieldMap<'_> {
 }
 
 /// Ticks of a bar with these values at its ends: relative height and label.
-fn bar_ticks([bottom, top]: [f64; 2]) -> Vec<(f64, String)> {
+pub(super) fn bar_ticks([bottom, top]: [f64; 2]) -> Vec<(f64, String)> {
     let axis = Axis::linear("", bottom, top);
     let ticks = axis.ticks().into_iter();
     ticks.map(|(v, label)| (axis.position(v), label)).collect()
@@ -255,7 +255,7 @@ fn is_seen(line: &[[f64; 2]]) -> bool {
     line.first() != line.last() || 0.5 * twice_area.abs() >= DOT
 }
 
-fn closed(loops: &[Vec<[f64; 2]>]) -> String {
+pub(super) fn closed(loops: &[Vec<[f64; 2]>]) -> String {
     loops.iter().map(|points| polyline(points) + "Z").collect()
 }
 

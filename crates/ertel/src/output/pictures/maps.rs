@@ -89,7 +89,10 @@ fn sampled(
 }
 
 /// Levels and colours between two values for a continuous map.
-fn shades([low, high]: [f64; 2], gradient: colorous::Gradient) -> (Vec<f64>, Vec<String>) {
+pub(super) fn shades(
+    [low, high]: [f64; 2],
+    gradient: colorous::Gradient,
+) -> (Vec<f64>, Vec<String>) {
     let share = |i: usize| i as f64 / N_SHADES as f64;
     let levels = (1..N_SHADES).map(|i| low + (high - low) * share(i));
     let colours = (0..N_SHADES).map(|i| hex(gradient, i, N_SHADES));

@@ -10,6 +10,7 @@ mod maps;
 mod profile;
 mod sampling;
 mod shared;
+mod stress;
 
 pub use convergence::convergence;
 pub use fluid::{ViscosityCurve, viscosity_chart};
@@ -18,6 +19,7 @@ pub use interferogram::Image;
 pub(super) use layout::draw_ticks;
 pub use maps::{film_map, pressure_map};
 pub use profile::{profile, profile_across};
+pub(super) use stress::stress_map;
 pub use shared::film_unit;
 
 use shared::{Task, window_x};
@@ -103,6 +105,10 @@ pub fn pictures_in(
     }
     if let Some(thermal) = &solution.thermal {
         tasks.extend(heat::heat_pictures(title, solution, thermal, scale));
+    }
+    if solution.stresses.is_some() {
+        let draw = || stress_map(title, solution).expect("there are stresses");
+        tasks.push(("stress", Box::new(draw)));
     }
     tasks.push((
         "convergence",

@@ -1,0 +1,96 @@
+//! Stresses in the bodies of solved contacts, by both methods.
+
+use std::path::Path;
+
+use ertel::case::Case;
+use ertel::engine::NoObserver;
+use ertel::output;
+use ertel::params::OutputParams;
+use ertel::run;
+use ertel::solution::{Figure, Solution};
+use ertel::stress::ShakedownBy;
+
+const LINE: &str = include_str!("golden/cases/line.toml");
+const CIRCLE: &str = include_str!("golden/cases/circle.toml");
+
+fn solved(text: &str, method: &str) -> (Case, Solution) {
+    let text = format!(
+        "{text}\n[solver]\nmethod = \"{method}\"\n[stress]\nplanes = 40\n\
+         body_1_hardness = {{ surface = 700, core = 350, case_depth = \"0.3 mm\" }}\n"
+    );
+    let case = Case::from_text("case.toml", &text, Path::new("")).unwrap();
+    let solution = run::solve(&case, &mut NoObserver).unwrap();
+    (case, solution)
+}
+
+/// The largest stresses are near those of the dry contact, both bodies have opposite tractions, and the loads of the stresses are those of the contact.
+fn check(solution: &Solution, dry: [f64; 2]) {
+    let stresses = solution.stresses.as_ref().unwrap();
+    let (a, p) = (solution.hertz.half_width, solution.hertz.pressure);
+    // A thick film has pressure far before the contact.
+    assert!(
+        (stresses.load_share - 1.0).abs() < 0.03,
+        "{}",
+        stresses.load_share
+    );
+    assert!((stresses.dry.von_mises.value / p - dry[0]).abs() < 0.01);
+    assert!((stresses.dry.von_mises.depth / a - dry[1]).abs() < 0.02);
+    let mu = solution.traction.coefficient.value;
+    let [one, two] = &stresses.bodies;
+    // Traction at mid-film is the mean of those at the walls.
+    assert!(
+        (0.5 * (one.traction - two.traction) - mu).abs() < 0.02 * mu.abs(),
+        "{} {mu}",
+        one.traction
+    );
+    assert!(one.traction > 0.0 && two.traction < 0.0);
+    for body in [one, two] {
+        // Below the pressure spike, whose stress at the surface may be larger.
+        let deep = body.layers.iter().filter(|layer| layer.depth > 0.3 * a);
+        let largest = deep.map(|layer| layer.von_mises).fold(0.0, f64::max);
+        assert!((largest / p - dry[0]).abs() < 0.08, "{largest}");
+        let shear = &body.orthogonal_half_range;
+        let known = stresses.dry.orthogonal_half_range.unwrap();
+        // Light loads spread into the inlet.
+        assert!((shear.value / known.value - 1.0).abs() < 0.15, "{shear:?}");
+        assert!(body.lives.iter().all(|lives| lives.largest_stress[1].value > 0.0));
+    }
+    assert!(one.utilisation.is_some() && two.utilisation.is_none());
+    let by = match solution.shape.is_line() {
+        true => ShakedownBy::OrthogonalShear,
+        false => ShakedownBy::SmallestSphere,
+    };
+    assert_eq!(one.shakedown.by, by);
+    assert!(one.shakedown.safety.is_some());
+    let figure = solution.figure(Figure::VonMisesBody1).unwrap();
+    assert_eq!(figure.value, one.von_mises.value);
+}
+
+#[test]
+fn line_by_both_methods() {
+    let [(_, elements), (case, volumes)] =
+        ["finite-elements", "finite-volumes"].map(|method| solved(LINE, method));
+    check(&elements, [0.5575, 0.7043]);
+    check(&volumes, [0.5575, 0.7043]);
+    let files = output::files(&case.echo(), &volumes, &OutputParams::default()).unwrap();
+    let named = |name: &str| files.iter().find(|file| file.name == name).unwrap();
+    let table = String::from_utf8(named("stress.csv").bytes.clone()).unwrap();
+    assert_eq!(table.lines().count(), 1 + 4 * 41);
+    assert!(named("stress.svg").bytes.len() > 1000);
+    let json: serde_json::Value = serde_json::from_slice(&named("result.json").bytes).unwrap();
+    assert!(
+        json["stress"]["bodies"][1]["von_mises"]["depth"]
+            .as_f64()
+            .unwrap()
+            > 0.0
+    );
+    let report = String::from_utf8(named("report.txt").bytes.clone()).unwrap();
+    assert!(report.contains("Stresses in the bodies") && report.contains("shakedown"));
+}
+
+#[test]
+fn circle_on_a_grid() {
+    let (text, _) = CIRCLE.split_once("[mesh]").unwrap();
+    let (_, volumes) = solved(text, "finite-volumes");
+    check(&volumes, [0.62, 0.481]);
+}
