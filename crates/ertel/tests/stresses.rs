@@ -53,7 +53,11 @@ fn check(solution: &Solution, dry: [f64; 2]) {
         let known = stresses.dry.orthogonal_half_range.unwrap();
         // Light loads spread into the inlet.
         assert!((shear.value / known.value - 1.0).abs() < 0.15, "{shear:?}");
-        assert!(body.lives.iter().all(|lives| lives.largest_stress[1].value > 0.0));
+        assert!(
+            body.lives
+                .iter()
+                .all(|lives| lives.largest_stress[1].value > 0.0)
+        );
     }
     assert!(one.utilisation.is_some() && two.utilisation.is_none());
     let by = match solution.shape.is_line() {

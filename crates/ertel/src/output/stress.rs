@@ -144,7 +144,11 @@ fn at_place(extreme: &Extreme, solution: &Solution) -> String {
         value: extreme.depth,
         error: Some(extreme.depth_error),
     };
-    format!("{value} {}, depth {}", place(solution, &at), estimate(&depth))
+    format!(
+        "{value} {}, depth {}",
+        place(solution, &at),
+        estimate(&depth)
+    )
 }
 
 fn life(lives: &Lives) -> String {
@@ -154,8 +158,7 @@ fn life(lives: &Lives) -> String {
             error: Some(life.error),
         })
     };
-    let by_volume =
-        (lives.integral).map(|life| life.map_or_else(|| "unlimited".to_owned(), shown));
+    let by_volume = (lives.integral).map(|life| life.map_or_else(|| "unlimited".to_owned(), shown));
     let [half, own, twice] = by_volume;
     let [half_largest, largest, twice_largest] = lives.largest_stress.map(shown);
     format!(

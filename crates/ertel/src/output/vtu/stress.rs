@@ -37,11 +37,7 @@ pub fn write_stresses(out: impl Write, stresses: &Stresses) -> io::Result<()> {
         .collect();
     fields.push(array("von_mises_Pa", values(&Stress::von_mises)));
     fields.push(array("largest_shear_Pa", values(&Stress::largest_shear)));
-    let principal = [
-        "principal_1_Pa",
-        "principal_2_Pa",
-        "principal_3_Pa",
-    ];
+    let principal = ["principal_1_Pa", "principal_2_Pa", "principal_3_Pa"];
     for (i, name) in principal.into_iter().enumerate() {
         fields.push(array(name, values(&|s| s.principal()[i])));
     }
