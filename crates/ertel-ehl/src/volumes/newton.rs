@@ -25,6 +25,8 @@ pub struct NewtonParams {
     pub max_krylov_iterations: usize,
     /// Imbalance of a node, over the entrained flow, above which the attempt stops.
     pub most_imbalance: f64,
+    /// Whether a factorisation follows where the cycle is not enough; without it, the attempt ends there.
+    pub factorises: bool,
 }
 
 impl Default for NewtonParams {
@@ -36,6 +38,7 @@ impl Default for NewtonParams {
             krylov_tolerance: 1e-2,
             max_krylov_iterations: 60,
             most_imbalance: f64::INFINITY,
+            factorises: true,
         }
     }
 }
@@ -251,6 +254,9 @@ pub fn newton(
         let mut step = system.step(&at, state, &mut preconditioner, linear);
         let failed =
             step.krylov_iterations >= params.max_krylov_iterations || !step.separation.is_finite();
+        if failed && !params.factorises {
+            return info;
+        }
         if failed && !preconditioner.is_direct {
             // The cycle is not enough: a factorisation from here on.
             direct = true;

@@ -32,9 +32,6 @@ const MOST_STEPS: usize = 60;
 const MOST_ITERATIONS: usize = 12;
 const STEP_ERROR: f64 = 0.02;
 
-/// Most nodes: on fine grids the steps would take longer than all grids before.
-pub const MOST_NODES: usize = 50_000;
-
 /// Marches from `state` to the steady film of a grid, and ends with it in `state`.
 pub fn march(
     system: &mut System,

@@ -25,7 +25,7 @@ use ertel_fem::platform::Instant;
 use crate::case::{Case, finite_volumes_refuse};
 use crate::contact::Supply;
 use crate::engine::{Observer, SolveError};
-use crate::params::{Method, SolverParams};
+use crate::params::{Method, SensitivityDemand, SolverParams};
 use crate::post;
 pub use crate::problem::{estimated_film, groups, predicted_film, problem};
 use crate::solution::{Figure, Solution, Unresolved, Why};
@@ -119,6 +119,9 @@ fn stresses(case: &Case, solution: &Solution) -> Option<Stresses> {
 /// A solution and the start for the next one.
 type Ended = (Solution, Option<sequence::Start>);
 
+/// Target error of the flooded film next to a starved one, over that of the case: only films and their ratios are reported, which seldom depend on its last digits.
+const FLOODED_COARSER: f64 = 2.5;
+
 /// The fully flooded case of a starved contact; `None` for a flooded contact, or without convergence.
 fn solve_flooded(
     case: &Case,
@@ -132,6 +135,8 @@ fn solve_flooded(
         supply: Supply::Flooded,
         ..case.clone()
     };
+    flooded.mesh.target_error = Some(FLOODED_COARSER * volumes::plan(case).target_error);
+    flooded.output.sensitivities = SensitivityDemand::Off;
     // Both films are from the same method.
     if first_method(case) == Method::FiniteVolumes {
         flooded.solver.method = Some(Method::FiniteVolumes);
