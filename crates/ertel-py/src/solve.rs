@@ -173,7 +173,7 @@ pub fn solve(
     let single = case.single();
     let start = start.and_then(NativeSolution::start);
     let solved = observed(py, progress.as_ref(), |messages| {
-        run::solve_from(&single, start.as_deref(), &[], messages)
+        run::solve_from(&single, start.as_deref(), messages)
     })?;
     let (solution, start) = solved.map_err(errors::solve)?;
     Ok(NativeSolution::new(&single, solution, Some(start)))

@@ -9,7 +9,6 @@ use ertel::engine::NoObserver;
 use ertel::params::{Formulation, Method};
 use ertel::run::{first_method, solve};
 use ertel::solution::{Figure, Sensitivities, SensitivityMethod, Solution};
-use ertel::warning::WarningKind;
 
 use crate::common::solved;
 use crate::common::text::read;
@@ -277,30 +276,6 @@ fn both_engines_agree_on_lines() {
         };
         assert_eq!(names(&own), names(&other));
     }
-}
-
-/// A limiting stress at 2.2 GPa: Newton's method of the elements ends far from the solution on their finest mesh, and films have bars beyond themselves. The case is
-/// solved by finite volumes, which resolve them.
-#[test]
-fn films_unresolved_by_one_method_are_solved_by_the_other() {
-    let text = "lubricant = { temperature = \"40 degC\", density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }, viscosity = { law = \"barus\", \
-                mu_0 = \"6.92 mPa.s\", alpha = \"22.3 1/GPa\" }, shear_thinning = { law = \"ree-eyring\", tau_0 = \"9.77 MPa\", limit = { tau_l0 = \"8.1 MPa\", \
-                lambda = 0.067 } } }\n[contact]\nkind = \"line\"\nradius = \"6.42 mm\"\nhertz_pressure = \"2.225 GPa\"\n[bodies]\nbody_1 = \"steel\"\n\
-                body_2 = \"steel\"\n[motion]\nentrainment_speed = \"3.578 m/s\"\nslide_to_roll_ratio = 0.688\n[output]\nsensitivities = false\n";
-    let case = read(text);
-    assert_eq!(first_method(&case), Method::FiniteElements);
-    let found = solved(&case);
-    assert_eq!(found.stats.method, Method::FiniteVolumes);
-    assert!(found.unresolved.is_empty(), "{:?}", found.unresolved);
-    let note = found
-        .warnings
-        .iter()
-        .find(|w| w.kind == WarningKind::Method);
-    let note = note.unwrap();
-    assert!(
-        note.contains("as finite elements did not resolve"),
-        "{note}"
-    );
 }
 
 /// Fluids that thin by shear, as above and with the effect of thinning on the film: Eyring's with sliding across and spin, Carreau's in an ellipse at

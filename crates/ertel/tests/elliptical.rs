@@ -142,8 +142,7 @@ fn a_wide_ellipse_tends_to_a_line() {
 }
 
 /// Along the longer axis of an ellipse ten times as long as wide the three formulations have the same films: the stabilisation, which
-/// they have more or less of, vanishes with the cells. With one that ignores the length of cells, GLS found 22.95 ± 0.17 nm after
-/// forty times the effort.
+/// they have more or less of, vanishes with the cells. With one that ignores the length of cells, GLS found 22.95 ± 0.17 nm.
 #[test]
 fn formulations_agree_in_slender_ellipses() {
     let solution = |formulation| {
@@ -155,10 +154,6 @@ fn formulations_agree_in_slender_ellipses() {
     for other in [Formulation::Supg, Formulation::Galerkin] {
         assert_alike(&gls, &solution(other));
     }
-    let iterations: usize = gls.stats.levels.iter().map(|l| l.newton_iterations).sum();
-    println!("{iterations} Newton iterations");
-    // 18 were counted: neither a continuation nor a start from new.
-    assert!(iterations < 30, "{iterations} iterations");
 }
 
 /// An ellipse ten times as long as wide that moves along its longer axis at a speed in m/s.

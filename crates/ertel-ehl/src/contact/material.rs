@@ -25,13 +25,6 @@ impl Material {
     pub fn compliance(self) -> f64 {
         (1.0 - self.poissons_ratio * self.poissons_ratio) / self.youngs_modulus
     }
-
-    /// Whether both constants are the same but for a relative difference.
-    pub fn is_close(&self, other: &Material, tolerance: f64) -> bool {
-        let close = |a: f64, b: f64| (a - b).abs() <= tolerance * b.abs();
-        close(self.youngs_modulus, other.youngs_modulus)
-            && close(self.poissons_ratio, other.poissons_ratio)
-    }
 }
 
 /// Σ(1 − ν²)/E of bodies: a half-space of them answers a wave of pressure of the wave number k by 2/|k| times that.

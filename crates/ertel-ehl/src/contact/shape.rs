@@ -189,16 +189,6 @@ impl Shape {
         };
         whole / self.symmetry.multiplicity()
     }
-
-    /// Area of the Hertz zone in the part that is solved.
-    pub fn zone_area(&self) -> f64 {
-        let whole = match self.outline() {
-            Outline::Strip => 2.0,
-            Outline::Ellipse => std::f64::consts::PI * self.zone.axis_ratio,
-            Outline::Roller(roller) => roller.area(),
-        };
-        whole / self.symmetry.multiplicity()
-    }
 }
 
 /// Outline of the dry contact.

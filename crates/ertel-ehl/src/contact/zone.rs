@@ -121,14 +121,6 @@ impl HertzZone {
             .map_or(1.0, |roller| roller.peak(at[1]))
     }
 
-    /// The place whose distance is `share` of that of another, on the way from there to the centre or the axis.
-    pub fn drawn_in(&self, [x, y]: [f64; 2], share: f64) -> [f64; 2] {
-        match &self.roller {
-            None => [share * x, share * y],
-            Some(_) => [share * x, y],
-        }
-    }
-
     /// Half the length of the zone on the centreline y = 0.
     pub fn centreline_half_width(&self) -> f64 {
         match &self.roller {

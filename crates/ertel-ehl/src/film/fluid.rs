@@ -345,11 +345,6 @@ impl FilmFluid {
         }
     }
 
-    /// Whether stress cannot pass a limit.
-    pub fn has_limit(&self) -> bool {
-        (self.shear_thinning.as_ref()).is_some_and(|law| law.law.limit.is_some())
-    }
-
     /// Whether the shear rate grows exponentially with the stress: beyond a limit, or in Eyring's fluid.
     pub fn is_exponential(&self) -> bool {
         (self.shear_thinning.as_ref()).is_some_and(|law| law.law.is_exponential())

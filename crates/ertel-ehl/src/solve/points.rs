@@ -85,13 +85,6 @@ pub(super) fn films_and_changes<'a>(
     })
 }
 
-/// G at the pressure nodes.
-pub fn gap_at_nodes(d: &Discretisation) -> Vec<f64> {
-    let gap = &d.contact.shape.gap;
-    let places = d.pressure.points.iter();
-    places.map(|p| gap.value([p[0], p[1]])).collect()
-}
-
 /// Pressure at a place, within the nodal values of its element; zero outside of the contact area.
 pub fn pressure_at(d: &Discretisation, pressure: &[f64], place: [f64; 2]) -> f64 {
     let contact = &d.contact;

@@ -28,18 +28,6 @@ pub struct LevelSizes {
     pub depth_growth: f64,
 }
 
-impl LevelSizes {
-    /// The same with the cells all around the rim and at the constriction halved.
-    pub fn with_finer_rim(&self) -> LevelSizes {
-        LevelSizes {
-            constriction: 0.5 * self.constriction,
-            rim: 0.5 * self.rim,
-            outlet_rim: 0.5 * self.outlet_rim,
-            ..*self
-        }
-    }
-}
-
 /// Size field, where the Hertz zone is the unit circle: fine under the Hertz zone, finer in a crescent at its outlet side, `edge` on the
 /// rest of the contact area, growing into the body.
 pub(super) fn size_at(shape: &Shape, e: &Extents, s: &LevelSizes, x: [f64; 3]) -> f64 {

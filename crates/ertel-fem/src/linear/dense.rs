@@ -70,34 +70,6 @@ pub fn add_product<T: Real>(a: &[T], x: &[T], y: &mut [T]) {
     }
 }
 
-/// y = Aᵀ x. `L` sums run side by side.
-#[inline(always)]
-pub fn multiply_transposed<const L: usize>(a: &[f32], x: &[f32], y: &mut [f32]) {
-    let m = x.len();
-    if m == 0 {
-        y.fill(0.0);
-        return;
-    }
-    for (column, y) in a.chunks_exact(m).zip(y) {
-        let mut sums = [0.0; L];
-        let (columns, xs) = (column.chunks_exact(L), x.chunks_exact(L));
-        let rest = columns.remainder().iter().zip(xs.remainder());
-        for (c, x) in columns.zip(xs) {
-            for l in 0..L {
-                sums[l] += c[l] * x[l];
-            }
-        }
-        let mut sum = 0.0;
-        for s in sums {
-            sum += s;
-        }
-        for (c, x) in rest {
-            sum += *c * *x;
-        }
-        *y = sum;
-    }
-}
-
 /// y_rows += A x_columns and y_columns += Aᵀ x_rows in one pass over A, whose numbers of rows and columns are
 /// multiples of `L` and of four.
 #[inline(always)]
@@ -158,14 +130,6 @@ mod tests {
             for i in 0..m {
                 let exact: f64 = 1.0 + (0..n).map(|j| a[j * m + i] * x[j]).sum::<f64>();
                 assert!((y[i] - exact).abs() < 1e-13);
-            }
-            let a: Vec<f32> = a.iter().map(|v| *v as f32).collect();
-            let z: Vec<f32> = (0..m).map(|k| (0.5 * k as f32).cos()).collect();
-            let mut w = vec![1.0; n];
-            vectorised(|| multiply_transposed::<16>(&a, &z, &mut w));
-            for j in 0..n {
-                let exact: f32 = (0..m).map(|i| a[j * m + i] * z[i]).sum();
-                assert!((w[j] - exact).abs() < 1e-5);
             }
         }
     }

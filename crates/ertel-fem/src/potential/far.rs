@@ -91,15 +91,6 @@ pub struct FarField<T> {
     mirror: Vec<T>,
 }
 
-/// To which points the tree leads.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Direction {
-    /// From sources to targets.
-    Forward,
-    /// From targets to sources: the transpose.
-    Backward,
-}
-
 impl<T: Number> FarField<T> {
     /// Translations of a basis; `n` of its functions are kept.
     pub fn new(
@@ -170,23 +161,12 @@ impl<T: Number> FarField<T> {
         numbers * size_of::<T>() + 4 * (self.sources.columns.len() + self.targets.columns.len())
     }
 
-    /// Adds what the values at one side give at the other: `out` holds sums in double.
-    pub fn apply(
-        &self,
-        tree: &Tree,
-        links: &Links,
-        kernel: Kernel,
-        direction: Direction,
-        values: &[T],
-    ) -> Vec<T> {
+    /// What the values at the sources give at the targets.
+    pub fn apply(&self, tree: &Tree, links: &Links, kernel: Kernel, values: &[T]) -> Vec<T> {
         let n_cells = tree.cells.len();
-        let (from, to) = match direction {
-            Direction::Forward => (&self.sources, &self.targets),
-            Direction::Backward => (&self.targets, &self.sources),
-        };
         let stride = self.stride;
         let mut moments = vec![T::default(); n_cells * stride];
-        self.moments_of_leaves(from, values, &mut moments);
+        self.moments_of_leaves(&self.sources, values, &mut moments);
         for level in (1..tree.levels.len() - 1).rev() {
             let (above, below) = moments.split_at_mut(tree.levels[level] * stride);
             let first = tree.levels[level - 1];
@@ -238,7 +218,7 @@ impl<T: Number> FarField<T> {
                 below,
             );
         }
-        self.values_at(to, &local)
+        self.values_at(&self.targets, &local)
     }
 
     fn moments_of_leaves(&self, from: &Ends<T>, values: &[T], moments: &mut [T]) {

@@ -20,7 +20,7 @@ use crate::mesh::SimplexMesh;
 use crate::space::Space;
 
 use expansion::Basis;
-use far::{Direction, FarField, Links};
+use far::{FarField, Links};
 use integrals::ElementIntegrals;
 use near::NearField;
 use number::Number;
@@ -79,22 +79,13 @@ impl Near {
             Near::Double(near) => near.add(density, sums),
         }
     }
-
-    fn transposed<T: Number>(&self, values: &[T]) -> Vec<T> {
-        match self {
-            Near::Single(near) => near.transposed(values),
-            Near::Double(near) => near.transposed(values),
-        }
-    }
 }
 
 /// The potential of nodal densities at a list of points.
 pub struct Potential {
     kernel: Kernel,
-    n_nodes: usize,
     tree: Tree,
-    forward: Links,
-    backward: Links,
+    links: Links,
     full: FarField<f64>,
     krylov: FarField<f32>,
     near: Near,
@@ -117,8 +108,7 @@ impl Potential {
         let sources = Sources::new(mesh, space, kernel, mirrored);
         let most = params.elements_per_box * sources.per_element();
         let tree = Tree::new(&sources.points, targets, mirrored, most);
-        let (forward, near) = tree.lists();
-        let backward = reversed(&forward);
+        let (links, near) = tree.lists();
         let basis = Basis::new(mesh.dim, degrees[0]);
         let few = Basis::new(mesh.dim, degrees[1]).len();
         let across = basis.shared_coefficients(kernel);
@@ -129,7 +119,6 @@ impl Potential {
         let integrals = ElementIntegrals::new(&space.element, kernel);
         Potential {
             kernel,
-            n_nodes: space.n_nodes(),
             full: FarField::new(&basis, basis.len(), &across, &ends[0], &ends[1]),
             krylov: FarField::new(&basis, few, &across, &ends[0], &ends[1]),
             near: match kernel {
@@ -140,16 +129,14 @@ impl Potential {
                     Near::Double(NearField::new(&sources, targets, &tree, &near, &integrals))
                 }
             },
-            forward: Links::new(&forward),
-            backward: Links::new(&backward),
+            links: Links::new(&links),
             tree,
         }
     }
 
     /// Bytes that it takes, about.
     pub fn bytes(&self) -> usize {
-        let links = self.forward.bytes() + self.backward.bytes();
-        self.near.bytes() + self.full.bytes() + self.krylov.bytes() + links
+        self.near.bytes() + self.full.bytes() + self.krylov.bytes() + self.links.bytes()
     }
 
     /// Entries of the near field.
@@ -168,18 +155,10 @@ impl Potential {
         }
     }
 
-    /// The transpose: from values at the targets to nodes.
-    pub fn apply_transposed(&self, values: &[f64], accuracy: Accuracy) -> Vec<f64> {
-        match accuracy {
-            Accuracy::Full => self.product_transposed(&self.full, values),
-            Accuracy::Krylov => self.product_transposed(&self.krylov, values),
-        }
-    }
-
     fn product<T: Number>(&self, far: &FarField<T>, density: &[f64]) -> Vec<f64> {
         let density: Vec<T> = density.iter().map(|v| T::from_f64(*v)).collect();
-        let (tree, forward) = (&self.tree, Direction::Forward);
-        let mut sums = far.apply(tree, &self.forward, self.kernel, forward, &density);
+        let tree = &self.tree;
+        let mut sums = far.apply(tree, &self.links, self.kernel, &density);
         // Leaves stand level by level, their targets in the order of the tree.
         let mut ordered = vec![T::default(); tree.target_order.len()];
         for (column, sum) in far.targets.columns.iter().zip(&sums) {
@@ -193,45 +172,6 @@ impl Potential {
         }
         out
     }
-
-    fn product_transposed<T: Number>(&self, far: &FarField<T>, values: &[f64]) -> Vec<f64> {
-        let tree = &self.tree;
-        let ordered: Vec<T> = (tree.target_order.iter())
-            .map(|target| T::from_f64(values[*target as usize]))
-            .collect();
-        let parts = far.apply(
-            tree,
-            &self.backward,
-            self.kernel,
-            Direction::Backward,
-            &ordered,
-        );
-        let near = self.near.transposed(&ordered);
-        let mut out: Vec<f64> = near.iter().map(|v| v.to_f64()).collect();
-        for (node, part) in far.sources.columns.iter().zip(&parts) {
-            out[*node as usize] += part.to_f64();
-        }
-        debug_assert_eq!(out.len(), self.n_nodes);
-        out
-    }
-}
-
-/// The same links seen from their other ends.
-fn reversed(links: &[Vec<Link>]) -> Vec<Vec<Link>> {
-    let mut reversed = vec![Vec::new(); links.len()];
-    for (target, links) in links.iter().enumerate() {
-        for link in links {
-            let [dx, dy] = link.offset;
-            // The image of a box sees the image of the other where that sees the box: y stays.
-            let offset = [-dx, if link.image { dy } else { -dy }];
-            reversed[link.from as usize].push(Link {
-                from: target as u32,
-                image: link.image,
-                offset,
-            });
-        }
-    }
-    reversed
 }
 
 #[cfg(test)]

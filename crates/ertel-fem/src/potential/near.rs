@@ -12,8 +12,6 @@ use super::tree::{Near, Tree};
 use crate::kernel as declare_kernel;
 use crate::linear::dense::vectorised;
 
-/// Fixed number of tasks of a transposed product, whose sums are added in a fixed order.
-const TASKS: usize = 8;
 /// Blocks that a thread takes at a time.
 const BATCH: usize = 16;
 
@@ -98,32 +96,6 @@ impl<S: Number> NearField<S> {
                 });
             });
     }
-
-    /// The transpose: from values at the targets, in the order of the tree, to nodes.
-    pub fn transposed<T: Number>(&self, values: &[T]) -> Vec<T> {
-        let size = self.blocks.len().div_ceil(TASKS).max(1);
-        let sums: Vec<Vec<T>> = (self.blocks.par_chunks(size))
-            .with_max_len(1)
-            .map(|blocks| {
-                let mut sum = vec![T::default(); self.n_nodes];
-                for block in blocks {
-                    vectorised(AddTransposed {
-                        block,
-                        values: &values[block.targets.clone()],
-                        sum: &mut sum,
-                    });
-                }
-                sum
-            })
-            .collect();
-        let mut total = vec![T::default(); self.n_nodes];
-        for sum in &sums {
-            for (t, s) in total.iter_mut().zip(sum) {
-                *t += *s;
-            }
-        }
-        total
-    }
 }
 
 declare_kernel! {
@@ -132,21 +104,6 @@ declare_kernel! {
         let local: Vec<T> = block.nodes.iter().map(|n| density[*n as usize]).collect();
         for (sum, row) in own.iter_mut().zip(block.values.chunks_exact(local.len())) {
             *sum += mixed_dot(row, &local);
-        }
-    }
-}
-
-declare_kernel! {
-    AddTransposed ['a, S: Number, T: Number] ['a, S, T]
-    (block: &'a Block<S>, values: &'a [T], sum: &'a mut [T]) -> () {
-        let mut local = vec![T::default(); block.nodes.len()];
-        for (value, row) in values.iter().zip(block.values.chunks_exact(local.len())) {
-            for (l, entry) in local.iter_mut().zip(row) {
-                *l += T::from_f64(entry.to_f64()) * *value;
-            }
-        }
-        for (node, l) in block.nodes.iter().zip(&local) {
-            sum[*node as usize] += *l;
         }
     }
 }

@@ -123,7 +123,7 @@ rows! {
     /// `[solver]`.
     pub SOLVER {
         method: Choice(&["finite-elements", "finite-volumes"]) => r#"`"finite-elements"`, as in Habchi's thesis, or `"finite-volumes"`
-            ([theory](../theory/finite-volumes.md)), for line, circular and elliptical contacts of half-spaces and rollers of finite length, flooded or starved, with heat, too. If absent: finite volumes, but finite elements for lines with heat, for contacts that finite volumes do not solve, and where a key is given that only elements have ([why](../decisions/0040-default-method.md)). A case that one method does not solve is left to the other; so is one whose films finite elements do not resolve with default edges and without `max_unknowns`. A note says so. With
+            ([theory](../theory/finite-volumes.md)), for line, circular and elliptical contacts of half-spaces and rollers of finite length, flooded or starved, with heat, too. If absent: finite volumes, but finite elements for lines with heat whose stress has no limit, for contacts that finite volumes do not solve, and where a key is given that only elements have ([why](../decisions/0039-elements-and-volumes.md)). A case that one method does not solve is left to the other; so is one whose films finite elements do not resolve with default edges and without `max_unknowns`. A note says so. With
             `"finite-volumes"` the keys of finite elements are errors"#;
         formulation: Choice(&["gls", "supg", "galerkin"]), default "gls" => "weak form of the Reynolds equation";
         isotropic_diffusion: Number, bounds [0.0, 10.0], default "0" => "coefficient ρ_id of the isotropic diffusion";

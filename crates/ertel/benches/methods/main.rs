@@ -113,6 +113,35 @@ fn ball([m, l]: [f64; 2]) -> Trial {
     }
 }
 
+/// Loads of lines in kN/m, speeds in m/s, slide-to-roll ratios; with heat, too.
+const LINES: [[f64; 3]; 8] = [
+    [10.0, 10.0, 0.1],
+    [20.0, 1.0, 0.1],
+    [20.0, 10.0, 0.0],
+    [50.0, 2.0, 0.4],
+    [100.0, 2.0, 0.05],
+    [100.0, 5.0, 1.0],
+    [200.0, 1.0, 0.2],
+    [300.0, 0.1, 0.1],
+];
+
+fn line([load, speed, sliding]: [f64; 3], heated: bool) -> Trial {
+    let contact = format!("kind = \"line\"\nradius = \"10 mm\"\nload = \"{load} kN/m\"");
+    let motion = format!("entrainment_speed = \"{speed} m/s\"\nslide_to_roll_ratio = {sliding}");
+    let own = text(&contact, &motion, 18.0, "");
+    Trial {
+        family: String::new(),
+        name: format!("line {load} kN/m {speed} m/s {sliding}, heat: {heated}"),
+        text: match heated {
+            false => own,
+            true => own
+                .replace("alpha =", "beta = \"0.045 1/K\", reference_temperature = \"40 degC\", alpha =")
+                .replace("lubricant = {", "lubricant = { thermal_conductivity = \"0.14 W/(m.K)\", heat_capacity = \"2 kJ/(kg.K)\",")
+                + "[thermal]\n",
+        },
+    }
+}
+
 fn ellipse([rx, ry, angle, load, sliding, spin, layer]: [f64; 7]) -> Trial {
     let contact = match rx == ry {
         true => format!("kind = \"circular\"\nradius = \"{rx} mm\"\nload = \"{load} N\""),
@@ -180,7 +209,9 @@ fn main() {
         return;
     }
     let balls = BALLS.map(ball).into_iter();
-    let trials = balls.chain(ELLIPSES.map(ellipse)).chain(LAWS.map(thinned));
+    let lines = [false, true].into_iter();
+    let lines = lines.flat_map(|heated| LINES.map(|row| line(row, heated)));
+    let trials = (balls.chain(ELLIPSES.map(ellipse)).chain(LAWS.map(thinned))).chain(lines);
     let chosen: Vec<Trial> = trials.filter(|t| t.name.contains(&args.only)).collect();
     compare(&chosen);
 }

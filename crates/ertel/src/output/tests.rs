@@ -128,7 +128,6 @@ fn line_contact_result_is_complete() {
             || path.starts_with("/case/si/mesh/")
             || path == "/case/si/solver/elasticity"
             || path == "/case/si/solver/method"
-            || path == "/case/si/solver/ridge_diffusion"
             || path == "/case/si/fluid/shear_thinning"
             // A Newtonian fluid without a spike.
             || path == "/summary/pressure_spike"

@@ -228,8 +228,8 @@ fn lacks_a_film(case: &Case, solution: &Solution) -> bool {
     is_free && case.solver.error_estimate && !unresolved_films(solution).is_empty()
 }
 
-/// The method that a case requests, otherwise finite volumes; finite elements for lines with heat, which they solve in a fraction of the time, and for contacts that finite
-/// volumes do not solve (docs/decisions/0040-default-method.md).
+/// The method that a case requests, otherwise finite volumes; finite elements for lines with heat and without a limit of the stress, which they solve in a fraction of the time, and for contacts that finite
+/// volumes do not solve (docs/decisions/0039-elements-and-volumes.md).
 pub fn first_method(case: &Case) -> Method {
     if let Some(method) = case.solver.method {
         return method;
@@ -237,7 +237,8 @@ pub fn first_method(case: &Case) -> Method {
     if !case.standing_reliefs().is_empty() || case.asperities.is_some() {
         return Method::FiniteVolumes;
     }
-    let is_warm_line = case.thermal().is_some() && case.contact.kind.is_line();
+    let has_limit = case.shear_thinning().is_some_and(|law| law.limit.is_some());
+    let is_warm_line = case.thermal().is_some() && case.contact.kind.is_line() && !has_limit;
     match needs_elements(case) || is_warm_line || finite_volumes_refuse(case).is_some() {
         true => Method::FiniteElements,
         false => Method::FiniteVolumes,

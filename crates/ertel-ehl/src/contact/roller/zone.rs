@@ -41,21 +41,10 @@ impl RollerZone {
         RollerZone::between(ends, half_length, load, kinks)
     }
 
-    /// That of the same roller for other loads per length.
-    pub fn with_loads(&self, load: impl Fn(f64) -> f64) -> RollerZone {
-        RollerZone::new(self.half_length, load, &self.kinks)
-    }
-
     /// The same with rows and meshes drawn around the ends of other loads per length.
     pub fn graded_around(&self, load: impl Fn(f64) -> f64) -> RollerZone {
         let ends = ends(self.half_length, &load);
         RollerZone::between(ends, self.half_length, |y| self.load(y), &self.kinks)
-    }
-
-    /// The same with a mesh that resolves whether an edge indents, which these loads do not show.
-    pub fn to_look_at_edges(&self, load: impl Fn(f64) -> f64) -> RollerZone {
-        let ends = ends(self.half_length, &load).map(|end| End { cut: false, ..end });
-        RollerZone::between(ends, self.half_length, load, &self.kinks)
     }
 
     /// The same places along a roller of another length.

@@ -137,7 +137,6 @@ impl<'a> Meshes<'a> {
     /// Why not.
     fn may_be_halved(&self, solution: &StageSolution) -> Result<(), MeshEnd> {
         let target = (self.problem.plan.target.as_ref()).ok_or(MeshEnd::Reached)?;
-        let is_line = self.problem.shape.is_line();
         let bars = bars(self.problem, &solution.stage, &self.stats);
         let is_met = [Figure::FilmCentral, Figure::FilmMinimum].map(|figure| {
             let film = self.stats.last().and_then(|l| l.figures.value(figure));
@@ -146,11 +145,11 @@ impl<'a> Meshes<'a> {
                 .is_some_and(|(film, bar)| bar <= target.error * film)
         });
         let n_meshes = 1 + solution.stage.halvings;
-        if is_met == [true; 2] && n_meshes >= LEAST_MESHES[usize::from(is_line)] {
+        if is_met == [true; 2] && n_meshes >= LEAST_MESHES {
             return Err(MeshEnd::Reached);
         }
         let growth = 1 << self.problem.shape.dim;
-        let is_free = n_meshes < LEAST_MESHES[0];
+        let is_free = n_meshes < LEAST_MESHES;
         if !is_free && growth * solution.discretisation.n_pressure > target.max_unknowns {
             return Err(MeshEnd::Unknowns(target.max_unknowns));
         }

@@ -15,6 +15,6 @@ pub mod stage_run;
 pub mod start;
 
 pub use meshes::solve_stages;
-pub use problem::{HeatPlan, LEAST_MESHES, MeshEnd, Plan, Problem, StageSolution, Target};
+pub use problem::{HeatPlan, MeshEnd, Plan, Problem, StageSolution, Target};
 pub use similar::{Start, solve_on_mesh, solve_warm};
 pub use stage::Stage;

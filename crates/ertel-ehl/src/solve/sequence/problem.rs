@@ -42,8 +42,8 @@ pub struct Target {
     pub max_unknowns: usize,
 }
 
-/// Meshes at least, of point and of line contacts: two for error bars; three, which show the order of their errors, where cells are few.
-pub const LEAST_MESHES: [usize; 2] = [2, 3];
+/// Meshes at least: two for error bars.
+pub const LEAST_MESHES: usize = 2;
 
 /// Why no finer mesh follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

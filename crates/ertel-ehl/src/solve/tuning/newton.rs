@@ -26,9 +26,3 @@ pub const STALE_EFFORT: [f64; 2] = [20.0, 10.0];
 
 /// Krylov iterations after which a solve with an old preconditioner is given up.
 pub const MOST_STALE_ITERATIONS: usize = 40;
-
-/// Tolerance down to which products may be as rough as those of Newton's steps.
-pub const ROUGH: f64 = 1e-4;
-
-/// Rounds of solves with rough products.
-pub const MOST_ROUNDS: usize = 6;

@@ -1,7 +1,7 @@
 //! The factors as they are kept.
 
 use super::FrontalPattern;
-use crate::linear::dense::{add_product, multiply_transposed};
+use crate::linear::dense::add_product;
 
 /// A⁻¹, V and W of each front, one after the other.
 #[derive(Debug, PartialEq)]
@@ -35,11 +35,5 @@ impl Factor<'_> {
     pub(super) fn multiply(&self, x: &[f32], y: &mut [f32]) {
         y.fill(0.0);
         add_product(self.0, x, y);
-    }
-
-    /// y = Aᵀ x.
-    #[inline(always)]
-    pub(super) fn multiply_transposed(&self, x: &[f32], y: &mut [f32]) {
-        multiply_transposed::<16>(self.0, x, y);
     }
 }

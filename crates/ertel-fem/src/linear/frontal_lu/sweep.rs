@@ -21,16 +21,9 @@ pub(super) struct Scratch {
     pub(super) beyond: Vec<f32>,
 }
 
-/// Matrix of a solve: the factorised one or its transpose.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Side {
-    Matrix,
-    Transposed,
-}
-
 impl FrontalLu {
     /// Down the fronts and up again; the parts on all cores.
-    pub(super) fn sweep(&mut self, rhs: &mut [f64], side: Side) {
+    pub(super) fn sweep(&mut self, rhs: &mut [f64]) {
         let FrontalLu {
             pattern,
             factors,
@@ -49,7 +42,6 @@ impl FrontalLu {
         let run = |fronts, base| Run {
             pattern,
             factors,
-            side,
             fronts,
             base,
         };
@@ -121,7 +113,6 @@ impl FrontalPattern {
 struct Run<'a> {
     pattern: &'a FrontalPattern,
     factors: &'a Factors,
-    side: Side,
     fronts: RangeInclusive<usize>,
     base: usize,
 }
@@ -147,21 +138,13 @@ impl Run<'_> {
         for k in self.fronts {
             let f = &self.pattern.fronts.fronts[k];
             let (n, m) = (f.n_own, f.boundary.len());
-            let [inverse, v, w] = self.factors.of(self.pattern, k);
+            let [inverse, v, _] = self.factors.of(self.pattern, k);
             let own = &mut scratch.own[..n];
             let outer = &mut scratch.outer[..m];
             let target = &mut x[f.first - base..f.first - base + n];
             own.copy_from_slice(target);
-            match self.side {
-                Side::Matrix => {
-                    v.multiply(own, outer);
-                    inverse.multiply(own, target);
-                }
-                Side::Transposed => {
-                    w.multiply_transposed(own, outer);
-                    inverse.multiply_transposed(own, target);
-                }
-            }
+            v.multiply(own, outer);
+            inverse.multiply(own, target);
             for (s, value) in f.boundary.iter().zip(&*outer) {
                 match *s as usize {
                     s if s < end => x[s - base] -= value,
@@ -179,7 +162,7 @@ impl Run<'_> {
         for k in self.fronts.rev() {
             let f = &self.pattern.fronts.fronts[k];
             let (n, m) = (f.n_own, f.boundary.len());
-            let [_, v, w] = self.factors.of(self.pattern, k);
+            let [_, _, w] = self.factors.of(self.pattern, k);
             let own = &mut scratch.own[..n];
             let outer = &mut scratch.outer[..m];
             for (s, value) in f.boundary.iter().zip(outer.iter_mut()) {
@@ -188,10 +171,7 @@ impl Run<'_> {
                     s => scratch.beyond[s - end],
                 };
             }
-            match self.side {
-                Side::Matrix => w.multiply(outer, own),
-                Side::Transposed => v.multiply_transposed(outer, own),
-            }
+            w.multiply(outer, own);
             for (x, value) in x[f.first - base..].iter_mut().zip(&*own) {
                 *x -= value;
             }
@@ -243,11 +223,6 @@ impl FrontalLu {
 
     /// Solves in place, approximately.
     pub fn solve(&mut self, rhs: &mut [f64]) {
-        self.sweep(rhs, Side::Matrix);
-    }
-
-    /// Solves with the transposed matrix in place, approximately.
-    pub fn solve_transposed(&mut self, rhs: &mut [f64]) {
-        self.sweep(rhs, Side::Transposed);
+        self.sweep(rhs);
     }
 }

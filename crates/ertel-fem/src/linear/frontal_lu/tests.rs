@@ -9,7 +9,7 @@ use faer::Mat;
 use faer::linalg::solvers::Solve;
 
 /// A grid of groups of one to three unknowns with entries from a formula, duplicates among them:
-/// solves with the matrix and its transpose equal those of dense linear algebra in
+/// solves with the matrix equal those of dense linear algebra in
 /// single precision.
 #[test]
 fn equals_dense_linear_algebra() {
@@ -69,14 +69,11 @@ fn equals_dense_linear_algebra() {
     }
     let b: Vec<f64> = (0..n).map(|i| (0.1 * i as f64).cos()).collect();
     let column = Mat::from_fn(n, 1, |i, _| b[i]);
-    let (mut x, mut y) = (b.clone(), b.clone());
+    let mut x = b.clone();
     lu.solve(&mut x);
-    lu.solve_transposed(&mut y);
     let exact = dense.partial_piv_lu().solve(&column);
-    let transposed = dense.transpose().to_owned().partial_piv_lu().solve(&column);
     for i in 0..n {
         assert_relative_eq!(x[i], exact[(i, 0)], epsilon = 1e-6);
-        assert_relative_eq!(y[i], transposed[(i, 0)], epsilon = 1e-6);
     }
     let again = FrontalLu::new(&pattern, &values).unwrap();
     assert_eq!(again.factors, lu.factors);
