@@ -509,7 +509,9 @@ impl System {
             .collect();
         if !at.touching.is_empty() {
             let by_slack = self.change_of_oil(at, &slack, &vec![0.0; slack.len()]);
-            rows.iter_mut().zip(by_slack).for_each(|(row, by)| *row -= by);
+            rows.iter_mut()
+                .zip(by_slack)
+                .for_each(|(row, by)| *row -= by);
         }
         for ((row, wetted), slack) in rows.iter_mut().zip(&at.wetted).zip(slack) {
             *row = if *wetted { *row } else { -slack };

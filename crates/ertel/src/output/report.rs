@@ -394,7 +394,11 @@ pub(super) fn write_formulas(out: &mut Lines, solution: &Solution) {
         (None, Some(_)) => " of flooded contacts",
         (None, None) => "",
     };
-    let computed = if gaps[0].is_some() { "mean gap" } else { "film" };
+    let computed = if gaps[0].is_some() {
+        "mean gap"
+    } else {
+        "film"
+    };
     out.heading(&format!(
         "Published formulas{contacts} (difference from the computed {computed})"
     ));
