@@ -379,7 +379,7 @@ const OPTIONS: [(&str, &str); 6] = [
         "surface_roughness",
         "\
 ## Roughness, for the lambda ratio and the share of the load that asperities carry. The values of the asperities are
-## typical; they are too soft to carry the load at low lambda (a warning shows this): measure those of your surfaces.
+## typical: measure those of your surfaces.
 # [surface_roughness]
 # body_1_rms_height = \"50 nm\"
 # body_2_rms_height = \"50 nm\"

@@ -104,7 +104,7 @@ pub fn is_settled(minimum: [Option<f64>; 3]) -> bool {
 }
 
 /// Readings of the figure by which a film is refined, from up to three grids: the mean gap of rough surfaces, whose distance may vanish.
-pub fn gap_of<'a>(of_grids: [Option<&'a Figures>; 3], film: Figure) -> [Option<f64>; 3] {
+pub fn gap_of(of_grids: [Option<&Figures>; 3], film: Figure) -> [Option<f64>; 3] {
     let gap = match film {
         Figure::FilmCentral => Figure::MeanGapCentral,
         _ => Figure::MeanGapMinimum,

@@ -45,9 +45,9 @@ const APART: f64 = 9.0;
 /// The smallest distance for relative changes, in σ.
 const LEAST_GAP: f64 = 0.05;
 
-/// Rms height that cells of the size h resolve, in h²: a parabola rises by twice as much over a cell. On coarser grids films err by more than the height of all asperities,
-/// which do not touch or bear far too much, and Newton's method does not converge (a ball at 2.3 GPa, σ 0.005 a²/R, on cells of a quarter of the half-width).
-const UNRESOLVED: f64 = 0.25;
+/// Rms height that cells of the size h resolve, in h². On coarser grids thin films err by so much that asperities would press with many times the Hertz pressure, and
+/// Newton's method does not converge (a ball at 2.3 GPa, σ 0.009 a²/R, on cells of an eighth of the half-width).
+const RESOLVED: f64 = 1.0;
 
 /// Asperity pressure of the start at the centre, in p_h: from thicker films Newton's method overshoots, since it sees no asperities there.
 const PRESSURE_OF_START: f64 = 0.3;
@@ -97,13 +97,9 @@ impl Rough {
         }
     }
 
-    /// For cells of the size h, in half-widths: higher asperities where these do not resolve them. Results on the last grids do not depend on it.
-    #[must_use]
-    pub fn on_cells(&self, h: f64) -> Rough {
-        Rough {
-            rms_height: self.rms_height.max(UNRESOLVED * h * h),
-            ..self.clone()
-        }
+    /// Whether cells of the size h, in half-widths, resolve the roughness; coarser grids have the film of smooth surfaces.
+    pub fn is_resolved(&self, h: f64) -> bool {
+        self.rms_height >= RESOLVED * h * h
     }
 
     /// p_a at a distance H of the mean planes, and its derivative.

@@ -142,7 +142,7 @@ pub fn first_system<Plan>(
         warmth: Vec::new(),
         storage: None,
         balance: Balance::LOAD,
-        rough: (problem.rough.as_ref()).map(|rough| rough.on_cells(grid.spacing[0])),
+        rough: (problem.rough.clone()).filter(|rough| rough.is_resolved(grid.spacing[0])),
         grid,
     }
 }
@@ -221,7 +221,7 @@ pub fn refined<Plan>(
         system.gap[k] += sampled.cubic(&outer, i, j);
     }
     let wet = if oil.is_empty() { &pressure } else { &oil };
-    let state = State {
+    let mut state = State {
         contents: match own.contents.is_empty() {
             true => Vec::new(),
             false => (system.grid.nodes().zip(wet))
@@ -236,6 +236,10 @@ pub fn refined<Plan>(
         pressure,
         separation: own.separation,
     };
+    if state.oil.is_empty() {
+        // The first grid that resolves the roughness.
+        system.settle(&mut state);
+    }
     (system, state)
 }
 

@@ -1,13 +1,15 @@
 //! Effect of the gap through which the oil flows between rough surfaces: the same contact with the other choice.
 //!
-//! Errors of the grids are similar in both, so that the finest grid is omitted, except for lines, whose grids are small, and differences on the same grid are
-//! added to the figures of the finest.
+//! Errors of the grids are similar in both, so that the finest grids are omitted, and differences on the same grid are added to the figures of the finest.
 
 use super::engine::{FiniteVolumes, Volumes};
 use super::plan::Plan;
 use crate::engine::{Observer, Problem, SolveError};
 use crate::mixed::Flow;
 use crate::solution::{Figure, OtherGap};
+
+/// Finest grids that are omitted, of points and of lines.
+const OMITTED_GRIDS: [usize; 2] = [1, 2];
 
 /// Load share of the asperities above which the choice matters.
 const SHARE: f64 = 0.01;
@@ -33,7 +35,12 @@ pub fn other_gap(
     if share.is_none_or(|share| share < SHARE) {
         return Ok(None);
     }
-    let most = if is_line { n } else { n - 1 };
+    let most = n.saturating_sub(OMITTED_GRIDS[usize::from(is_line)]);
+    // Coarse grids may not resolve the roughness.
+    let coarser = most.checked_sub(1).and_then(|l| solved.levels.get(l));
+    if coarser.is_none_or(|level| level.system.rough.is_none()) {
+        return Ok(None);
+    }
     other.plan.most_grids = most;
     // All of these grids.
     other.plan.target_error = 0.0;

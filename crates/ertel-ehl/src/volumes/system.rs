@@ -463,7 +463,13 @@ impl System {
         let n = self.grid.n_nodes();
         let (pressure, separation) = (&changes[..n], changes[n]);
         let film = self.change_of_film(pressure, separation);
-        let parts = parts(&own.touching, pressure, &film);
+        let mut parts = parts(&own.touching, pressure, &film);
+        if let (Some([oil, _]), true) = (&mut parts, share != 0.0) {
+            // Oil of broken nodes is none, before and after.
+            for (k, oil) in oil.iter_mut().enumerate() {
+                *oil += (at.slack_at(k) - own.slack_at(k)) / share;
+            }
+        }
         let (pressure, film) = match &parts {
             None => (pressure, &film[..]),
             Some([oil, gap]) => (&oil[..], &gap[..]),
@@ -485,6 +491,32 @@ impl System {
                 face.flux += share * through(direction, k);
             }
         }
+    }
+
+    /// Right sides of the linearised equation at `at` that lead from a neighbouring equation at the same pressures, `side`, to one of the same residual as `own`. Where
+    /// the film has broken oil presses with nothing in both: changes of the asperities there change P alone.
+    pub(super) fn rows_between(
+        &self,
+        at: &Linearised,
+        own: &Linearised,
+        side: &Linearised,
+    ) -> Vec<f64> {
+        let mut rows: Vec<f64> = (own.outflow.iter().zip(&side.outflow))
+            .map(|(own, side)| own - side)
+            .collect();
+        let slack: Vec<f64> = (0..rows.len())
+            .map(|k| side.slack_at(k) - own.slack_at(k))
+            .collect();
+        if !at.touching.is_empty() {
+            let by_slack = self.change_of_oil(at, &slack, &vec![0.0; slack.len()]);
+            rows.iter_mut()
+                .zip(by_slack)
+                .for_each(|(row, by)| *row -= by);
+        }
+        for ((row, wetted), slack) in rows.iter_mut().zip(&at.wetted).zip(slack) {
+            *row = if *wetted { *row } else { -slack };
+        }
+        rows
     }
 
     /// The same by changes of pressures and films.

@@ -134,6 +134,12 @@ impl<'a, Plan: Sync> Tangents<'a, Plan> {
 }
 
 impl<Plan: Sync> Tangents<'_, Plan> {
+    /// Whether it is the first grid, on which every input has its effect: that of a roughness which it does not resolve is on finer ones.
+    fn is_first(&self, level: &Level) -> bool {
+        let has_all = level.system.rough.is_some() == self.problem.rough.is_some();
+        has_all && std::ptr::eq(level, &self.levels[0])
+    }
+
     /// Moves all sides on to the next grid, with their heat.
     fn heated(
         &self,
@@ -151,7 +157,7 @@ impl<Plan: Sync> Tangents<'_, Plan> {
             }
             return;
         };
-        let is_first = std::ptr::eq(level, &self.levels[0]);
+        let is_first = self.is_first(level);
         let heat = rounds.heat;
         let own = WarmSide::own(rounds, level, warm);
         let inputs = sides.iter_mut().zip(&*moving).map(|(side, moves)| {
@@ -302,13 +308,7 @@ impl Moved {
     /// The right side of the equation of the derivatives, a difference from the solution's own problem.
     fn right(&self, own: &Moved, at: &Linearised, equation: &Equation) -> Vec<f64> {
         let (side, own) = (&self.equation, &own.equation);
-        let rows: Vec<f64> = (at.wetted.iter().zip(side.outflow.iter().zip(&own.outflow)))
-            .enumerate()
-            .map(|(k, (wetted, (flow, before)))| match wetted {
-                true => before - flow,
-                false => own.slack_at(k) - side.slack_at(k),
-            })
-            .collect();
+        let rows = self.system.rows_between(at, own, side);
         equation.right(&rows, side.missing_load - own.missing_load)
     }
 }
@@ -355,7 +355,7 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
                 continue;
             }
             let here = own.moved(level);
-            let is_first = own.levels.is_empty();
+            let is_first = self.is_first(level);
             let moved: Vec<Option<(Moved, Vec<f64>)>> = (sides.par_iter_mut().zip(&moving))
                 .map(|(side, moves)| {
                     let side = side.as_mut().ok().filter(|_| *moves)?;

@@ -19,7 +19,7 @@ pub mod inertia;
 pub mod neglected;
 
 use crate::case::Case;
-use crate::solution::{Estimate, Located, Solution, Traction};
+use crate::solution::{Estimate, Figure, Located, Solution, Traction};
 use crate::warning::{Warning, WarningKind};
 use crate::words::{digits, length, pressure};
 
@@ -195,9 +195,19 @@ fn estimated_thinning(case: &Case, solution: &Solution) -> Option<Warning> {
     }
     let by = solution.film_reduction?;
     let summary = &solution.summary;
+    // Between rough surfaces the reduction is that of the mean gap.
+    let gap = |figure| solution.figure(figure).map(|gap| gap.value);
     let films = [
-        ("central", by.central, summary.film_central.value),
-        ("minimum", by.minimum, summary.film_minimum.value),
+        (
+            "central",
+            by.central,
+            gap(Figure::MeanGapCentral).unwrap_or(summary.film_central.value),
+        ),
+        (
+            "minimum",
+            by.minimum,
+            gap(Figure::MeanGapMinimum).unwrap_or(summary.film_minimum.value),
+        ),
     ];
     let larger = |(_, one, _): &(_, Estimate, _), (_, two, _): &(_, Estimate, _)| {
         one.value.abs().total_cmp(&two.value.abs())

@@ -345,13 +345,8 @@ impl Coupled<'_, '_> {
         move_warmth(&mut system, of_warmth, step, self.rise);
         let mut state = side.state.clone();
         let mut at = system.linearise_nearby(&state, self.at, &self.near);
-        let mut rows = slopes(&at.outflow, &self.at.outflow);
-        for (k, (row, wetted)) in rows.iter_mut().zip(&self.at.wetted).enumerate() {
-            *row = match wetted {
-                true => *row,
-                false => (self.at.slack_at(k) - at.slack_at(k)) / step,
-            };
-        }
+        let mut rows = system.rows_between(self.at, self.at, &at);
+        rows.iter_mut().for_each(|row| *row /= step);
         let load = (at.missing_load - self.at.missing_load) / step;
         let right = self.equation.right(&rows, load);
         let mut film = vec![0.0; n + 1];

@@ -146,7 +146,7 @@ fn rigid_rough_cylinder() {
     }
 }
 
-/// A steel line against a solver of its own (two graded grids and Richardson's extrapolation): R 20 mm, 20 kN/m, 30 mPa s, 18 1/GPa, σ 0.25 µm, κ 196.9 MPa.
+/// A steel line against an independent solver (two graded grids and Richardson's extrapolation): R 20 mm, 20 kN/m, 30 mPa s, 18 1/GPa, σ 0.25 µm, κ 196.9 MPa.
 #[test]
 fn rough_elastic_line() {
     let viscosity = ViscosityLaw::barus(0.03, 1.8e-8).unwrap();
@@ -184,7 +184,7 @@ fn rough_elastic_line() {
     }
 }
 
-/// At a vanishing speed the contact is that of dry rough bodies: pressure and distance at the centre against a solver of its own.
+/// At a vanishing speed the contact is that of dry rough bodies: pressure and distance at the centre against an independent solver.
 #[test]
 fn dry_rough_contacts() {
     let viscosity = ViscosityLaw::constant(0.04).unwrap();
