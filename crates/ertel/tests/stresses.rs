@@ -53,7 +53,11 @@ fn check(solution: &Solution, dry: [f64; 2]) {
         let known = stresses.dry.orthogonal_half_range.unwrap();
         // Light loads spread into the inlet.
         assert!((shear.value / known.value - 1.0).abs() < 0.15, "{shear:?}");
-        assert!(body.lives.iter().all(|lives| lives.largest_stress[1].value > 0.0));
+        assert!(
+            body.lives
+                .iter()
+                .all(|lives| lives.largest_stress[1].value > 0.0)
+        );
     }
     assert!(one.utilisation.is_some() && two.utilisation.is_none());
     let by = match solution.shape.is_line() {
@@ -93,4 +97,29 @@ fn circle_on_a_grid() {
     let (text, _) = CIRCLE.split_once("[mesh]").unwrap();
     let (_, volumes) = solved(text, "finite-volumes");
     check(&volumes, [0.62, 0.481]);
+}
+
+/// The largest stresses are figures of the output times, near those of the dry contact, and of no other instants.
+#[test]
+fn line_in_time() {
+    let (text, _) = LINE.split_once("[mesh]").unwrap();
+    let text = format!(
+        "{text}\n[transient]\nduration = \"0.5 ms\"\noutput_times = [\"0.5 ms\"]\n[stress]\nplanes = 20\n"
+    );
+    let case = Case::from_text("case.toml", &text, Path::new("")).unwrap();
+    let found = run::transient::solve(&case, &mut NoObserver);
+    assert!(found.failure.is_none());
+    let of = |figure: Figure| {
+        let instants = found.instants.iter();
+        let values = instants.map(|instant| instant.measured.figures.value(figure));
+        values.collect::<Vec<_>>()
+    };
+    let values = of(Figure::VonMisesBody2);
+    let (last, others) = values.split_last().unwrap();
+    assert!(others.iter().skip(1).all(Option::is_none));
+    let share = last.unwrap() / case.hertz().pressure;
+    assert!((0.5..0.65).contains(&share), "{share}");
+    let rows = run::over_time::over_time(&found, true);
+    let highest = ertel::figures::find(&rows, "von_mises_body_2_highest").unwrap();
+    assert!(highest.estimate.value >= last.unwrap());
 }

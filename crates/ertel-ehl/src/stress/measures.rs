@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
+use super::body::{Body, Both, Contact, Reference, Sampled};
 use super::depths::{between, crest};
-use super::analysis::{Body, Both, Contact, Reference, Sampled};
 use super::hardness::YIELD_PER_HARDNESS;
 use super::life::{Criterion, Volume, lundberg_palmgren};
 use super::results::{AtDepth, DryContact, Layer, Life, Lives, OverDepth, Shakedown, ShakedownBy};
@@ -45,8 +45,7 @@ pub(super) fn layers(
                     .map(|strength| fatemi_socie(&level.middle, params.fatemi_socie, strength)),
                 hardness,
                 utilisation: strength.map(|strength| level.von_mises.value / strength),
-                shakedown_use: strength
-                    .map(|strength| shakedown_shear / (SHEAR_YIELD * strength)),
+                shakedown_use: strength.map(|strength| shakedown_shear / (SHEAR_YIELD * strength)),
             }
         })
         .collect()

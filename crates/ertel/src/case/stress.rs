@@ -96,8 +96,7 @@ fn read_params(mut table: Table<'_>) -> Result<StressParams, InputError> {
             "lives are computed from `cut_depth` and from twice that on: `depth` must be more",
         ));
     }
-    let fatigue_limit =
-        table.optional_quantity("fatigue_limit", Dimension::PRESSURE, LIMIT)?;
+    let fatigue_limit = table.optional_quantity("fatigue_limit", Dimension::PRESSURE, LIMIT)?;
     let dang_van = table.optional_number("dang_van_weight", weight)?;
     let fatemi_socie = table.optional_number("fatemi_socie_weight", weight)?;
     let hardness = [
@@ -199,7 +198,10 @@ mod tests {
             ("depht = \"1 mm\"", "did you mean `depth`"),
             ("depth = \"-1 mm\"", "must be between"),
             ("fatigue_limit = \"20 GPa\"", "must be between"),
-            ("body_1_hardness = { surface = 700, case_depth = \"1 mm\" }", "core"),
+            (
+                "body_1_hardness = { surface = 700, case_depth = \"1 mm\" }",
+                "core",
+            ),
             ("body_1_hardness = { uniform = 5 }", "must be between"),
             ("body_1_hardness = { uniform = 700, core = 350 }", "core"),
             (
@@ -237,7 +239,10 @@ mod tests {
             ("fatigue_limit = \"250 MPa\"", "unlimited"),
         ] {
             let warnings = read(section).unwrap().warnings;
-            assert!(warnings.iter().any(|w| w.text.contains(words)), "{warnings:?}");
+            assert!(
+                warnings.iter().any(|w| w.text.contains(words)),
+                "{warnings:?}"
+            );
         }
         let usual = read("depth = \"0.3 mm\"\ncut_depth = \"10 um\"\nfatigue_limit = \"100 MPa\"");
         let asked = |w: &crate::warning::Warning| w.text.contains("stress.");

@@ -2,8 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::BODIES;
-use super::figure::{estimate, number, percent, place, pressure_estimate, unresolved};
+use super::figure::{BODIES, estimate, number, percent, place, pressure_estimate, unresolved};
 use super::lines::Lines;
 use crate::mark::of_figure;
 use crate::solution::{Estimate, Figure, Located, Solution};
@@ -144,7 +143,11 @@ fn at_place(extreme: &Extreme, solution: &Solution) -> String {
         value: extreme.depth,
         error: Some(extreme.depth_error),
     };
-    format!("{value} {}, depth {}", place(solution, &at), estimate(&depth))
+    format!(
+        "{value} {}, depth {}",
+        place(solution, &at),
+        estimate(&depth)
+    )
 }
 
 fn life(lives: &Lives) -> String {
@@ -154,8 +157,7 @@ fn life(lives: &Lives) -> String {
             error: Some(life.error),
         })
     };
-    let by_volume =
-        (lives.integral).map(|life| life.map_or_else(|| "unlimited".to_owned(), shown));
+    let by_volume = (lives.integral).map(|life| life.map_or_else(|| "unlimited".to_owned(), shown));
     let [half, own, twice] = by_volume;
     let [half_largest, largest, twice_largest] = lives.largest_stress.map(shown);
     format!(

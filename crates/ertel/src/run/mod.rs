@@ -29,7 +29,7 @@ use crate::params::{Method, SolverParams};
 use crate::post;
 use crate::problem::has_thick_film;
 pub use crate::problem::{estimated_film, groups, predicted_film, problem};
-use crate::solution::{Figure, Solution, Unresolved, Why};
+use crate::solution::{Figure, Measured, Solution, Unresolved, Why};
 use crate::solve::sequence;
 use crate::stress::Stresses;
 use crate::warning::{Warning, WarningKind, silence};
@@ -47,7 +47,7 @@ pub fn check(case: &Case) -> Result<(), SolveError> {
     match case.solver.method {
         // A first grid is always small enough.
         Some(Method::FiniteVolumes) => Ok(()),
-        None if !case.standing_reliefs().is_empty() => Ok(()),
+        None if case.only_by_volumes().is_some() => Ok(()),
         _ => elements::may_begin(case).map(drop),
     }
 }
@@ -107,16 +107,21 @@ pub fn solve_from(
 fn stresses(case: &Case, solution: &Solution) -> Option<Stresses> {
     let params = case.stress.as_ref()?;
     let contact = (&solution.shape, &solution.hertz, case.contact.load);
-    let poisson = [&case.body_1, &case.body_2].map(|body| body.elasticity.poissons_ratio);
-    let pressure = (solution.figure(Figure::PressureCentral))
-        .or_else(|| solution.figure(Figure::PressureMaximum));
-    let relative_error = pressure.and_then(|at| Some(at.error? / at.value));
+    let error = pressure_error(&solution.measured);
     Some(post::stresses::stresses(
         params,
         contact,
-        (&solution.surface, relative_error.unwrap_or(0.0)),
-        poisson,
+        (&solution.surface, error),
+        case.poissons_ratios(),
     ))
+}
+
+/// Error bar of the pressure over the pressure; zero without a bar.
+fn pressure_error(measured: &Measured) -> f64 {
+    let found = [Figure::PressureCentral, Figure::PressureMaximum];
+    let pressure = found.into_iter().find_map(|figure| measured.find(figure));
+    let relative = pressure.and_then(|p| Some(p.error? / p.value));
+    relative.unwrap_or(0.0)
 }
 
 /// A solution and the start for the next one.
@@ -237,7 +242,7 @@ pub fn first_method(case: &Case) -> Method {
     if let Some(method) = case.solver.method {
         return method;
     }
-    if !case.standing_reliefs().is_empty() {
+    if case.only_by_volumes().is_some() {
         return Method::FiniteVolumes;
     }
     // For thermal contacts, both methods take equally long, except for rollers: elements of one size do not resolve both their ends and their middle.
@@ -296,7 +301,7 @@ fn may_use_other_method(case: &Case, first: Method) -> bool {
     let is_open = case.solver.method.is_none() && !needs_elements(case);
     let other_solves = match first {
         Method::FiniteElements => finite_volumes_refuse(case).is_none(),
-        Method::FiniteVolumes => case.standing_reliefs().is_empty(),
+        Method::FiniteVolumes => case.only_by_volumes().is_none(),
     };
     is_open && other_solves
 }

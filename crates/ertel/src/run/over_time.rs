@@ -12,7 +12,8 @@ use crate::figures::run::{
     COEFFICIENT_OF_RESTITUTION, FILM_CENTRAL_HIGHEST, FILM_CENTRAL_LAST, FILM_CENTRAL_LOWEST,
     FILM_FORCE_HIGHEST, FILM_MINIMUM_LAST, FILM_MINIMUM_LOWEST, FILM_TEMPERATURE_MAXIMUM_HIGHEST,
     FRICTION_POWER_MEAN, MASS_ERROR_HIGHEST, PRESSURE_MAXIMUM_HIGHEST,
-    TRACTION_COEFFICIENT_HIGHEST, TRACTION_COEFFICIENT_MEAN,
+    TRACTION_COEFFICIENT_HIGHEST, TRACTION_COEFFICIENT_MEAN, VON_MISES_BODY_1_HIGHEST,
+    VON_MISES_BODY_2_HIGHEST,
 };
 use crate::figures::{Definition, Row};
 use crate::mark::{Mark, Marked, Marks};
@@ -28,7 +29,7 @@ enum Over {
 }
 
 /// Reported reductions of the figures of instants, in order. The sign of friction is its direction: extremes are of its magnitude.
-const REDUCTIONS: [(Figure, Over, Definition); 10] = [
+const REDUCTIONS: [(Figure, Over, Definition); 12] = [
     (Figure::FilmCentral, Over::Lowest, FILM_CENTRAL_LOWEST),
     (Figure::FilmCentral, Over::Highest, FILM_CENTRAL_HIGHEST),
     (Figure::FilmCentral, Over::Last, FILM_CENTRAL_LAST),
@@ -54,6 +55,16 @@ const REDUCTIONS: [(Figure, Over, Definition); 10] = [
         Figure::FilmTemperatureMaximum,
         Over::Highest,
         FILM_TEMPERATURE_MAXIMUM_HIGHEST,
+    ),
+    (
+        Figure::VonMisesBody1,
+        Over::Highest,
+        VON_MISES_BODY_1_HIGHEST,
+    ),
+    (
+        Figure::VonMisesBody2,
+        Over::Highest,
+        VON_MISES_BODY_2_HIGHEST,
     ),
 ];
 

@@ -19,8 +19,8 @@ pub use interferogram::Image;
 pub(super) use layout::draw_ticks;
 pub use maps::{film_map, pressure_map};
 pub use profile::{profile, profile_across};
-pub(super) use stress::stress_map;
 pub use shared::film_unit;
+pub(super) use stress::stress_map;
 
 use shared::{Task, window_x};
 

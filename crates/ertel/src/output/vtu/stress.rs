@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::{Array, Data, Grid};
+use super::grid::{Array, Data, Grid};
 use crate::stress::{COMPONENTS, Section, Stress, Stresses};
 
 /// Writes both sections, body 2 above z = 0 and body 1 below; stresses are those of each body, whose z points into it. The cell array `body` is 1
@@ -37,11 +37,7 @@ pub fn write_stresses(out: impl Write, stresses: &Stresses) -> io::Result<()> {
         .collect();
     fields.push(array("von_mises_Pa", values(&Stress::von_mises)));
     fields.push(array("largest_shear_Pa", values(&Stress::largest_shear)));
-    let principal = [
-        "principal_1_Pa",
-        "principal_2_Pa",
-        "principal_3_Pa",
-    ];
+    let principal = ["principal_1_Pa", "principal_2_Pa", "principal_3_Pa"];
     for (i, name) in principal.into_iter().enumerate() {
         fields.push(array(name, values(&|s| s.principal()[i])));
     }
