@@ -167,7 +167,7 @@ cases/machine/bearing-6206.toml
 
 /// Keys in tables of a list, which cannot be set by their path.
 fn is_in_list(path: &str) -> bool {
-    ["isotherms.", "correlation.", "blend.", "surface."]
+    ["isotherms.", "correlation.", "blend.", "surface.", "layers."]
         .iter()
         .any(|list| path.contains(list))
 }

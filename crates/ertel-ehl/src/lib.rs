@@ -7,6 +7,7 @@
 //! | [`contact`], [`params`] | geometry, scales, motion; settings |
 //! | [`film`] | the fluid in the film and its flow at a point |
 //! | [`forms`] | weak forms at a point |
+//! | [`layers`] | layers on elastic bodies |
 //! | [`elastic`] | elastic bodies |
 //! | [`stress`] | stresses in the bodies, and what they mean for fatigue |
 //! | [`solution`], [`mixed`] | figures and fields in SI; asperities |
@@ -22,6 +23,7 @@ pub mod engine;
 pub mod film;
 pub mod forms;
 pub mod interference;
+pub mod layers;
 pub mod mixed;
 pub mod params;
 pub mod post;

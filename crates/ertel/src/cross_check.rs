@@ -90,10 +90,10 @@ impl CrossCheck {
 
 /// Reason why a case cannot be solved by the other method; `None` where it can.
 pub fn why_not(case: &Case) -> Option<String> {
+    if let Some(part) = case.only_by_volumes() {
+        return Some(format!("{part} are solved by finite volumes alone"));
+    }
     match case.solver.method {
-        _ if !case.standing_reliefs().is_empty() => {
-            Some("reliefs are solved by finite volumes alone".to_owned())
-        }
         Some(Method::FiniteVolumes) => None,
         _ => finite_volumes_refuse(case)
             .map(|reason| format!("{} {reason}", Method::FiniteVolumes.words())),

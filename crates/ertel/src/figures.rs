@@ -236,6 +236,8 @@ definitions! {
         FRICTION_TOTAL_MEAN, "friction_total_mean", "mean friction of film and asperities", Coefficient, Instants;
         FRICTION_POWER_MEAN, "friction_power_mean", "mean friction power", Power, Instants;
         FILM_TEMPERATURE_MAXIMUM_HIGHEST, "film_temperature_maximum_highest", "highest film temperature", Temperature, Instants;
+        VON_MISES_BODY_1_HIGHEST, "von_mises_body_1_highest", "highest von Mises stress, body 1", Stress, Instants;
+        VON_MISES_BODY_2_HIGHEST, "von_mises_body_2_highest", "highest von Mises stress, body 2", Stress, Instants;
         AMPLITUDE_RATIO_LOWEST, "amplitude_ratio_lowest", "lowest amplitude ratio of the waves", Coefficient, Run;
         AMPLITUDE_RATIO_HIGHEST, "amplitude_ratio_highest", "highest amplitude ratio of the waves", Coefficient, Run;
         AMPLITUDE_RATIO_LAST, "amplitude_ratio_last", "amplitude ratio of the waves at the end", Coefficient, Run;

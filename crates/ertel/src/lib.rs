@@ -41,8 +41,8 @@
 //! (`tests/arrows.rs`).
 
 pub use ertel_ehl::{
-    contact, elastic, engine, film, forms, interference, mixed, params, post, solution, solve,
-    stress, transient, volumes, warning, words,
+    contact, elastic, engine, film, forms, interference, layers, mixed, params, post, solution,
+    solve, stress, transient, volumes, warning, words,
 };
 
 pub mod case;

@@ -5,7 +5,7 @@ mod outlet;
 mod reliefs;
 mod thinning;
 
-use crate::case::{Case, SolidHeat};
+use crate::case::{BodyLayer, Case, SolidHeat};
 use crate::contact::starvation::starved_film;
 use crate::contact::{
     Contact, Family, Groups, Hertz, Inlet, Material, OilLayer, Outline, Planar, Scales, Shape,
@@ -14,6 +14,7 @@ use crate::contact::{
 use crate::elastic::Elasticity;
 use crate::film::FilmFluid;
 use crate::forms::energy::{BodyHeat, Heat};
+use crate::layers::Layer;
 use crate::mixed::Rough;
 use crate::params::{
     DEFAULT_MAX_UNKNOWNS, DEFAULT_MAX_UNKNOWNS_OF_BODIES, ElasticModel, Formulation, MeshParams,
@@ -147,9 +148,22 @@ fn elasticity(case: &Case, scales: &Scales) -> Elasticity {
     match model {
         ElasticModel::HalfSpace => {
             Elasticity::half_space(order.unwrap_or(1).max(case.mesh.pressure_order), &bodies)
+                .with_layers(layers(case, scales))
         }
         _ => Elasticity::finite_elements(order.unwrap_or(2).min(2), &bodies),
     }
+}
+
+/// The layers of both bodies, lengths in half-widths.
+fn layers(case: &Case, scales: &Scales) -> Vec<Vec<Layer>> {
+    let scaled = |layer: &BodyLayer| Layer {
+        thickness: layer.thickness / scales.length,
+        material: layer.elasticity.over(scales.elastic_stress),
+    };
+    let bodies = case.layers().into_iter();
+    bodies
+        .map(|layers| layers.iter().map(scaled).collect())
+        .collect()
 }
 
 /// The fluid of the film, close to `own` if given, and that of friction where it follows another law.

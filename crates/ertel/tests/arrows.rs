@@ -10,7 +10,7 @@ use circles::CIRCLES;
 use files::{arrows, circles};
 
 /// The modules of the solver, each above those that it may use.
-pub const SOLVER: [&str; 16] = [
+pub const SOLVER: [&str; 17] = [
     "words",
     "warning",
     "contact",
@@ -18,6 +18,7 @@ pub const SOLVER: [&str; 16] = [
     "params",
     "film",
     "forms",
+    "layers",
     "elastic",
     "stress",
     "solution",

@@ -98,3 +98,28 @@ fn circle_on_a_grid() {
     let (_, volumes) = solved(text, "finite-volumes");
     check(&volumes, [0.62, 0.481]);
 }
+
+/// The largest stresses are figures of the output times, near those of the dry contact, and of no other instants.
+#[test]
+fn line_in_time() {
+    let (text, _) = LINE.split_once("[mesh]").unwrap();
+    let text = format!(
+        "{text}\n[transient]\nduration = \"0.5 ms\"\noutput_times = [\"0.5 ms\"]\n[stress]\nplanes = 20\n"
+    );
+    let case = Case::from_text("case.toml", &text, Path::new("")).unwrap();
+    let found = run::transient::solve(&case, &mut NoObserver);
+    assert!(found.failure.is_none());
+    let of = |figure: Figure| {
+        let instants = found.instants.iter();
+        let values = instants.map(|instant| instant.measured.figures.value(figure));
+        values.collect::<Vec<_>>()
+    };
+    let values = of(Figure::VonMisesBody2);
+    let (last, others) = values.split_last().unwrap();
+    assert!(others.iter().skip(1).all(Option::is_none));
+    let share = last.unwrap() / case.hertz().pressure;
+    assert!((0.5..0.65).contains(&share), "{share}");
+    let rows = run::over_time::over_time(&found, true);
+    let highest = ertel::figures::find(&rows, "von_mises_body_2_highest").unwrap();
+    assert!(highest.estimate.value >= last.unwrap());
+}

@@ -16,6 +16,7 @@ mod fit_laws;
 mod fit_walther;
 mod gears_and_cams;
 mod heat_in_time;
+mod layers;
 mod limiting_stress;
 mod machines;
 mod main_case;

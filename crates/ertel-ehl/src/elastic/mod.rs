@@ -25,6 +25,7 @@ pub use series::Series;
 pub use trace::Trace;
 
 use crate::contact::Material;
+use crate::layers::{Coated, Layer};
 
 /// Which bodies deflect, and how they are computed.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +36,8 @@ pub struct Elasticity {
     pub order: usize,
     /// The bodies, moduli over R p_h/a; none for a rigid contact.
     pub bodies: Vec<Material>,
+    /// Layers of each body from its surface down, thicknesses in half-widths; empty where no body has any.
+    pub layers: Vec<Vec<Layer>>,
 }
 
 /// How bodies are computed.
@@ -53,6 +56,7 @@ impl Elasticity {
             model: BodyModel::HalfSpace,
             order,
             bodies: bodies.to_vec(),
+            layers: Vec::new(),
         }
     }
 
@@ -62,6 +66,28 @@ impl Elasticity {
             model: BodyModel::FiniteElements,
             order,
             bodies: bodies.to_vec(),
+            layers: Vec::new(),
         }
+    }
+
+    /// The same with layers on each body.
+    #[must_use]
+    pub fn with_layers(self, layers: Vec<Vec<Layer>>) -> Elasticity {
+        Elasticity { layers, ..self }
+    }
+
+    /// The bodies with their layers.
+    pub fn coated(&self) -> Vec<Coated> {
+        let layers = self
+            .layers
+            .iter()
+            .cloned()
+            .chain(std::iter::repeat(Vec::new()));
+        (self.bodies.iter().zip(layers))
+            .map(|(substrate, layers)| Coated {
+                layers,
+                substrate: *substrate,
+            })
+            .collect()
     }
 }

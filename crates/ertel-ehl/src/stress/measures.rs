@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::analysis::{Body, Both, Contact, Reference, Sampled};
+use super::body::{Body, Both, Contact, Reference, Sampled};
 use super::depths::{between, crest};
 use super::hardness::YIELD_PER_HARDNESS;
 use super::life::{Criterion, Volume, lundberg_palmgren};

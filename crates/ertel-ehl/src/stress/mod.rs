@@ -7,6 +7,7 @@
 //! Theory: Stresses in the bodies.
 
 mod analysis;
+mod body;
 mod depths;
 mod fatigue;
 mod grid;
@@ -25,7 +26,8 @@ mod tensor;
 #[cfg(test)]
 mod tests;
 
-pub use analysis::{Body, Contact, Reference, analyse};
+pub use analysis::analyse;
+pub use body::{Body, Contact, Reference};
 pub use depths::Depths;
 pub use fatigue::{DangVan, dang_van, fatemi_socie};
 pub use grid::{GridLoad, Planes};

@@ -1,6 +1,6 @@
 //! Stresses of a body for output: profiles over depth, and the plane of motion.
 
-use super::analysis::{Body, Contact};
+use super::body::{Body, Contact};
 use super::results::{Profile, Section};
 use super::{Level, Load};
 

@@ -62,7 +62,7 @@ pub fn of_line(transforms: &Padded, coefficients: &[f64]) -> [f64; 4] {
 const PATCH: usize = 24;
 
 /// For a regular grid with cells of a size.
-pub fn of_cell(kernel: Kernel, size: [f64; 2]) -> [f64; 4] {
+pub fn of_cell(kernel: &Kernel, size: [f64; 2]) -> [f64; 4] {
     let zone = HertzZone {
         axis_ratio: 1.0,
         turn: Turn::NONE,

@@ -114,10 +114,7 @@ pub fn outside(grid: &Grid, patch: [[usize; 2]; 2], values: &[f64]) -> Vec<f64> 
 
 /// The deflection of the bodies of a problem on a grid.
 pub fn convolution<Plan>(problem: &Problem<Plan>, grid: &Grid) -> Arc<Deflection> {
-    Arc::new(Deflection::new(
-        grid,
-        Kernel::of(&problem.elasticity.bodies),
-    ))
+    Arc::new(Deflection::new(grid, Kernel::of(&problem.elasticity)))
 }
 
 /// Bodies under a grid, without pressure beyond it.

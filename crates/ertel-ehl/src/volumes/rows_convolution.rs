@@ -113,7 +113,7 @@ impl RowsConvolution {
     /// For each row, that of a regular grid whose cells are as long as those there.
     pub fn stencils(&self) -> Stencils {
         let (dx, lengths) = &self.cells;
-        let of_row = |dy: &f64| inverse::of_cell(self.kernel, [*dx, *dy]);
+        let of_row = |dy: &f64| inverse::of_cell(&self.kernel, [*dx, *dy]);
         Stencils::of_rows(lengths.par_iter().map(of_row).collect())
     }
 }

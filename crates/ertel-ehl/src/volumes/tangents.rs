@@ -206,8 +206,10 @@ impl<Plan> Side<'_, Plan> {
                 ..before.clone()
             },
         };
-        // Of the same cells, the bodies are half-spaces of the same scaled compliance.
+        // Of the same cells, the bodies are half-spaces of the same scaled compliance; the thickness of layers changes with the half-width.
+        let has_layers = self.problem.elasticity.layers.iter().any(|l| !l.is_empty());
         let alike = match &grid.rows {
+            _ if has_layers => false,
             None => grid.spacing == before.spacing,
             Some(_) => grid.rows == before.rows,
         };

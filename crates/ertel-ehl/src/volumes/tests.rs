@@ -531,6 +531,7 @@ fn tangents_against_differences_of_solves() {
 }
 
 mod edges;
+mod layers;
 mod lines;
 mod rollers;
 mod rough;

@@ -25,7 +25,7 @@ rows! {
         machine: Machine(MACHINES) => "dimensions, loads and speeds of a machine element, instead of `[contact]` and `[motion]`";
         bodies: Table(BODIES) => "both bodies: elastic constants, thermal properties, radii of ellipses, composite roughness";
         surface_roughness: Table(ROUGHNESS) => "optional: rough surfaces and their asperities, which share the load with the oil";
-        stress: Table(STRESS) => "optional: this section, even if empty, asks for the stresses in both bodies of a steady contact";
+        stress: Table(STRESS) => "optional: this section, even if empty, asks for the stresses in both bodies, in time at the output times";
         inlet: Table(INLET) => "optional: how much oil reaches the contact; without this section the inlet is fully flooded";
         lubricant: FluidOrTable(LUBRICANT) => "the lubricant by its name, its laws or its data sheet, and the temperature of the film";
         temperature: TEMPERATURE => "temperature of the film, where `lubricant` is a name";
@@ -88,6 +88,18 @@ rows! {
         heat_capacity: HEAT_CAPACITY, usual [SPECIFIC_HEATS], aside "heat capacity, for thermal contacts";
         radius_x, radius_y: QuantityOr(&["flat"]), usual [GROOVES], aside "principal radii of a body of an elliptical contact: positive for
             convex, negative for concave";
+        layers: Tables(LAYER), aside "bonded layers from the surface of the body down";
+    }
+    /// `layers` of a body.
+    pub LAYER {
+        thickness: LENGTH => "thickness, 1 nm to 10 mm; all layers of a body together at most the radius of the contact";
+        name: Solid => "a solid of the database, or your own file";
+        youngs_modulus: PRESSURE, usual [MODULUS] => "Young's modulus E; with `name` instead of that of the solid";
+        poissons_ratio: Number => "Poisson's ratio ν, likewise";
+        hertz_pressure_limit: PRESSURE, aside "largest Hertz pressure, without effect here";
+        density: Quantity(&[D::DENSITY]), usual [SOLID_DENSITY], aside "density";
+        thermal_conductivity: CONDUCTIVITY, usual [SOLID_CONDUCTIVITY], aside "thermal conductivity";
+        heat_capacity: HEAT_CAPACITY, usual [SPECIFIC_HEATS], aside "heat capacity";
     }
     /// `[surface_roughness]`.
     pub ROUGHNESS {

@@ -13,7 +13,7 @@ mod settings;
 mod unknown;
 
 pub use case::{
-    AXIS, CASE, CONTACT, COURSE, CURVE, INLET, MOTION, ROUGHNESS, STUDY, SURFACE, TRANSIENT,
+    AXIS, CASE, CONTACT, COURSE, CURVE, INLET, LAYER, MOTION, ROUGHNESS, STUDY, SURFACE, TRANSIENT,
 };
 pub use describe::{plain, table, table_of_laws};
 pub use lubricant::{

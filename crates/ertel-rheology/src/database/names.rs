@@ -47,6 +47,11 @@ const SOLIDS: &[(&str, &str)] = &[
     ("delrin", "pom"),
     ("polyoxymethylene", "pom"),
     ("polyetheretherketone", "peek"),
+    ("diamondlikecarbon", "dlc"),
+    ("tin", "titanium-nitride"),
+    ("titannitrid", "titanium-nitride"),
+    ("crn", "chromium-nitride"),
+    ("chromnitrid", "chromium-nitride"),
 ];
 
 /// The same of fluids.

@@ -25,5 +25,5 @@ pub(super) const TABLES: &Folder = folder!("fluids", "":
     "r1234yf.csv" "r134a.csv" "r152a.csv" "r245fa.csv" "r32.csv" "toluene.csv" "water.csv");
 
 pub(super) const SOLIDS: &Folder = folder!("solids", ".toml":
-    "austempered-ductile-iron" "bearing-steel" "gear-steel" "glass" "pa66" "peek" "pom" "sapphire" "silicon-nitride"
-    "soda-lime-glass" "steel");
+    "austempered-ductile-iron" "bearing-steel" "chromium-nitride" "dlc" "gear-steel" "glass" "pa66" "peek" "pom"
+    "sapphire" "silicon-nitride" "soda-lime-glass" "steel" "titanium-nitride");

@@ -18,6 +18,8 @@ pub struct Body {
     pub in_database: bool,
     /// Elastic constants.
     pub elasticity: Material,
+    /// Bonded layers from the surface down.
+    pub layers: Vec<BodyLayer>,
     /// Largest Hertz pressure without permanent damage, Pa, if known.
     pub hertz_pressure_limit: Option<f64>,
     /// Density, kg/m³, if known.
@@ -28,6 +30,17 @@ pub struct Body {
     pub heat_capacity: Option<HeatCapacityLaw>,
 }
 
+/// A bonded layer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyLayer {
+    /// Name of its material.
+    pub name: String,
+    /// Thickness, m.
+    pub thickness: f64,
+    /// Elastic constants.
+    pub elasticity: Material,
+}
+
 impl Body {
     /// A body with elastic constants and without thermal data.
     pub fn elastic(name: &str, elasticity: Material) -> Self {
@@ -35,6 +48,7 @@ impl Body {
             name: name.to_owned(),
             in_database: false,
             elasticity,
+            layers: Vec::new(),
             hertz_pressure_limit: None,
             density: None,
             thermal_conductivity: None,
@@ -164,7 +178,7 @@ fn read_body(
     key: &str,
     folder: &Path,
 ) -> Result<(Body, Option<Curvatures>), InputError> {
-    let mut shape = None;
+    let (mut shape, mut layers) = (None, Vec::new());
     let (solid, in_database) = match table.required_str_or_table(key)? {
         StrOrTable::Str(name) => {
             let solid = database::solid_or_file(name, folder, table.recorder(key))
@@ -173,6 +187,7 @@ fn read_body(
         }
         StrOrTable::Table(mut inner) => {
             shape = read_shape(&mut inner)?;
+            layers = read_layers(&mut inner, folder)?;
             let found = match inner.optional_str("name")? {
                 Some(name) => {
                     let mut solid = database::solid_or_file(name, folder, inner.own_recorder())
@@ -199,10 +214,55 @@ fn read_body(
             youngs_modulus: solid.youngs_modulus,
             poissons_ratio: solid.poissons_ratio,
         },
+        layers,
         hertz_pressure_limit: solid.hertz_pressure_limit,
         density: solid.density,
         thermal_conductivity: solid.thermal_conductivity,
         heat_capacity: solid.heat_capacity,
     };
     Ok((body, shape))
+}
+
+/// Thicknesses, m: from a few atoms to liners.
+const THICKNESS: Bounds = Bounds::closed(1e-9, 1e-2);
+/// Most layers of a body.
+const MOST_LAYERS: usize = 8;
+
+/// Reads the layers of a body, from its surface down.
+fn read_layers(body: &mut Table<'_>, folder: &Path) -> Result<Vec<BodyLayer>, InputError> {
+    let tables = body.tables("layers")?;
+    if tables.len() > MOST_LAYERS {
+        let text = format!(
+            "a body has at most {MOST_LAYERS} layers, not {}",
+            tables.len()
+        );
+        return Err(body.error("layers", text));
+    }
+    tables
+        .into_iter()
+        .map(|table| layer(table, folder))
+        .collect()
+}
+
+fn layer(mut table: Table<'_>, folder: &Path) -> Result<BodyLayer, InputError> {
+    let thickness = table.required_quantity("thickness", Dimension::LENGTH, THICKNESS)?;
+    let files = Files::Folder(folder);
+    let solid = match table.optional_str("name")? {
+        Some(name) => {
+            let mut solid = database::solid_or_file(name, folder, table.own_recorder())
+                .map_err(super::unknown(&table, "name"))?;
+            solid.override_from(&mut table, files)?;
+            solid
+        }
+        None => Solid::from_table(&mut table, "given by its constants", files)?,
+    };
+    table.finish()?;
+    Ok(BodyLayer {
+        name: solid.name,
+        thickness,
+        elasticity: Material {
+            youngs_modulus: solid.youngs_modulus,
+            poissons_ratio: solid.poissons_ratio,
+        },
+    })
 }

@@ -2,6 +2,7 @@
 
 use ertel_input::{Bounds, InputError, Table};
 
+use super::bodies::name_in;
 use super::thermal::SolidHeat;
 use super::{Case, Mechanics, machine};
 use crate::contact::{Contact, ContactKind, Hertz, equivalent_body};
@@ -99,6 +100,56 @@ pub(super) fn finite_elements_of_soft_bodies(
         .with_help(
             "half-spaces allow up to 0.5: remove elasticity and linear from [solver], and body_field from [output]",
         ))
+}
+
+/// Refuses layers that are thicker than a body, and contacts with layers that are not solved.
+pub(super) fn layers(case: &Case, root: &mut Table<'_>) -> Result<(), InputError> {
+    let refused = [
+        (
+            case.elastic_model() != ElasticModel::HalfSpace,
+            "finite-element bodies: remove elasticity and linear from [solver], and body_field from [output]",
+        ),
+        (
+            case.solver.method == Some(Method::FiniteElements),
+            "finite elements: layers are solved by finite volumes; remove method from [solver]",
+        ),
+        (
+            case.thermal().is_some(),
+            "[thermal]: the heat in layers is not computed; remove [thermal], or set isothermal = true in [solver]",
+        ),
+        (
+            case.stress.is_some(),
+            "[stress]: the stresses in layers are not computed",
+        ),
+        (
+            case.contact.kind == ContactKind::Roller,
+            "rollers of finite length",
+        ),
+    ];
+    let names = [["body_1", "plane"], ["body_2", "ball"]];
+    for (names, layers) in names.into_iter().zip(case.layers()) {
+        if layers.is_empty() {
+            continue;
+        }
+        let mut bodies = root.required_table("bodies")?;
+        let key = name_in(&mut bodies, names)?;
+        let body = bodies.required_table(key)?;
+        if let Some((_, reason)) = refused.iter().find(|(applies, _)| *applies) {
+            let text = format!("`layers` cannot be combined with {reason}");
+            return Err(body.error("layers", text));
+        }
+        let thickness: f64 = layers.iter().map(|layer| layer.thickness).sum();
+        let radius = case.contact.radius;
+        if thickness > radius {
+            let text = format!(
+                "the layers are {} thick, more than the radius of the contact, {}",
+                length(thickness),
+                length(radius)
+            );
+            return Err(body.error("layers", text));
+        }
+    }
+    Ok(())
 }
 
 /// Half-width over the radius of a body itself from which the parabola is a poor circle. Of two bodies that fit closely, the gap between

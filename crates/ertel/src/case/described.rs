@@ -16,6 +16,21 @@ pub struct BodyEcho {
     /// Elastic constants.
     #[serde(flatten)]
     pub elasticity: Material,
+    /// Bonded layers from the surface down.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub layers: Vec<LayerEcho>,
+}
+
+/// A bonded layer of a body.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LayerEcho {
+    /// Material.
+    pub name: String,
+    /// Thickness, m.
+    pub thickness: f64,
+    /// Elastic constants.
+    #[serde(flatten)]
+    pub elasticity: Material,
 }
 
 /// The lubricant at the temperature of the case and ambient pressure.

@@ -5,8 +5,8 @@ use ertel_rheology::ShearThinning;
 use ertel_rheology::provenance::Datum;
 use serde_json::{Map, json};
 
-use super::{Body, Case, SolidHeat};
-use crate::case::{BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, ThermalEcho};
+use super::{Body, BodyLayer, Case, SolidHeat};
+use crate::case::{BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, LayerEcho, ThermalEcho};
 use crate::params::ThermalParams;
 
 impl Case {
@@ -109,6 +109,15 @@ fn body(body: &Body) -> BodyEcho {
     BodyEcho {
         name: body.name.clone(),
         elasticity: body.elasticity,
+        layers: body.layers.iter().map(layer).collect(),
+    }
+}
+
+fn layer(layer: &BodyLayer) -> LayerEcho {
+    LayerEcho {
+        name: layer.name.clone(),
+        thickness: layer.thickness,
+        elasticity: layer.elasticity,
     }
 }
 

@@ -79,12 +79,12 @@ use crate::params::{
 
 use crate::stress::StressParams;
 use crate::warning::{Warning, WarningKind, silence};
-pub use bodies::Body;
+pub use bodies::{Body, BodyLayer};
 pub use builder::{CaseBuilder, Setting};
 pub use check::{finite_volumes_refuse, mesh_of_bodies as check_mesh_of_bodies};
 pub use curve::Curve;
 pub use described::{
-    BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, MachineEcho, ThermalEcho,
+    BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, LayerEcho, MachineEcho, ThermalEcho,
 };
 pub use inputs::Origin;
 pub use lubricant::Lubricant;
@@ -339,6 +339,7 @@ impl Case {
         check::body_of_wide_contact(self, contact)?;
         let mut root = document.root();
         check::finite_elements_of_soft_bodies(self, &root)?;
+        check::layers(self, &mut root)?;
         let solver = root.optional_table("solver")?;
         let mesh = root.optional_table("mesh")?;
         let thermal = root.optional_table("thermal")?;
@@ -397,6 +398,26 @@ impl Case {
         match self.transient {
             None => &self.reliefs,
             Some(_) => &[],
+        }
+    }
+
+    /// Poisson's ratios of both bodies.
+    pub fn poissons_ratios(&self) -> [f64; 2] {
+        [&self.body_1, &self.body_2].map(|body| body.elasticity.poissons_ratio)
+    }
+
+    /// Layers of both bodies.
+    pub fn layers(&self) -> [&[BodyLayer]; 2] {
+        [&self.body_1, &self.body_2].map(|body| body.layers.as_slice())
+    }
+
+    /// Parts of the case that finite volumes alone solve, in words; `None` where there are none.
+    pub fn only_by_volumes(&self) -> Option<&'static str> {
+        match self.layers() {
+            _ if !self.standing_reliefs().is_empty() => Some("reliefs"),
+            _ if self.asperities.is_some() => Some("asperities"),
+            [[], []] => None,
+            _ => Some("layers on the bodies"),
         }
     }
 

@@ -300,10 +300,6 @@ fn check(case: &Case, table: &mut Table<'_>) -> Result<(), InputError> {
             "keys of [mesh] or [solver] that only finite elements have",
         ),
         (
-            case.stress.is_some(),
-            "[stress]: stresses at instants are not computed",
-        ),
-        (
             case.output.interferogram.is_some(),
             "[output] interferogram: pictures at instants are not made",
         ),

@@ -6,6 +6,9 @@ use crate::solution::{
 };
 use crate::words::{CELSIUS, digits, length_unit, pressure_unit};
 
+/// Names of the bodies in outputs.
+pub(crate) const BODIES: [&str; 2] = ["body 1", "body 2"];
+
 /// Maximum number of significant digits of a figure.
 const MOST_DIGITS: i32 = 6;
 

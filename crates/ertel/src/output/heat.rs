@@ -6,7 +6,7 @@ use super::figure::{number, percent, power};
 use super::lines::Lines;
 use super::results::write_section;
 use crate::case::{HeatEcho, ThermalEcho};
-use crate::output::BODIES;
+use crate::output::figure::BODIES;
 use crate::solution::{CrossProfile, Section, Solution, Thermal};
 use crate::words::{CELSIUS, digits};
 

@@ -122,9 +122,6 @@ impl OutputError {
     }
 }
 
-/// Names of the bodies in outputs.
-pub(crate) const BODIES: [&str; 2] = ["body 1", "body 2"];
-
 /// Writes a result folder: `result.json`, `report.txt`, `report.html`, `case.toml`, `centreline.csv`,
 /// `surface.vtu`, `body.vtu`, `result.nc` and the pictures, as `params` requests (its `folder` is ignored); for a thermal contact
 /// also `cross-film.csv` and `temperature.vtu`; with stresses in the bodies `stress.csv` and `stress.vtu`.

@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use super::BODIES;
-use super::figure::{estimate, number, percent, percent_or_power, power};
+use super::figure::{BODIES, estimate, number, percent, percent_or_power, power};
 use super::lines::{Lines, NAME_WIDTH, Table, VALUE_WIDTH, two_columns};
 use super::results::write_section;
 use super::{heat, inputs, mixed, stress, surfaces};
@@ -101,6 +100,17 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
             digits(e.poissons_ratio, 4)
         );
         out.row(role, text);
+        for layer in &body.layers {
+            let e = &layer.elasticity;
+            let text = format!(
+                "{}, {} thick, E {}, ν {}",
+                layer.name,
+                length(layer.thickness),
+                pressure(e.youngs_modulus),
+                digits(e.poissons_ratio, 4)
+            );
+            out.row("  layer", text);
+        }
     }
     if let Some(sigma) = case.roughness {
         out.row("composite roughness σ (rms)", length(sigma));

@@ -2,8 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::BODIES;
-use super::figure::{estimate, number, percent, place, pressure_estimate, unresolved};
+use super::figure::{BODIES, estimate, number, percent, place, pressure_estimate, unresolved};
 use super::lines::Lines;
 use crate::mark::of_figure;
 use crate::solution::{Estimate, Figure, Located, Solution};

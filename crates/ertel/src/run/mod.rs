@@ -28,7 +28,7 @@ use crate::engine::{Observer, SolveError};
 use crate::params::{Method, SensitivityDemand, SolverParams};
 use crate::post;
 pub use crate::problem::{estimated_film, groups, predicted_film, problem};
-use crate::solution::{Figure, Solution, Unresolved, Why};
+use crate::solution::{Figure, Measured, Solution, Unresolved, Why};
 use crate::solve::sequence;
 use crate::stress::Stresses;
 use crate::warning::{Warning, WarningKind, silence};
@@ -46,7 +46,7 @@ pub fn check(case: &Case) -> Result<(), SolveError> {
     match case.solver.method {
         // A first grid is always small enough.
         Some(Method::FiniteVolumes) => Ok(()),
-        None if !case.standing_reliefs().is_empty() || case.asperities.is_some() => Ok(()),
+        None if case.only_by_volumes().is_some() => Ok(()),
         _ => elements::may_begin(case).map(drop),
     }
 }
@@ -104,16 +104,21 @@ pub fn solve_from(
 fn stresses(case: &Case, solution: &Solution) -> Option<Stresses> {
     let params = case.stress.as_ref()?;
     let contact = (&solution.shape, &solution.hertz, case.contact.load);
-    let poisson = [&case.body_1, &case.body_2].map(|body| body.elasticity.poissons_ratio);
-    let pressure = (solution.figure(Figure::PressureCentral))
-        .or_else(|| solution.figure(Figure::PressureMaximum));
-    let relative_error = pressure.and_then(|at| Some(at.error? / at.value));
+    let error = pressure_error(&solution.measured);
     Some(post::stresses::stresses(
         params,
         contact,
-        (&solution.surface, relative_error.unwrap_or(0.0)),
-        poisson,
+        (&solution.surface, error),
+        case.poissons_ratios(),
     ))
+}
+
+/// Error bar of the pressure over the pressure; zero without a bar.
+fn pressure_error(measured: &Measured) -> f64 {
+    let found = [Figure::PressureCentral, Figure::PressureMaximum];
+    let pressure = found.into_iter().find_map(|figure| measured.find(figure));
+    let relative = pressure.and_then(|p| Some(p.error? / p.value));
+    relative.unwrap_or(0.0)
 }
 
 /// A solution and the start for the next one.
@@ -234,7 +239,7 @@ pub fn first_method(case: &Case) -> Method {
     if let Some(method) = case.solver.method {
         return method;
     }
-    if !case.standing_reliefs().is_empty() || case.asperities.is_some() {
+    if case.only_by_volumes().is_some() {
         return Method::FiniteVolumes;
     }
     let has_limit = case.shear_thinning().is_some_and(|law| law.limit.is_some());
@@ -275,7 +280,7 @@ fn may_use_other_method(case: &Case, first: Method) -> bool {
     let is_open = case.solver.method.is_none() && !needs_elements(case);
     let other_solves = match first {
         Method::FiniteElements => finite_volumes_refuse(case).is_none(),
-        Method::FiniteVolumes => case.standing_reliefs().is_empty() && case.asperities.is_none(),
+        Method::FiniteVolumes => case.only_by_volumes().is_none(),
     };
     is_open && other_solves
 }

@@ -14,6 +14,7 @@ use crate::figures::run::{
     FILM_MINIMUM_LOWEST, FILM_TEMPERATURE_MAXIMUM_HIGHEST, FRICTION_POWER_MEAN,
     FRICTION_TOTAL_HIGHEST, FRICTION_TOTAL_MEAN, MASS_ERROR_HIGHEST, MEAN_GAP_MINIMUM_LOWEST,
     PRESSURE_MAXIMUM_HIGHEST, TRACTION_COEFFICIENT_HIGHEST, TRACTION_COEFFICIENT_MEAN,
+    VON_MISES_BODY_1_HIGHEST, VON_MISES_BODY_2_HIGHEST,
 };
 use crate::figures::{Definition, Row};
 use crate::mark::{Mark, Marked, Marks};
@@ -29,7 +30,7 @@ enum Over {
 }
 
 /// Reported reductions of the figures of instants, in order. The sign of friction is its direction: extremes are of its magnitude.
-const REDUCTIONS: [(Figure, Over, Definition); 14] = [
+const REDUCTIONS: [(Figure, Over, Definition); 16] = [
     (Figure::FilmCentral, Over::Lowest, FILM_CENTRAL_LOWEST),
     (Figure::FilmCentral, Over::Highest, FILM_CENTRAL_HIGHEST),
     (Figure::FilmCentral, Over::Last, FILM_CENTRAL_LAST),
@@ -67,6 +68,16 @@ const REDUCTIONS: [(Figure, Over, Definition); 14] = [
         Figure::FilmTemperatureMaximum,
         Over::Highest,
         FILM_TEMPERATURE_MAXIMUM_HIGHEST,
+    ),
+    (
+        Figure::VonMisesBody1,
+        Over::Highest,
+        VON_MISES_BODY_1_HIGHEST,
+    ),
+    (
+        Figure::VonMisesBody2,
+        Over::Highest,
+        VON_MISES_BODY_2_HIGHEST,
     ),
 ];
 

@@ -18,15 +18,16 @@ use crate::contact::{Hertz, Motion, Supply};
 use crate::engine::Observer;
 use crate::params::Method;
 use crate::plausible;
+use crate::post;
 use crate::problem::{largest_cell, problem, with_reliefs};
-use crate::solution::{Figure, OPEN_MASS_BALANCE};
+use crate::solution::{Figure, Measured, OPEN_MASS_BALANCE};
 use crate::transient;
 use crate::transient::{
     Approach, Conditions, Course, Info, Instant, Mover, Params, Speeds, Start, TransientError,
     TransientObserver, march, resume,
 };
 use crate::volumes::Plan;
-use crate::volumes::fields::profile;
+use crate::volumes::fields::{profile, surface};
 use crate::volumes::film::PatchedFilm;
 use crate::volumes::patches::widest;
 use crate::volumes::plan::LEAST_GRIDS;
@@ -164,6 +165,7 @@ fn solve_here(
         unit,
         speed,
         load,
+        hertz: Hertz::new(&reference.contact.along_motion(), case.reduced_modulus()),
         transient,
         n_outputs: transient.output_times.len(),
         steady: Steady {
@@ -309,10 +311,39 @@ struct Collector<'a> {
     unit: f64,
     speed: f64,
     load: f64,
+    /// The dry contact of reference.
+    hertz: Hertz,
     transient: &'a Transient,
     steady: Steady,
     n_outputs: usize,
     found: TransientSolution,
+}
+
+/// Force of the film over that of reference from which bodies have stresses.
+const PRESSED: f64 = 1e-3;
+
+impl Collector<'_> {
+    /// The figures of an instant, with those of the bodies at output times.
+    fn measured(&self, instant: &Instant<'_>, film: &PatchedFilm<'_>) -> Measured {
+        let mut measured = instant.measured;
+        let Some(params) = &self.case.stress else {
+            return measured;
+        };
+        if !instant.is_asked || instant.film_force < PRESSED {
+            return measured;
+        }
+        let (surface, _) = surface(instant.problem, film);
+        let contact = (
+            &instant.problem.shape,
+            &self.hertz,
+            instant.film_force * self.load,
+        );
+        let poisson = self.case.poissons_ratios();
+        let error = super::pressure_error(&measured);
+        let stresses = post::stresses::stresses(params, contact, (&surface, error), poisson);
+        post::stresses::note(&mut measured, &stresses);
+        measured
+    }
 }
 
 /// Values of conditions that do not vary: m, K, m.
@@ -389,7 +420,7 @@ impl TransientObserver for Collector<'_> {
             approach: instant.approach * film,
             approach_velocity: instant.approach_velocity * film / self.unit,
             film_force: instant.film_force * self.load,
-            measured: instant.measured,
+            measured: self.measured(instant, &patched),
             step: instant.step * self.unit,
             newton_iterations: instant.newton_iterations,
             mass_error: instant.mass_error,

@@ -133,6 +133,7 @@ fn tables_of_the_reference_are_those_of_the_keys() {
         ("thermal", keys::THERMAL),
         ("stress", keys::STRESS),
         ("hardness", keys::HARDNESS),
+        ("layer", keys::LAYER),
         ("mesh", keys::MESH),
         ("solver", keys::SOLVER),
         ("output", keys::OUTPUT),

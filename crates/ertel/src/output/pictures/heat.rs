@@ -4,7 +4,7 @@ use super::super::heat::profile_label;
 use super::maps::temperature_map;
 use super::profile::profile;
 use super::shared::{Task, window_x};
-use crate::output::BODIES;
+use crate::output::figure::BODIES;
 use crate::solution::{Solution, Thermal};
 use crate::words::TemperatureScale;
 use ertel_plot::{Axis, Chart, Look, PALETTE, Series, Side};

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::super::BODIES;
+use super::super::figure::BODIES;
 use super::field::{bar_ticks, closed};
 use super::layout::draw_ticks;
 use super::maps::shades;

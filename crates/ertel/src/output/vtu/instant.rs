@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::{Array, Data, Grid};
+use super::grid::{Array, Data, Grid};
 use crate::run::transient::InstantFields;
 use crate::solution::Field;
 

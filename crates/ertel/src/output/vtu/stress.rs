@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::{Array, Data, Grid};
+use super::grid::{Array, Data, Grid};
 use crate::stress::{COMPONENTS, Section, Stress, Stresses};
 
 /// Writes both sections, body 2 above z = 0 and body 1 below; stresses are those of each body, whose z points into it. The cell array `body` is 1

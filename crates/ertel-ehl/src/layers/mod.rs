@@ -1,0 +1,16 @@
+//! Bonded layers on elastic bodies: how a coated half-space deflects.
+//!
+//! A body under the pressure p cos kx deflects by 2C(k)p/k: short waves see the uppermost layer, C(∞) = (1 − ν₁²)/E₁, long ones the substrate. [`Coated`] has
+//! C(k), exact for any number of layers. [`Images`] turn the difference from the uppermost layer into a few images of the pressure below the
+//! surface, whose deflections are closed forms, as that of the half-space is.
+//!
+//! Theory: Layers on the bodies.
+
+mod images;
+mod response;
+
+#[cfg(test)]
+mod tests;
+
+pub use images::{Image, Images};
+pub use response::{Coated, Layer};

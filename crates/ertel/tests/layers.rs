@@ -1,0 +1,57 @@
+//! Contacts with layers: the limits of equal materials, and the pressure of the dry contact.
+
+use std::path::Path;
+
+use ertel::case::Case;
+use ertel::engine::NoObserver;
+use ertel::run;
+use ertel::solution::{Figure, Solution};
+
+fn case(kind: &str, load: &str, layers: &str) -> Case {
+    let text = format!(
+        "[contact]\nkind = \"{kind}\"\nradius = \"10 mm\"\nload = \"{load}\"\n\
+         [bodies]\nbody_1 = {{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3{layers} }}\n\
+         body_2 = {{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }}\n\
+         [motion]\nentrainment_speed = \"0.05 m/s\"\n\
+         [lubricant]\ntemperature = \"40 degC\"\n\
+         density = {{ law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }}\n\
+         viscosity = {{ law = \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"15 1/GPa\" }}\n\
+         [mesh]\ntarget_error = \"2 %\"\n[solver]\nmethod = \"finite-volumes\"\n"
+    );
+    Case::from_text("case.toml", &text, Path::new("")).unwrap()
+}
+
+fn solved(kind: &str, load: &str, layers: &str) -> Solution {
+    run::solve(&case(kind, load, layers), &mut NoObserver).unwrap()
+}
+
+fn value(solution: &Solution, figure: Figure) -> f64 {
+    solution.figure(figure).unwrap().value
+}
+
+/// A layer of the material of its body changes nothing.
+#[test]
+fn layers_of_the_same_material() {
+    let layer = ", layers = [{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, thickness = \"20 um\" }]";
+    for (kind, load) in [("circular", "20 N"), ("line", "50 kN/m")] {
+        let [bare, layered] = ["", layer].map(|layers| solved(kind, load, layers));
+        for figure in [Figure::FilmCentral, Figure::FilmMinimum] {
+            let ratio = value(&layered, figure) / value(&bare, figure);
+            assert!((ratio - 1.0).abs() < 1e-5, "{kind} {ratio}");
+        }
+    }
+}
+
+/// A soft layer of a fiftieth of the modulus, ν = 0.4 and a tenth of the half-width lowers the dry pressure to 0.646 781 2 of Hertz's by a Fredholm equation; a
+/// slow film is close to the dry contact.
+#[test]
+fn pressure_on_a_soft_layer() {
+    let half_width = case("circular", "20 N", "").hertz().half_width;
+    let layer = format!(
+        ", layers = [{{ youngs_modulus = \"4.2 GPa\", poissons_ratio = 0.4, thickness = \"{} um\" }}]",
+        1e6 * 0.1 * half_width
+    );
+    let solution = solved("circular", "20 N", &layer);
+    let share = value(&solution, Figure::PressureCentral) / solution.hertz.pressure;
+    assert!((share / 0.646_781_2 - 1.0).abs() < 0.02, "{share}");
+}
