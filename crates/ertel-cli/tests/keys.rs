@@ -167,9 +167,15 @@ cases/machine/bearing-6206.toml
 
 /// Keys in tables of a list, which cannot be set by their path.
 fn is_in_list(path: &str) -> bool {
-    ["isotherms.", "correlation.", "blend.", "surface.", "layers."]
-        .iter()
-        .any(|list| path.contains(list))
+    [
+        "isotherms.",
+        "correlation.",
+        "blend.",
+        "surface.",
+        "layers.",
+    ]
+    .iter()
+    .any(|list| path.contains(list))
 }
 
 /// The laws of the property at a key path.

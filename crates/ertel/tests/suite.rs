@@ -41,6 +41,7 @@ mod verify_half_space;
 mod verify_heat;
 mod verify_jacobian;
 mod verify_newton;
+mod verify_order;
 mod verify_post;
 mod verify_residual;
 mod verify_reynolds;

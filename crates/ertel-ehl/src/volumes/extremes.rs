@@ -258,6 +258,29 @@ mod tests {
         }
     }
 
+    /// A valley of 3 that is ten times as narrow, at 30 degrees: its lowest node lies up to 1.4 cells from its bottom, and the paraboloid of any node is the valley.
+    #[test]
+    fn the_bottom_of_a_narrow_valley() {
+        let grid = square(9);
+        let (s, c) = 30f64.to_radians().sin_cos();
+        let mut farthest = 0.0_f64;
+        for (i, j) in (0..5).flat_map(|i| (0..5).map(move |j| (i, j))) {
+            let [x, y] = [i, j].map(|k| 0.02 * f64::from(k) - 0.04);
+            let film = values(&grid, |at| {
+                let [dx, dy] = [at[0] - x, at[1] - y];
+                let [along, across] = [c * dx + s * dy, c * dy - s * dx];
+                3.0 + 0.05 * along * along + 5.0 * across * across
+            });
+            let lowest = (0..film.len()).min_by(|a, b| film[*a].total_cmp(&film[*b]));
+            let (i, j) = lowest.map(|k| (k % 9, k / 9)).unwrap();
+            let node = grid.on_axes(i, j);
+            farthest = farthest.max((node[0] - x).abs().max((node[1] - y).abs()));
+            let (bottom, _) = extreme(&grid, &film, i, j);
+            assert_relative_eq!(bottom, 3.0, max_relative = 1e-9);
+        }
+        assert!(farthest > 0.1, "{farthest}");
+    }
+
     /// The lowest film lies on the second of three grids, outside the third one: there the second grid has changed it from 0.4 to 0.3, and it may err by as much.
     #[test]
     fn a_minimum_outside_the_finest_grid() {
