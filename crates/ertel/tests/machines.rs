@@ -9,7 +9,7 @@ use ertel::output;
 use ertel::run;
 use ertel::solution::Figure;
 use ertel::study::{
-    CurveObserver, MachineSolution, PointSolution, solve_curve, solve_in_balance, solve_machine,
+    CurveObserver, MachineSolution, solve_curve, solve_in_balance, solve_machine,
 };
 
 use crate::common::text::{GEARS, read, with};
