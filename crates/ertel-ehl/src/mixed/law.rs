@@ -10,7 +10,7 @@
 //! rms height σ of the surface about its mean plane. The limit is that of Abbott and Firestone (1933, Mechanical Engineering 55, 569): where all asperities
 //! flow, the area in touch is the share Q of the area above the other mean plane, and each of its points bears the hardness H.
 //!
-//! Theory: Oil and asperities in one system.
+//! Theory: Mixed lubrication.
 
 use std::f64::consts::PI;
 
