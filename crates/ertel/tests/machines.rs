@@ -8,9 +8,7 @@ use ertel::machine::figures;
 use ertel::output;
 use ertel::run;
 use ertel::solution::Figure;
-use ertel::study::{
-    CurveObserver, MachineSolution, solve_curve, solve_in_balance, solve_machine,
-};
+use ertel::study::{CurveObserver, MachineSolution, solve_curve, solve_in_balance, solve_machine};
 
 use crate::common::text::{GEARS, read, with};
 use crate::common::{assert_figures, near};

@@ -161,7 +161,7 @@ impl<T: Number> FarField<T> {
         numbers * size_of::<T>() + 4 * (self.sources.columns.len() + self.targets.columns.len())
     }
 
-    /// What the values at the sources give at the targets.
+    /// Values at the targets from those at the sources.
     pub fn apply(&self, tree: &Tree, links: &Links, kernel: Kernel, values: &[T]) -> Vec<T> {
         let n_cells = tree.cells.len();
         let stride = self.stride;
