@@ -34,7 +34,7 @@ pub struct PointFields {
     pub deflection: f64,
     /// H; of rough surfaces the distance of the mean planes.
     pub film: f64,
-    /// What the gap that flows exceeds H by; zero between smooth surfaces.
+    /// The gap that flows minus H; zero between smooth surfaces.
     pub excess: f64,
     /// F, the missing oil of a partly filled gap: before a starved contact and behind the film (see [`crate::forms::oil_layer`]).
     pub missing: f64,

@@ -45,9 +45,8 @@ const APART: f64 = 9.0;
 /// The smallest distance for relative changes, in σ.
 const LEAST_GAP: f64 = 0.05;
 
-/// Rms height that cells of the size h resolve, in h². On coarser grids thin films err by so much that asperities would press with many times the Hertz pressure, and
-/// Newton's method does not converge (a ball at 2.3 GPa, σ 0.009 a²/R, on cells of an eighth of the half-width).
-const RESOLVED: f64 = 1.0;
+/// Rms height that cells of the size h resolve, in h²: a parabola rises by twice as much over a cell. On coarser grids films err by more than the height of all asperities.
+const RESOLVED: f64 = 0.25;
 
 /// Asperity pressure of the start at the centre, in p_h: from thicker films Newton's method overshoots, since it sees no asperities there.
 const PRESSURE_OF_START: f64 = 0.3;

@@ -136,7 +136,7 @@ impl State {
 pub struct Linearised {
     /// Fields at the nodes.
     pub nodes: Vec<Node>,
-    /// What asperities bear there, none between smooth surfaces.
+    /// Asperities there, none between smooth surfaces.
     pub touching: Vec<Touch>,
     /// Shear thinning there, none for Newtonian films.
     pub thinned: Vec<Thinned>,

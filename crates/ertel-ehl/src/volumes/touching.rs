@@ -17,7 +17,7 @@ use crate::mixed::Rough;
 /// Nodes that a thread takes at a time.
 const BATCH: usize = 1024;
 
-/// What asperities bear at a node.
+/// Asperities at a node: their pressure, and the gap that they leave.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Touch {
     /// p_a and its derivative by H.
