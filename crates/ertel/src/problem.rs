@@ -5,7 +5,7 @@ mod outlet;
 mod reliefs;
 mod thinning;
 
-use crate::case::{BodyLayer, Case, SolidHeat};
+use crate::case::{Body, Case, SolidHeat};
 use crate::contact::starvation::starved_film;
 use crate::contact::{
     Contact, Family, Groups, Hertz, Inlet, Material, OilLayer, Outline, Planar, Scales, Shape,
@@ -156,13 +156,13 @@ fn elasticity(case: &Case, scales: &Scales) -> Elasticity {
 
 /// The layers of both bodies, lengths in half-widths.
 fn layers(case: &Case, scales: &Scales) -> Vec<Vec<Layer>> {
-    let scaled = |layer: &BodyLayer| Layer {
+    let scaled = |layer: Layer| Layer {
         thickness: layer.thickness / scales.length,
-        material: layer.elasticity.over(scales.elastic_stress),
+        material: layer.material.over(scales.elastic_stress),
     };
-    let bodies = case.layers().into_iter();
+    let bodies = [&case.body_1, &case.body_2].map(Body::coated).into_iter();
     bodies
-        .map(|layers| layers.iter().map(scaled).collect())
+        .map(|body| body.layers.into_iter().map(scaled).collect())
         .collect()
 }
 

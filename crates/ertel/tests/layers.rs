@@ -12,7 +12,7 @@ fn case(kind: &str, load: &str, layers: &str) -> Case {
         "[contact]\nkind = \"{kind}\"\nradius = \"10 mm\"\nload = \"{load}\"\n\
          [bodies]\nbody_1 = {{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3{layers} }}\n\
          body_2 = {{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }}\n\
-         [motion]\nentrainment_speed = \"0.05 m/s\"\n\
+         [motion]\nentrainment_speed = \"0.05 m/s\"\nslide_to_roll_ratio = 0.0\n\
          [lubricant]\ntemperature = \"40 degC\"\n\
          density = {{ law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }}\n\
          viscosity = {{ law = \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"15 1/GPa\" }}\n\
@@ -52,6 +52,10 @@ fn pressure_on_a_soft_layer() {
         1e6 * 0.1 * half_width
     );
     let solution = solved("circular", "20 N", &layer);
-    let share = value(&solution, Figure::PressureCentral) / solution.hertz.pressure;
+    let bare = case("circular", "20 N", "").hertz();
+    let share = value(&solution, Figure::PressureCentral) / bare.pressure;
     assert!((share / 0.646_781_2 - 1.0).abs() < 0.02, "{share}");
+    // The scales of the contact are those of its own half-width, which the same equation has.
+    let wider = solution.hertz.half_width / bare.half_width;
+    assert!((wider / 1.390_375 - 1.0).abs() < 0.05, "{wider}");
 }

@@ -48,7 +48,7 @@ fn check(solution: &Solution, dry: [f64; 2]) {
         // Below the pressure spike, whose stress at the surface may be larger.
         let deep = body.layers.iter().filter(|layer| layer.depth > 0.3 * a);
         let largest = deep.map(|layer| layer.von_mises).fold(0.0, f64::max);
-        assert!((largest / p - dry[0]).abs() < 0.08, "{largest}");
+        assert!((largest / p - dry[0]).abs() < 0.1, "{largest}");
         let shear = &body.orthogonal_half_range;
         let known = stresses.dry.orthogonal_half_range.unwrap();
         // Light loads spread into the inlet.
@@ -83,7 +83,7 @@ fn line_by_both_methods() {
     assert!(named("stress.svg").bytes.len() > 1000);
     let json: serde_json::Value = serde_json::from_slice(&named("result.json").bytes).unwrap();
     assert!(
-        json["stress"]["bodies"][1]["von_mises"]["depth"]
+        json["stress"]["bodies"][1]["orthogonal_half_range"]["depth"]
             .as_f64()
             .unwrap()
             > 0.0
@@ -96,7 +96,8 @@ fn line_by_both_methods() {
 fn circle_on_a_grid() {
     let (text, _) = CIRCLE.split_once("[mesh]").unwrap();
     let (_, volumes) = solved(text, "finite-volumes");
-    check(&volumes, [0.62, 0.481]);
+    // Body 1 is of glass, ν = 0.208: (1 + ν)(1 − z arctan 1/z) − 3/2(1 + z²) on the axis (Johnson 1985, eq. 3.45).
+    check(&volumes, [0.6634, 0.4504]);
 }
 
 /// The largest stresses are figures of the output times, near those of the dry contact, and of no other instants.
@@ -114,12 +115,15 @@ fn line_in_time() {
         let values = instants.map(|instant| instant.measured.figures.value(figure));
         values.collect::<Vec<_>>()
     };
-    let values = of(Figure::VonMisesBody2);
+    let values = of(Figure::OrthogonalShearBody2);
     let (last, others) = values.split_last().unwrap();
     assert!(others.iter().skip(1).all(Option::is_none));
     let share = last.unwrap() / case.hertz().pressure;
-    assert!((0.5..0.65).contains(&share), "{share}");
+    assert!((0.2..0.27).contains(&share), "{share}");
     let rows = run::over_time::over_time(&found, true);
     let highest = ertel::figures::find(&rows, "von_mises_body_2_highest").unwrap();
-    assert!(highest.estimate.value >= last.unwrap());
+    assert_eq!(
+        Some(highest.estimate.value),
+        of(Figure::VonMisesBody2).last().copied().flatten()
+    );
 }

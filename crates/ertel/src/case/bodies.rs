@@ -8,6 +8,7 @@ use ertel_rheology::{ConductivityLaw, Files, HeatCapacityLaw, Solid, database};
 
 use crate::contact::Material;
 use crate::contact::curvature::{Curvatures, curvature_along, gap_between};
+use crate::layers::{Coated, Layer};
 
 /// One of the two bodies.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,6 +43,18 @@ pub struct BodyLayer {
 }
 
 impl Body {
+    /// The body with its layers, SI.
+    pub fn coated(&self) -> Coated {
+        let layer = |layer: &BodyLayer| Layer {
+            thickness: layer.thickness,
+            material: layer.elasticity,
+        };
+        Coated {
+            layers: self.layers.iter().map(layer).collect(),
+            substrate: self.elasticity,
+        }
+    }
+
     /// A body with elastic constants and without thermal data.
     pub fn elastic(name: &str, elasticity: Material) -> Self {
         Self {

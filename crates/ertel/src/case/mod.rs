@@ -77,6 +77,7 @@ use crate::params::{
     ElasticModel, LinearSolver, MeshParams, OutputParams, SolverParams, ThermalParams,
 };
 
+use crate::layers::Coated;
 use crate::stress::StressParams;
 use crate::warning::{Warning, WarningKind, silence};
 pub use bodies::{Body, BodyLayer};
@@ -164,6 +165,12 @@ pub struct Case {
     /// points have them, and for the points of a study before they are solved ([`Study::whole_point`] has them).
     pub contacts: Option<Arc<MachineContacts>>,
 }
+
+/// Wave numbers times the half-width of which layers have the modulus of the dry contact, of lines and others: half-widths of coated dry contacts by integral
+/// equations come out to 10 % and 4 %.
+const WAVES: [f64; 2] = [1.6, 2.9];
+/// Rounds of modulus and half-width, each of which takes a third or more off the error.
+const ROUNDS: usize = 40;
 
 impl Case {
     /// Reads a case file.
@@ -388,9 +395,25 @@ impl Case {
         })
     }
 
-    /// Reduced modulus E' of both bodies, Pa.
+    /// Reduced modulus E' of both bodies, Pa; with layers that of homogeneous bodies which are as compliant under waves as long as the contact.
     pub fn reduced_modulus(&self) -> f64 {
-        reduced_modulus(self.body_1.elasticity, self.body_2.elasticity)
+        let bare = reduced_modulus(self.body_1.elasticity, self.body_2.elasticity);
+        if self.layers().iter().all(|layers| layers.is_empty()) {
+            return bare;
+        }
+        let bodies = [&self.body_1, &self.body_2].map(Body::coated);
+        let substrates: f64 = bodies.iter().map(Coated::of_long_waves).sum();
+        let contact = self.contact.along_motion();
+        let wave = match contact.kind.is_line() {
+            true => WAVES[0],
+            false => WAVES[1],
+        };
+        (0..ROUNDS).fold(bare, |modulus, _| {
+            let hertz = Hertz::new(&contact, modulus);
+            let smaller = hertz.half_width_y.map_or(hertz.half_width, |b| b.min(hertz.half_width));
+            let compliance = bodies.iter().map(|body| body.normal(wave / smaller));
+            bare * substrates / compliance.sum::<f64>()
+        })
     }
 
     /// Reliefs of a contact that does not change in time.
