@@ -254,6 +254,7 @@ pub fn first_method(case: &Case) -> Method {
 fn needs_elements(case: &Case) -> bool {
     let (own, usual) = (&case.solver, SolverParams::default());
     case.has_key_of_elements()
+        || own.error_estimate != usual.error_estimate
         || own.formulation != usual.formulation
         || own.isotropic_diffusion != usual.isotropic_diffusion
         || own.elastic_stabilisation != usual.elastic_stabilisation

@@ -111,10 +111,9 @@ impl Problem {
             return Ok(());
         };
         let (stage, limit, help) = match &self.plan.target {
-            // The second mesh has cells half as large.
             Some(target) => (
                 first,
-                target.max_unknowns as f64 / f64::from(1 << self.shape.dim),
+                target.max_unknowns as f64,
                 "a more viscous oil, a faster motion or a lower load makes the film thicker; [mesh] max_unknowns allows more",
             ),
             None => {
