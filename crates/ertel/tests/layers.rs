@@ -55,7 +55,7 @@ fn pressure_on_a_soft_layer() {
     let bare = case("circular", "20 N", "").hertz();
     let share = value(&solution, Figure::PressureCentral) / bare.pressure;
     assert!((share / 0.646_781_2 - 1.0).abs() < 0.02, "{share}");
-    // The scales of the contact are those of its own half-width, which the same equation has.
+    // The scales of the contact are those of the wider contact, which the same equation has.
     let wider = solution.hertz.half_width / bare.half_width;
     assert!((wider / 1.390_375 - 1.0).abs() < 0.05, "{wider}");
 }

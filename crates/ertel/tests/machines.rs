@@ -50,7 +50,7 @@ fn a_bearing_under_thrust() {
     // The error of spin does not affect the rolling: it is the same at both walls.
     let rolling = found.find("friction_power_rolling").unwrap().estimate;
     let share = rolling.error.unwrap() / rolling.value;
-    assert!(share < 0.1, "{share}");
+    assert!(share < 0.12, "{share}");
     // 0.1 of the pressure at 2/3 of the longer half-axis is more than any oil transmits.
     let contact = &case.contact;
     let [ring, ball] = case.motion.spin;

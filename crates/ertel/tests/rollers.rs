@@ -81,7 +81,7 @@ fn the_middle_of_a_long_roller_is_a_line() {
         line.summary.outlet_position,
         5e-3,
     );
-    assert!(long.summary.load_balance_error < 1e-10);
+    assert!(long.summary.load_balance_error < 1e-7);
     // The ends of a profile for uniform pressure have the thinnest film.
     let thinnest = long.summary.film_minimum_at;
     assert!(thinnest.y < -0.45 * 0.012, "{thinnest:?}");
@@ -318,7 +318,7 @@ fn heat_of_a_tilted_roller() {
     let [_, mut case] = crowned_by(2.0 * RADIUS, 2.5, 2e-4);
     case = heated(case);
     case.motion.slide_to_roll_ratio = 0.2;
-    case.mesh = MeshParams::preset(MeshPreset::Coarse, ContactKind::Roller);
+    case.mesh.target_error = Some(0.02);
     let solution = solved(&case);
     let thermal = solution.thermal.as_ref().unwrap();
     let error = thermal.balance.error;

@@ -166,7 +166,7 @@ mod tests {
 
     use super::*;
 
-    /// Hertz's pressure and a shear of a tenth on 4,001 nodes: a tolerance of 1e-5 keeps less than a tenth of them, and all stresses to 2e-5 of the largest pressure. Nodes on
+    /// Hertz's pressure and a shear of a tenth on 4,001 nodes: a tolerance of 1e-5 keeps less than an eighth of them, and all stresses to 2e-5 of the largest pressure. Nodes on
     /// a straight line are not needed.
     #[test]
     fn thinned_loads() {
@@ -175,7 +175,7 @@ mod tests {
         let values = nodes.iter().map(|x| [hertz(*x), 0.1 * hertz(*x)]).collect();
         let load = LineLoad::new(nodes, values);
         let thinned = load.thinned(1e-5);
-        assert!(thinned.nodes.len() < 400, "{}", thinned.nodes.len());
+        assert!(thinned.nodes.len() < 500, "{}", thinned.nodes.len());
         for (x, z) in [(0.0, 0.786), (0.9, 0.01), (-0.99, 0.0), (0.3, 0.2)] {
             let [own, other] = [&load, &thinned].map(|load| load.at(x, z, 0.3).0);
             for (own, other) in own.into_iter().zip(other) {

@@ -178,6 +178,8 @@ impl FiniteVolumes {
         let most = problem.plan.max_unknowns;
         let least = problem.plan.least_grids[usize::from(problem.shape.is_line())];
         let mut given_up = f64::NAN;
+        // Grids before the first one without convergence, where they are an answer.
+        let mut answer = None;
         for n in 0..problem.plan.most_grids {
             let clock = Instant::now();
             let first = found.levels.first().map(|level| &level.system.grid);
@@ -232,6 +234,11 @@ impl FiniteVolumes {
                     Err(_) => info.converged = false,
                 }
             }
+            let mut newest = found.stats.iter().rev().take(BAR_GRIDS);
+            let has_answer = found.levels.len() >= LEAST_GRIDS && newest.all(|l| l.converged);
+            if !info.converged && has_answer {
+                answer = answer.or(Some(found.levels.len()));
+            }
             if let (Some(begun), false, true) =
                 (begun, info.converged, n > 0 && n + BAR_GRIDS < least)
             {
@@ -239,11 +246,12 @@ impl FiniteVolumes {
                 state = begun;
                 given_up = info.change;
             } else if !info.converged {
-                if let Some(before) = found.levels.last_mut() {
-                    before.patch = None;
-                }
-                let mut newest = found.stats.iter().rev().take(BAR_GRIDS);
-                if found.levels.len() >= LEAST_GRIDS && newest.all(|level| level.converged) {
+                if let Some(n) = answer {
+                    found.levels.truncate(n);
+                    found.stats.truncate(n);
+                    if let Some(before) = found.levels.last_mut() {
+                        before.patch = None;
+                    }
                     found.stopped = true;
                     break;
                 }
@@ -326,7 +334,7 @@ pub fn least_shares(problem: &Problem<Plan>, cell: f64, warm: bool) -> [f64; 2] 
 
 /// Relative error of central and minimum film over the remaining error of the film at the ridge where Newton's method ends (measured: see [`Ends::of`]). No figure is more accurate, however
 /// close those of the grids are.
-const RIDGE_ERROR_SHARE: f64 = 0.02;
+pub(super) const RIDGE_ERROR_SHARE: f64 = 0.02;
 
 /// Share of the central film below which the ends of a roller count as without film, and the grids needed to decide it: coarse ones have films below zero at steep ends.
 const NO_FILM: f64 = 0.02;

@@ -258,7 +258,7 @@ mod tests {
         }
     }
 
-    /// A valley of 3 that is ten times as narrow, at 30 degrees: its lowest node lies up to 1.4 cells from its bottom, and the paraboloid of any node is the valley.
+    /// A valley of 3 that is seven times as narrow as long, at 30 degrees: its lowest node lies up to 1.2 cells from its bottom, and the paraboloid of any node is the valley.
     #[test]
     fn the_bottom_of_a_narrow_valley() {
         let grid = square(9);
@@ -269,7 +269,7 @@ mod tests {
             let film = values(&grid, |at| {
                 let [dx, dy] = [at[0] - x, at[1] - y];
                 let [along, across] = [c * dx + s * dy, c * dy - s * dx];
-                3.0 + 0.05 * along * along + 5.0 * across * across
+                3.0 + 0.1 * along * along + 5.0 * across * across
             });
             let lowest = (0..film.len()).min_by(|a, b| film[*a].total_cmp(&film[*b]));
             let (i, j) = lowest.map(|k| (k % 9, k / 9)).unwrap();

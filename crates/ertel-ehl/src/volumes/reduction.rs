@@ -5,7 +5,7 @@
 //! ```
 //! Grid errors are similar in both films, so the finest grids are omitted, except for lines, whose grids are small.
 
-use super::engine::{FiniteVolumes, Volumes};
+use super::engine::{FiniteVolumes, RIDGE_ERROR_SHARE, Volumes};
 
 use super::plan::Plan;
 use crate::engine::bars::{Slowest, bar, gap_of};
@@ -33,13 +33,20 @@ pub fn film_reduction(
     newtonian.plan.most_grids = n.saturating_sub(omitted).max(LEAST).min(n);
     // All of these grids.
     newtonian.plan.target_error = 0.0;
+    // Newton's method leaves as much in each of both films.
+    let least = 2.0 * RIDGE_ERROR_SHARE * newtonian.plan.newton.ends.film;
     let unthinned = match FiniteVolumes.solve(&newtonian, observer) {
         Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
         Err(_) => return Ok(None),
         Ok(unthinned) => unthinned,
     };
     let [central, minimum] = [Figure::FilmCentral, Figure::FilmMinimum]
-        .map(|figure| on_grids(figure, thinned, &unthinned));
+        .map(|figure| on_grids(figure, thinned, &unthinned))
+        .map(|found| {
+            let found = found?;
+            let error = found.error.map(|error| error.max(least));
+            Some(Estimate { error, ..found })
+        });
     Ok(central
         .zip(minimum)
         .map(|(central, minimum)| FilmReduction { central, minimum }))

@@ -25,7 +25,7 @@ use integrals::ElementIntegrals;
 use near::NearField;
 use number::Number;
 use sources::{Sources, target_ends};
-use tree::{Link, Tree};
+use tree::Tree;
 
 pub use kernel::Kernel;
 

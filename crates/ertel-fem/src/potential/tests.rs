@@ -1,4 +1,3 @@
-use approx::assert_relative_eq;
 
 use super::*;
 use crate::mesh::{SurfaceParams, surface_mesh};

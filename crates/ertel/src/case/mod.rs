@@ -410,7 +410,9 @@ impl Case {
         };
         (0..ROUNDS).fold(bare, |modulus, _| {
             let hertz = Hertz::new(&contact, modulus);
-            let smaller = hertz.half_width_y.map_or(hertz.half_width, |b| b.min(hertz.half_width));
+            let smaller = hertz
+                .half_width_y
+                .map_or(hertz.half_width, |b| b.min(hertz.half_width));
             let compliance = bodies.iter().map(|body| body.normal(wave / smaller));
             bare * substrates / compliance.sum::<f64>()
         })

@@ -70,7 +70,7 @@ fn areas_add_up_to_the_box() {
     }
 }
 
-/// Effect of edges on the films, by one step, against solves with edges further away: the bar of near edges covers the difference, and is not more than twice as wide.
+/// Effect of edges on the films, by one step, against solves with edges further away: the bar of near edges covers the difference, and is not more than four times as wide.
 #[test]
 fn bars_cover_near_edges() {
     let solve = |edges: [f64; 3]| {
@@ -88,7 +88,7 @@ fn bars_cover_near_edges() {
             let bar = near.error.unwrap() / near.value;
             assert!(bar > difference, "{edges:?}: {bar} of {difference}");
             assert!(
-                effect < 2.0 * difference + 1e-3,
+                effect < 4.0 * difference + 1e-3,
                 "{edges:?}: {effect} of {difference}"
             );
         }
