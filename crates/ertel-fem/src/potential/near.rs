@@ -30,7 +30,6 @@ struct Block<S> {
 #[derive(Clone, Debug)]
 pub struct NearField<S> {
     blocks: Vec<Block<S>>,
-    n_nodes: usize,
 }
 
 impl<S: Number> NearField<S> {
@@ -60,7 +59,6 @@ impl<S: Number> NearField<S> {
                     }
                 })
                 .collect(),
-            n_nodes: sources.space.n_nodes(),
         }
     }
 
