@@ -239,9 +239,7 @@ impl FiniteVolumes {
             if !info.converged && has_answer {
                 answer = answer.or(Some(found.levels.len()));
             }
-            if let (Some(begun), false, true) =
-                (begun, info.converged, n > 0 && n + BAR_GRIDS < least)
-            {
+            if let (Some(begun), false, true) = (begun, info.converged, n + BAR_GRIDS < least) {
                 // Too coarse for the film: the next grid starts from the same state.
                 state = begun;
                 given_up = info.change;

@@ -1,4 +1,3 @@
-
 use super::*;
 use crate::mesh::{SurfaceParams, surface_mesh};
 
