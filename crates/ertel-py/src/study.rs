@@ -145,8 +145,6 @@ pub fn solve_part(
         parents,
         order,
         groups: vec![(0..n).collect()],
-        group_of: vec![0; n],
-        for_later: false,
     };
     let params = SweepParams {
         jobs: Some(1),

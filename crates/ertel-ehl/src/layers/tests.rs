@@ -24,9 +24,12 @@ fn coated(layers: &[[f64; 3]], poisson: f64) -> Coated {
     }
 }
 
+/// Layers (E, ν, thickness), ν of the substrate, and rows of wave number and response.
+type Stack = (&'static [[f64; 3]], f64, [[f64; 2]; 4]);
+
 /// C/C of the substrate by an exact linear system of all interface conditions, for one to three layers: wave number and w k G/((1 − ν) p) of the
 /// substrate.
-const STACKS: &[(&[[f64; 3]], f64, [[f64; 2]; 4])] = &[
+const STACKS: &[Stack] = &[
     (
         &[[2.0, 0.3, 1.0]],
         0.3,
