@@ -47,7 +47,7 @@ impl Hardness {
         Ok(Hardness { points })
     }
 
-    /// A case-hardened layer: core + (surface − core) exp(−(z/s)²), with s so that the hardness at the case depth is [`CASE_HARDNESS`].
+    /// A case-hardened layer: core + (surface − core) exp(−(z/s)²), with s so that the hardness at the case depth is 550 HV.
     ///
     /// # Errors
     /// If that is not between core and surface.
