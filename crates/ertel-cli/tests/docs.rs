@@ -101,7 +101,7 @@ const PRINTED: [(&str, &str); 3] = [
     ("guide/uncertainty.md", "ertel solve cases/roller.toml"),
     (
         "developer/debugging.md",
-        "ertel solve cases/roller.toml --set solver.newtonian=true --set \"lubricant.viscosity.alpha=80 1/GPa\" --set \"contact.load=1 MN/m\" --verbose --output hard",
+        "ertel solve cases/roller.toml --set solver.method=finite-elements --set solver.newtonian=true --set \"lubricant.viscosity.alpha=80 1/GPa\" --set \"contact.load=1 MN/m\" --verbose --output hard",
     ),
     (
         "developer/debugging.md",
