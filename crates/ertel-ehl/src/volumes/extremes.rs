@@ -134,8 +134,8 @@ impl Around {
 /// more than a cell from the vertex.
 const REACH: f64 = 1.5;
 
-/// Changes of the node from which the vertex is computed.
-const MOST_NODES: usize = 3;
+/// Most nodes from which a vertex is computed, one after the other.
+const MOST_TRIES: usize = 3;
 
 /// Vertex of the paraboloid through the values at a node that is higher or lower than its neighbours, computed from the node next to the vertex. The paraboloid of a
 /// side lobe is rotated: separate parabolas along both directions miss its minimum by an amount that depends on the grid.
@@ -145,7 +145,7 @@ pub fn extreme(grid: &Grid, values: &[f64], i: usize, j: usize) -> (f64, [f64; 2
     let is_lowest = first.curvatures.iter().sum::<f64>() > 0.0;
     let mut best = None;
     let mut node = [i, j];
-    for _ in 0..MOST_NODES {
+    for _ in 0..MOST_TRIES {
         let around = Around::new(grid, values, node[0], node[1]);
         let Some(steps) = around.vertex() else {
             break;

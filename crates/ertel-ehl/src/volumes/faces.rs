@@ -74,9 +74,9 @@ pub fn upwind([uu, u, d]: [f64; 3]) -> (f64, [f64; 3]) {
         return (u, [0.0, 1.0, 0.0]);
     }
     let root = 1.0 - r * r;
-    let (s, by_r) = (root * root, -4.0 * r * root);
+    let (s, slope) = (root * root, -4.0 * r * root);
     let value = u + 0.25 * s * ((1.0 - s / 3.0) * b + (1.0 + s / 3.0) * a);
-    let by_r = 0.25 * by_r * ((1.0 - s / 1.5) * b + (1.0 + s / 1.5) * a) / m;
+    let by_r = 0.25 * slope * ((1.0 - s / 1.5) * b + (1.0 + s / 1.5) * a) / m;
     let by_a = 0.25 * s * (1.0 + s / 3.0) + by_r * 2.0 * (second - r * a);
     let by_b = 0.25 * s * (1.0 - s / 3.0) - by_r * 2.0 * (second + r * b);
     let by_mean = -by_r * r * SMOOTH * mean;
