@@ -93,10 +93,7 @@ fn a_study_is_solved_and_its_films_are_fitted() {
     let loads = column(&table, "contact.load_N_per_m");
     assert_eq!(loads[..4], ["2e4", "3e4", "4.5e4", "2e4"]);
     let starts = column(&table, "start");
-    assert!(
-        starts.iter().filter(|s| *s == "cold").count() <= 3,
-        "{starts:?}"
-    );
+    assert!(starts.iter().all(|start| start == "cold"), "{starts:?}");
     // Each point is the case solved alone, within its error bars.
     let curve = r#"[curve]
 quantity = "motion.entrainment_speed"
@@ -389,7 +386,7 @@ key = "contact.load"
 values = ["20 kN/m", "2000 kN/m", "22 kN/m"]
 [[axis]]
 key = "solver.max_iterations"
-values = [3]
+values = [7]
 [[axis]]
 key = "solver.formulation"
 values = ["galerkin"]

@@ -28,7 +28,7 @@ fn uncertainty_is_the_root_of_the_sum_of_squares() {
     assert!(report.contains("Sensitivities: per cent"), "{report}");
     let result = workspace.json("out/result.json");
     assert_eq!(result["sensitivities_by"], "linear solves");
-    for figure in ["film_central", "film_minimum", "pressure_central"] {
+    for figure in ["film_central", "film_minimum", "friction_power"] {
         let by = &result["sensitivities"][figure];
         let square: f64 = [
             ("contact.radius", 0.0025),

@@ -119,7 +119,7 @@ fn heated_line() {
             Figure::FilmCentral,
             "motion.entrainment_speed",
             0.6263,
-            0.035,
+            0.04,
         ),
         (Figure::FilmCentral, "contact.load", -0.1307, 0.03),
         (

@@ -237,13 +237,19 @@ fn results_do_not_depend_on_the_number_of_threads() {
 
 #[test]
 fn effort_on_half_spaces() {
+    let by_elements = |kind, load| {
+        let mut case = common::case(kind, load);
+        case.solver.method = Some(Method::FiniteElements);
+        case
+    };
     pinned(
-        &common::case(ContactKind::Line, 3e5),
+        &by_elements(ContactKind::Line, 3e5),
         &[[5, 65, 2], [3, 25, 1], [6, 72, 1]],
     );
-    let mut circle = common::case(ContactKind::Circular, 100.0);
-    circle.solver.method = Some(Method::FiniteElements);
-    pinned(&circle, &[[7, 89, 5], [9, 190, 7], [8, 83, 3]]);
+    pinned(
+        &by_elements(ContactKind::Circular, 100.0),
+        &[[7, 89, 5], [9, 190, 7], [8, 83, 3]],
+    );
 }
 
 #[test]

@@ -6,6 +6,7 @@ use approx::assert_relative_eq;
 use common::{heated, near, solved};
 use ertel::case::Case;
 use ertel::contact::ContactKind;
+use ertel::params::Method;
 use ertel_rheology::ConductivityLaw;
 
 fn case(kind: ContactKind, slide_to_roll_ratio: f64) -> Case {
@@ -25,7 +26,8 @@ fn perfect_conductors_are_isothermal() {
     for body in [&mut heated.body_1, &mut heated.body_2] {
         body.thermal_conductivity = Some(ConductivityLaw::constant(1e7).unwrap());
     }
-    // The same contact area for both.
+    // The same method and contact area for both.
+    heated.solver.method = Some(Method::FiniteElements);
     (heated.mesh.inlet, heated.mesh.outlet) = (Some(-6.0), Some(2.0));
     let mut isothermal = heated.clone();
     isothermal.solver.isothermal = true;
@@ -83,7 +85,7 @@ fn bodies_of_one_material() {
     );
 }
 
-/// All heat that is made is carried off, the better the finer the mesh. Without the flow across the film 2 % are missing in
+/// All heat that is made is carried off, on a fine mesh to 2e-4. Without the flow across the film 2 % are missing in
 /// contacts like these.
 #[test]
 fn heat_is_balanced() {
@@ -104,10 +106,7 @@ fn heat_is_balanced() {
         error(ContactKind::Line, 0.02),
         error(ContactKind::Line, 2e-4),
     );
-    assert!(
-        coarse < 0.01 && fine < 2e-3 && fine <= coarse,
-        "{coarse} {fine}"
-    );
+    assert!(coarse < 0.01 && fine < 2e-4, "{coarse} {fine}");
     let circular = error(ContactKind::Circular, 0.02);
     assert!(circular < 0.01, "{circular}");
 }

@@ -85,35 +85,40 @@ impl Slip {
     }
 }
 
-/// Root of a falling function between two arguments by false position, the value of an end that stays halved (Illinois; Dowell and Jarratt, BIT 11 (1971) 168).
+/// Root of a falling function between two arguments by false position, the value of an end that stays halved (Illinois; Dowell and Jarratt, BIT 11 (1971) 168), and by
+/// bisection where the bracket keeps more than half of its width.
 fn falling_root([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
     let [mut above, mut below] = [f(low), f(high)];
     let tolerance = ROOT_TOLERANCE * (high - low);
+    if above <= 0.0 {
+        return low;
+    }
+    if below >= 0.0 {
+        return high;
+    }
+    let mut bisects = false;
     for _ in 0..STEPS {
-        if above <= 0.0 || high - low < tolerance {
-            return low;
-        }
-        if below >= 0.0 {
-            return high;
-        }
-        let next = (low + (high - low) * above / (above - below)).clamp(low, high);
+        let width = high - low;
+        let share = if bisects {
+            0.5
+        } else {
+            above / (above - below)
+        };
+        let next = low + share * width;
         let value = f(next);
-        match value > 0.0 {
-            true => {
-                if next - low < tolerance {
-                    return next;
-                }
-                (low, above) = (next, value);
-                below *= 0.5;
-            }
-            false => {
-                if high - next < tolerance {
-                    return next;
-                }
-                (high, below) = (next, value);
-                above *= 0.5;
-            }
+        if value > 0.0 {
+            (low, above) = (next, value);
+            below *= 0.5;
+        } else if value < 0.0 {
+            (high, below) = (next, value);
+            above *= 0.5;
+        } else {
+            return next;
         }
+        if high - low < tolerance {
+            break;
+        }
+        bisects = high - low > 0.5 * width;
     }
     0.5 * (low + high)
 }
