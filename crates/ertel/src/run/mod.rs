@@ -23,7 +23,6 @@ mod volumes;
 use ertel_fem::platform::Instant;
 
 use crate::case::{Case, finite_volumes_refuse};
-use crate::contact::ContactKind;
 use crate::contact::Supply;
 use crate::engine::{Observer, SolveError};
 use crate::params::{Method, SensitivityDemand, SolverParams};
@@ -282,10 +281,7 @@ fn may_use_other_method(case: &Case, first: Method) -> bool {
     let is_open = case.solver.method.is_none() && !needs_elements(case);
     let other_solves = match first {
         Method::FiniteElements => finite_volumes_refuse(case).is_none(),
-        // Of rollers, halved meshes solve those whose ends are free, and finite volumes solve these.
-        Method::FiniteVolumes => {
-            case.only_by_volumes().is_none() && case.contact.kind != ContactKind::Roller
-        }
+        Method::FiniteVolumes => case.only_by_volumes().is_none(),
     };
     is_open && other_solves
 }
