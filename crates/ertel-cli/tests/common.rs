@@ -1,11 +1,16 @@
 //! Shared parts of the tests of the command.
 
+#[path = "../../ertel/tests/common/contains.rs"]
+mod contains;
+
 use std::collections::HashMap;
 use std::io::{BufRead, BufReader, Lines};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStderr, Command, Output, Stdio};
 
 use tempfile::TempDir;
+
+pub use contains::contains;
 
 /// The command with arguments, in a folder.
 pub fn command(folder: impl AsRef<Path>, arguments: &[&str]) -> Command {
@@ -47,6 +52,27 @@ pub fn stdout(output: &Output) -> &str {
 /// Standard error as text.
 pub fn stderr(output: &Output) -> &str {
     text(&output.stderr)
+}
+
+/// Checks the exit code of a command.
+#[track_caller]
+pub fn code(output: &Output, expected: i32) {
+    let (out, error) = (stdout(output), stderr(output));
+    assert_eq!(output.status.code(), Some(expected), "{out}{error}");
+}
+
+/// Standard output of a command that must end with an exit code.
+#[track_caller]
+pub fn stdout_of(output: Output, expected: i32) -> String {
+    code(&output, expected);
+    stdout(&output).to_owned()
+}
+
+/// Standard error of a command that must end with an exit code.
+#[track_caller]
+pub fn stderr_of(output: Output, expected: i32) -> String {
+    code(&output, expected);
+    stderr(&output).to_owned()
 }
 
 /// A file of a folder.
@@ -122,21 +148,14 @@ impl Workspace {
         ertel(&self.0, arguments)
     }
 
-    fn stopped_with(&self, code: i32, arguments: &[&str]) -> Output {
-        let output = self.ertel(arguments);
-        let error = stderr(&output);
-        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {error}");
-        output
-    }
-
     /// Runs a command that must succeed; its standard output.
     pub fn succeed(&self, arguments: &[&str]) -> String {
-        stdout(&self.stopped_with(0, arguments)).to_owned()
+        stdout_of(self.ertel(arguments), 0)
     }
 
     /// The message for bad input.
     pub fn refused(&self, arguments: &[&str]) -> String {
-        stderr(&self.stopped_with(2, arguments)).to_owned()
+        stderr_of(self.ertel(arguments), 2)
     }
 
     pub fn json(&self, name: &str) -> serde_json::Value {

@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{ertel, read, text};
+use crate::common::{contains, ertel, read, stderr_of, text};
 
 const TABLE: &str = "speed [m/s],load [kN/m],film_central [nm],film_central_uncertainty [%],film_minimum [nm]\n\
     0.5,20,300,5,\n1,20,600,5,400\n2,20,700,,\n1,20,550,5,\n";
@@ -38,7 +38,7 @@ fn films_are_compared_with_those_of_a_sweep() {
     let output = compare(folder.path(), &["case.toml", "films.csv"]);
     let (report, progress) = (text(&output.stdout), text(&output.stderr));
     assert_eq!(output.status.code(), Some(0), "{progress}");
-    assert!(progress.contains("3/3: point"), "{progress}");
+    contains(progress, "3/3: point");
     for words in [
         "central film thickness, computed against measured",
         "minimum film thickness, computed against measured",
@@ -47,7 +47,7 @@ fn films_are_compared_with_those_of_a_sweep() {
         "4 of 4 rows compared, 3 points",
         "Results in results/case-films",
     ] {
-        assert!(report.contains(words), "`{words}` is missing in\n{report}");
+        contains(report, words);
     }
     // The page says what the report says, and a check what each column is read as.
     let page = read(&folder, "results/case-films/report.html");
@@ -56,7 +56,7 @@ fn films_are_compared_with_those_of_a_sweep() {
         "4 of 4 rows compared",
         "bias (mean)",
     ] {
-        assert!(page.contains(words), "`{words}` is missing in the page");
+        contains(&page, words);
     }
     let checked = compare(folder.path(), &["case.toml", "films.csv", "--check"]);
     let checked = text(&checked.stdout);
@@ -65,10 +65,7 @@ fn films_are_compared_with_those_of_a_sweep() {
         "column `film_central [nm]`: measured central film thickness",
         "column `film_central_uncertainty [%]`: uncertainty of the central film thickness",
     ] {
-        assert!(
-            checked.contains(words),
-            "`{words}` is missing in\n{checked}"
-        );
+        contains(checked, words);
     }
     // The same contact solved alone has the same film.
     let case = read(&folder, "case.toml").replace("1 m/s", "2 m/s");
@@ -98,13 +95,8 @@ fn films_are_compared_with_those_of_a_sweep() {
     assert!(svg.contains("measured") && svg.contains("computed"));
 
     // A second run solves nothing; the folder of the study is a study.
-    let output = compare(folder.path(), &["case.toml", "films.csv"]);
-    assert_eq!(output.status.code(), Some(0));
-    assert!(
-        !text(&output.stderr).contains("point 1"),
-        "{}",
-        text(&output.stderr)
-    );
+    let error = stderr_of(compare(folder.path(), &["case.toml", "films.csv"]), 0);
+    assert!(!error.contains("point 1"), "{error}");
     assert!(
         folder
             .path()
@@ -120,12 +112,9 @@ fn failed_points_are_reported_and_omitted() {
     let output = compare(folder.path(), &["case.toml", "films.csv", "-o", "out"]);
     let report = text(&output.stdout);
     assert_eq!(output.status.code(), Some(3), "{report}");
-    assert!(text(&output.stderr).contains("1 of 2 points failed and are omitted"));
-    assert!(
-        report.contains("line 3 is omitted; its point failed"),
-        "{report}"
-    );
-    assert!(report.contains("1 of 2 rows compared"), "{report}");
+    contains(text(&output.stderr), "1 of 2 points failed and are omitted");
+    contains(report, "line 3 is omitted; its point failed");
+    contains(report, "1 of 2 rows compared");
     let json: Value = serde_json::from_str(&read(&folder, "out/comparison.json")).unwrap();
     assert_eq!(json["statistics"]["film_central"]["n_compared"], 1);
     assert!(json["rows"][1]["figures"]["film_central"]["computed"].is_null());
@@ -169,7 +158,7 @@ fn a_bad_table_exits_with_2_and_writes_nothing() {
             let output = compare(folder.path(), &[&["case.toml", "films.csv"], more].concat());
             let message = text(&output.stderr);
             assert_eq!(output.status.code(), Some(2), "{message}");
-            assert!(message.contains(words), "{message}");
+            contains(message, words);
             assert!(!folder.path().join("results").exists());
         }
     }
@@ -177,13 +166,9 @@ fn a_bad_table_exits_with_2_and_writes_nothing() {
     let curve = "\n[curve]\nquantity = \"contact.load\"\nvalues = [\"20 kN/m\", \"30 kN/m\"]\n";
     let case = read(&folder, "case.toml") + curve;
     std::fs::write(folder.path().join("case.toml"), case).unwrap();
-    let output = compare(folder.path(), &["case.toml", "films.csv"]);
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(
-        message.contains("case.toml:") && message.contains("[curve]"),
-        "{message}"
-    );
+    let message = stderr_of(compare(folder.path(), &["case.toml", "films.csv"]), 2);
+    contains(&message, "case.toml:");
+    contains(&message, "[curve]");
 }
 
 /// Every command of the guide, in the folder that it is written for.

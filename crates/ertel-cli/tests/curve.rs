@@ -5,7 +5,7 @@ use std::path::Path;
 
 use tempfile::TempDir;
 
-use crate::common::{Running, ertel, rows_of, solve, solve_command, text};
+use crate::common::{Running, contains, ertel, rows_of, solve, solve_command, stderr_of, text};
 
 const SPEEDS: &str = r#"
 [curve]
@@ -33,8 +33,8 @@ fn a_curve_is_solved_and_written() {
     let output = solve(&folder, &["case.toml"]);
     let (report, progress) = (text(&output.stdout), text(&output.stderr));
     assert_eq!(output.status.code(), Some(0), "{progress}");
-    assert!(report.contains("3 of 3 points solved"), "{report}");
-    assert!(progress.contains("point 2/3 (1.3 m/s)"), "{progress}");
+    contains(report, "3 of 3 points solved");
+    contains(progress, "point 2/3 (1.3 m/s)");
     let rows = table(&folder);
     let speeds: Vec<f64> = (rows.iter())
         .map(|r| r["entrainment_speed_m_per_s"].parse().unwrap())
@@ -57,9 +57,8 @@ fn a_curve_is_solved_and_written() {
     // Its folder is replaced by a former result of any kind, but not with something else in it.
     assert_eq!(solve(&folder, &["case.toml", "-q"]).status.code(), Some(0));
     std::fs::write(point.join("notes.txt"), "mine").unwrap();
-    let output = solve(&folder, &["case.toml"]);
-    assert_eq!(output.status.code(), Some(1));
-    assert!(text(&output.stderr).contains("notes.txt"));
+    let error = stderr_of(solve(&folder, &["case.toml"]), 1);
+    contains(&error, "notes.txt");
     assert!(point.join("notes.txt").exists());
 }
 
@@ -72,13 +71,8 @@ fn a_sliding_curve_shows_its_traction() {
     };
     let ratios = "[curve]\nquantity = \"motion.slide_to_roll_ratio\"\nvalues = [0.0, 0.1, 0.2]\nnewtonian = true\n";
     let folder = workspace(thins, ratios);
-    let output = solve(&folder, &["case.toml"]);
-    let progress = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{progress}");
-    assert!(
-        progress.contains("point 2/3 (0.1, Newtonian)"),
-        "{progress}"
-    );
+    let progress = stderr_of(solve(&folder, &["case.toml"]), 0);
+    contains(&progress, "point 2/3 (0.1, Newtonian)");
     assert!(
         folder
             .path()
@@ -123,8 +117,8 @@ fn a_failed_point_leaves_the_others_standing() {
     let output = solve(&folder, &["case.toml"]);
     let message = text(&output.stderr);
     assert_eq!(output.status.code(), Some(3), "{message}");
-    assert!(message.contains("1 of 3 points failed"), "{message}");
-    assert!(text(&output.stdout).contains("point 2 failed"));
+    contains(message, "1 of 3 points failed");
+    contains(text(&output.stdout), "point 2 failed");
     let rows = table(&folder);
     let converged: Vec<&str> = rows.iter().map(|r| r["converged"].as_str()).collect();
     assert_eq!(converged, ["true", "false", "true"]);
@@ -161,10 +155,10 @@ fn a_thermal_curve_shows_the_isothermal_one() {
     let output = solve(&folder, &["case.toml"]);
     let message = text(&output.stderr);
     assert_eq!(output.status.code(), Some(0), "{message}");
-    assert!(message.contains("isothermal"), "{message}");
+    contains(message, "isothermal");
     let report = text(&output.stdout);
     for words in ["central film without heat", "traction without heat", " °C"] {
-        assert!(report.contains(words), "`{words}` is missing in\n{report}");
+        contains(report, words);
     }
     let rows = table(&folder);
     let starts: Vec<&str> = rows.iter().map(|r| r["start"].as_str()).collect();

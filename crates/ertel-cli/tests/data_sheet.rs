@@ -1,20 +1,11 @@
 //! An oil from its data sheet, end to end: the shipped case, its report, and the fluids of the database.
 
 use std::path::Path;
-use std::process::{Command, Output};
 
-fn ertel(arguments: &[&str]) -> Output {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
-    command.args(arguments).current_dir(folder);
-    command.output().unwrap()
-}
+use crate::common::{contains, ertel, root, stdout_of};
 
 fn report(arguments: &[&str]) -> String {
-    let output = ertel(arguments);
-    let message = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {message}");
-    String::from_utf8(output.stdout).unwrap()
+    stdout_of(ertel(root(), arguments), 0)
 }
 
 #[test]
@@ -32,7 +23,7 @@ fn the_shipped_case_is_solved_and_shows_its_estimates() {
         "22.93 1/GPa (estimate, ± 21 %)",
         "0.00058 1/K (estimate, ± 20 %)",
     ] {
-        assert!(report.contains(words), "{words}: {report}");
+        contains(&report, words);
     }
     let json = std::fs::read_to_string(results.join("result.json")).unwrap();
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
@@ -87,7 +78,7 @@ fn estimates_of_the_database_are_shown_as_such() {
         assert_eq!([unit, status], ["1/GPa", "estimated"], "{oil}");
         let note = format!("pressure_viscosity_coefficient: estimate, {range}:");
         assert!(shown.contains(&note), "{note} {shown}");
-        assert!(shown.contains("Gold, P. W."), "{shown}");
+        contains(&shown, "Gold, P. W.");
     }
     // A value from a source is no estimate.
     let shown = report(&["fluids", "show", "fva-3"]);
@@ -119,10 +110,7 @@ fn estimates_by_kind_are_shown_apart() {
     ] {
         assert_eq!(datum(by_kind, key), value);
     }
-    assert!(
-        by_kind.contains("shear_thinning.limit.lambda: estimate, ± 30 %:"),
-        "{by_kind}"
-    );
+    contains(by_kind, "shear_thinning.limit.lambda: estimate, ± 30 %:");
     let shown = report(&["fluids", "show", "water"]);
     assert!(!shown.contains("kind of the base oil"), "{shown}");
 }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use crate::common::{stderr, stdout};
+use crate::common::{contains, stderr, stdout};
 
 /// Runs `ertel estimate` in an empty folder, which must stay so.
 fn estimate(case: &Path, options: &[&str]) -> Output {
@@ -41,11 +41,7 @@ fn text_has_the_figures() {
         "0.00424",
         "inertia is negligible",
     ] {
-        assert!(
-            stdout(&output).contains(words),
-            "{words}: {}",
-            stdout(&output)
-        );
+        contains(stdout(&output), words);
     }
     assert_eq!(stderr(&output), "");
 }
@@ -88,21 +84,13 @@ fn warnings_and_errors() {
         "shear thinning is not in these formulas",
         "Wilson-Sheu",
     ] {
-        assert!(
-            stdout(&output).contains(words),
-            "{words}: {}",
-            stdout(&output)
-        );
+        contains(stdout(&output), words);
     }
 
     std::fs::write(&path, text.replace("[bodies]", "[bodies]\nroughness = 3")).unwrap();
     let output = estimate(&path, &[]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(
-        stderr(&output).contains("`roughness` has no unit"),
-        "{}",
-        stderr(&output)
-    );
+    contains(stderr(&output), "`roughness` has no unit");
     assert_eq!(stdout(&output), "");
     let output = estimate(Path::new("no/such/case.toml"), &[]);
     assert_eq!(output.status.code(), Some(2));
@@ -130,11 +118,7 @@ fn solve_shows_the_lambda_ratio() {
     let film = json["summary"]["film_minimum"]["value"].as_f64().unwrap();
     let lambda = format!("{:.2} times the roughness: mixed", film / 1e-6);
     for words in [lambda.as_str(), "lambda ratio h_min/σ"] {
-        assert!(
-            stdout(&output).contains(words),
-            "{words}: {}",
-            stdout(&output)
-        );
+        contains(stdout(&output), words);
     }
     assert_eq!(json["case"]["si"]["roughness"], 1e-6);
 }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::common::{ertel_here, text};
+use crate::common::{contains, ertel_here, stderr_of, stdout_of, text};
 
 fn published(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -37,15 +37,13 @@ fn an_entry_serves_in_a_case_file() {
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let report = text(&output.stdout);
     // 23 states, and what Gauss-Newton steps in another program give: β = 1397.93 K
-    assert!(
-        report.contains("23 states") && report.contains("1397.9 K"),
-        "{report}"
-    );
+    contains(report, "23 states");
+    contains(report, "1397.9 K");
     let svg = std::fs::read_to_string(folder.path().join("a.svg")).unwrap();
     assert!(svg.contains("<svg") && svg.contains("24.5"));
 
     let written = std::fs::read_to_string(&entry).unwrap();
-    assert!(written.contains("source = \"habchi2008\""), "{written}");
+    contains(&written, "source = \"habchi2008\"");
     assert!(written.contains("temperature = [\"257.15 K\", \"297.65 K\"]"));
     let section = written.split("[viscosity]").nth(1).unwrap();
     let quick = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/good/quick.toml");
@@ -122,16 +120,14 @@ fn films_are_compared_with_given_formulas() {
         let table = table.to_str().unwrap();
         ertel_here(&["fit", "film", table, "--given", formula])
     };
-    let output = fit("central=2.2318,-0.1362,0.0198");
-    let report = text(&output.stdout);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let report = stdout_of(fit("central=2.2318,-0.1362,0.0198"), 0);
     assert!(
         report.contains("deviates by -0.00 to +0.00 %")
             || report.contains("deviates by +0.00 to +0.00 %"),
         "{report}"
     );
     let output = fit("central=1.1159,-0.1362,0.0198");
-    assert!(text(&output.stdout).contains("deviates by -50.00 to -50.00 %"));
+    contains(text(&output.stdout), "deviates by -50.00 to -50.00 %");
     for bad in [
         "1.96,0,0",
         "middle=1,0,0",
@@ -223,7 +219,7 @@ fn ellipses_have_the_formula_of_their_page() {
         };
         assert_eq!(of("text ").len(), 2, "{report}");
         for formula in of("text ") {
-            assert!(page.contains(formula), "{formula}");
+            contains(&page, formula);
         }
         for (rms, limit) in of("deviation, rms").into_iter().zip(limits) {
             let rms: f64 = rms.trim_end_matches(" %").parse().unwrap();
@@ -234,10 +230,7 @@ fn ellipses_have_the_formula_of_their_page() {
     let arguments = ["fit", "film", table.to_str().unwrap(), "--form"];
     let output = ertel_here(&[&arguments[..], &["moes"]].concat());
     let warnings = text(&output.stderr);
-    assert!(
-        warnings.contains("the ellipses differ, R_y/R_x"),
-        "{warnings}"
-    );
+    contains(warnings, "the ellipses differ, R_y/R_x");
 }
 
 /// The title of a column is shown, not obeyed, where a warning quotes it.
@@ -252,7 +245,7 @@ fn warnings_show_control_characters_of_titles() {
     std::fs::write(&path, head.to_owned() + &rows).unwrap();
     let output = ertel_here(&["fit", "film", path.to_str().unwrap(), "--form", "speed"]);
     let warning = text(&output.stderr);
-    assert!(warning.contains("(temperature\\u000b[degC])"), "{warning}");
+    contains(warning, "(temperature\\u000b[degC])");
 }
 
 /// The laws are ranked by the isotherms that they were not fitted to, and the best one is written.
@@ -270,9 +263,7 @@ fn all_laws_are_ranked() {
         "-o",
         entry.to_str().unwrap(),
     ];
-    let output = ertel_here(&arguments);
-    let report = text(&output.stdout);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let report = stdout_of(ertel_here(&arguments), 0);
     for words in [
         "isotherm left out",
         "Not ranked",
@@ -281,7 +272,7 @@ fn all_laws_are_ranked() {
         "cheng",
         "wlf",
     ] {
-        assert!(report.contains(words), "`{words}` is missing in\n{report}");
+        contains(&report, words);
     }
     let best = report
         .lines()
@@ -310,11 +301,7 @@ fn all_laws_are_ranked() {
         "all",
     ]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(
-        text(&output.stderr).contains("at least 3 isotherms"),
-        "{}",
-        text(&output.stderr)
-    );
+    contains(text(&output.stderr), "at least 3 isotherms");
 }
 
 /// A viscosity that falls with pressure is reported, and refused by `--strict`, with the entry written.
@@ -326,30 +313,23 @@ fn implausible_constants_are_reported() {
     let odd = "pressure_MPa,temperature_K,viscosity_mPa_s\n0,300,100\n100,300,400\n200,300,150\n300,300,3000\n400,300,900\n";
     std::fs::write(&data, odd).unwrap();
     let arguments = ["fit", "viscosity", &data, "--law", "barus", "-o", &entry];
-    let output = ertel_here(&arguments);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    assert!(
-        text(&output.stderr).contains("warning: the law `barus` does not describe the data"),
-        "{}",
-        text(&output.stderr)
+    let error = stderr_of(ertel_here(&arguments), 0);
+    contains(
+        &error,
+        "warning: the law `barus` does not describe the data",
     );
     for suffix in ["toml", "svg"] {
         std::fs::remove_file(std::path::Path::new(&entry).with_extension(suffix)).unwrap();
     }
-    let output = ertel_here(&[&arguments[..], &["--strict"]].concat());
-    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
-    assert!(text(&output.stderr).contains("is implausible"));
+    let error = stderr_of(ertel_here(&[&arguments[..], &["--strict"]].concat()), 3);
+    contains(&error, "is implausible");
     assert!(std::path::Path::new(&entry).is_file());
     // Measurements that rise with temperature.
     let hot = "pressure_MPa,temperature_K,viscosity_mPa_s\n0,300,10\n100,300,40\n200,300,160\n0,320,20\n100,320,80\n200,320,320\n0,340,38\n100,340,150\n200,340,600\n";
     std::fs::write(&data, hot).unwrap();
     let output = ertel_here(&["fit", "viscosity", &data, "--law", "cheng", "--strict"]);
     assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
-    assert!(
-        text(&output.stderr).contains("rises with temperature"),
-        "{}",
-        text(&output.stderr)
-    );
+    contains(text(&output.stderr), "rises with temperature");
 }
 
 /// A data sheet, as one finds it: temperatures and kinematic viscosities, without pressures; the entry goes into a case as it is.
@@ -387,13 +367,12 @@ fn a_table_of_a_data_sheet_becomes_a_lubricant() {
     let output = fit(&[&with[..], &hold, &at, &["-o", &entry]].concat());
     let message = text(&output.stderr);
     assert_eq!(output.status.code(), Some(0), "{message}");
-    assert!(message.contains("all states count as measured at ambient pressure"));
-    assert!(message.contains("multiplied by the density of the law dowson-higginson"));
-    assert!(
-        text(&output.stdout).contains("22 1/GPa"),
-        "{}",
-        text(&output.stdout)
+    contains(message, "all states count as measured at ambient pressure");
+    contains(
+        message,
+        "multiplied by the density of the law dowson-higginson",
     );
+    contains(text(&output.stdout), "22 1/GPa");
     assert!(folder.path().join("oil.svg").exists());
 
     let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/data-sheet-oil.toml");

@@ -4,7 +4,7 @@ use std::process::Output;
 
 use tempfile::TempDir;
 
-use crate::common::{ertel, write};
+use crate::common::{contains, ertel, write};
 
 const CASE: &str = r#"
 contact = { kind = "circular", radius = "10 mm", load = "10 N" }
@@ -169,7 +169,7 @@ fn what_cannot_be_is_refused() {
             "point contact",
         ),
     ] {
-        assert!(CASE.contains(from), "{from}");
+        contains(CASE, from);
         let output = solve(&folder, &CASE.replace(from, to), &["--check"]);
         let message = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{to}: {message}");

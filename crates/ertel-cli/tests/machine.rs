@@ -5,7 +5,7 @@ use std::process::Output;
 
 use tempfile::TempDir;
 
-use crate::common::{self, read, text};
+use crate::common::{self, code, contains, read, stderr_of, text};
 
 fn ertel(arguments: &[&str], case: &Path) -> Output {
     common::ertel_here(&[arguments, &[case.to_str().unwrap()]].concat())
@@ -121,13 +121,11 @@ fn every_machine_is_estimated_and_checked() {
 #[test]
 fn whole_machines_are_no_single_contact() {
     let arguments = ["solve", "--cross-check"];
-    let refused = ertel(&arguments, &shipped("bearing-6206"));
-    assert_eq!(refused.status.code(), Some(2));
-    let message = text(&refused.stderr);
-    assert!(message.contains("machine.element=0"), "{message}");
+    let message = stderr_of(ertel(&arguments, &shipped("bearing-6206")), 2);
+    contains(&message, "machine.element=0");
     let refused = ertel(&arguments, &shipped("fzg-c"));
     let message = text(&refused.stderr);
-    assert!(message.contains("machine.position=\"-0.00368"), "{message}");
+    contains(message, "machine.position=\"-0.00368");
 }
 
 /// The path of FZG gears on few points.
@@ -169,10 +167,8 @@ fn a_study_of_whole_machines() {
     std::fs::write(folder.path().join("results/torques/journal.jsonl"), kept).unwrap();
     let second = common::ertel(&folder, &["sweep", "torques.toml"]);
     let shown = text(&second.stdout);
-    assert!(
-        shown.contains("1 of them earlier") && shown.contains("1 new"),
-        "{shown}"
-    );
+    contains(shown, "1 of them earlier");
+    contains(shown, "1 new");
     assert_eq!(read(&folder, "results/torques/results.csv"), table);
 }
 
@@ -184,7 +180,7 @@ fn points_of_machines_that_fail() {
     let failed = common::ertel(&folder, &["sweep", "torques.toml"]);
     assert_eq!(failed.status.code(), Some(3), "{}", text(&failed.stderr));
     let table = read(&folder, "results/torques/results.csv");
-    assert!(table.contains("contacts failed"), "{table}");
+    contains(&table, "contacts failed");
     assert!(
         table.contains("loss_factor_ohlendorf") && !table.contains("mesh_loss"),
         "{table}"
@@ -195,10 +191,8 @@ fn points_of_machines_that_fail() {
         TORQUES.replace("110 N.m", "110 MN.m"),
     )
     .unwrap();
-    let refused = common::ertel(&folder, &["sweep", "torques.toml"]);
-    assert_eq!(refused.status.code(), Some(2));
-    let message = text(&refused.stderr);
-    assert!(message.contains("point 2 of torques.toml"), "{message}");
+    let message = stderr_of(common::ertel(&folder, &["sweep", "torques.toml"]), 2);
+    contains(&message, "point 2 of torques.toml");
 }
 
 /// Measured losses are compared with those of whole machines; a traction is that of one contact.
@@ -208,22 +202,12 @@ fn losses_of_gears_are_compared() {
     let table = folder.path().join("rig.csv");
     std::fs::write(&table, "machine.pinion_torque [N.m],friction_power [W],mesh_loss [%],mesh_loss_uncertainty [%]\n100,110,0.7,0.2\n").unwrap();
     let compared = common::ertel(&folder, &["compare", "gears.toml", "rig.csv"]);
-    assert_eq!(
-        compared.status.code(),
-        Some(0),
-        "{}",
-        text(&compared.stderr)
-    );
+    code(&compared, 0);
     let shown = text(&compared.stdout);
-    assert!(
-        shown.contains("power lost, computed against measured"),
-        "{shown}"
-    );
+    contains(shown, "power lost, computed against measured");
     let rows = read(&folder, "results/gears-rig/comparison.csv");
-    assert!(
-        rows.contains("friction_power_computed_W") && rows.contains("mesh_loss_within"),
-        "{rows}"
-    );
+    contains(&rows, "friction_power_computed_W");
+    contains(&rows, "mesh_loss_within");
 
     std::fs::write(
         &table,
@@ -233,9 +217,9 @@ fn losses_of_gears_are_compared() {
     let refused = common::ertel(&folder, &["compare", "gears.toml", "rig.csv"]);
     assert_eq!(refused.status.code(), Some(2));
     let message = text(&refused.stderr);
-    assert!(
-        message.contains("`traction_coefficient` is a figure of a single contact"),
-        "{message}"
+    contains(
+        message,
+        "`traction_coefficient` is a figure of a single contact",
     );
 }
 
@@ -245,7 +229,7 @@ fn samples_of_whole_machines() {
     let folder = workspace(&GEARS.replace("\"100 N.m\"", "\"100 N.m ± 10 %\""));
     let done = common::ertel(&folder, &["solve", "gears.toml", "--monte-carlo", "4"]);
     assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-    assert!(text(&done.stdout).contains("power lost in the mesh"));
+    contains(text(&done.stdout), "power lost in the mesh");
     let found = read(&folder, "results/gears-monte-carlo/monte-carlo.json");
     let found: serde_json::Value = serde_json::from_str(&found).unwrap();
     let power = &found["figures"]["friction_power"];
@@ -262,11 +246,6 @@ fn a_curve_of_machines_has_no_newtonian_comparison() {
     let gears = GEARS.replace("newtonian = true", "max_iterations = 60");
     let curve = "[curve]\nquantity = \"machine.pinion_torque\"\nvalues = [\"50 N.m\", \"60 N.m\"]\nnewtonian = true\n";
     let folder = workspace(&(gears + curve));
-    let refused = common::ertel(&folder, &["solve", "gears.toml"]);
-    assert_eq!(refused.status.code(), Some(2));
-    let message = text(&refused.stderr);
-    assert!(
-        message.contains("this case is a whole machine"),
-        "{message}"
-    );
+    let message = stderr_of(common::ertel(&folder, &["solve", "gears.toml"]), 2);
+    contains(&message, "this case is a whole machine");
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{ertel, root, rows_of, text};
+use crate::common::{code, contains, ertel, root, rows_of, stderr_of, stdout_of, text};
 
 const ASPERITIES: &str = "[surface_roughness]
 body_1_rms_height = \"120 nm\"
@@ -75,14 +75,14 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
         "asperity load",
         "Greenwood and Tripp",
     ] {
-        assert!(estimate.contains(words), "{words} in {estimate}");
+        contains(estimate, words);
     }
     for words in [
         "lambda ratio",
         "load on asperities",
         "total friction coefficient",
     ] {
-        assert!(solved.contains(words), "{words} in {solved}");
+        contains(solved, words);
     }
     assert!(!solved.contains("smooth surfaces"), "{solved}");
     let rows = rows_of(&folder.path().join("results/stribeck/curve.csv"));
@@ -124,7 +124,7 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
         "Oil and asperities share the load",
         "Friction coefficient",
     ] {
-        assert!(picture.contains(words), "{words}");
+        contains(&picture, words);
     }
     // The folder is known as a result, with the picture, and may be written again.
     let again = ertel(folder.path(), &["solve", case]);
@@ -135,9 +135,7 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
 #[test]
 fn result_of_a_rough_ball() {
     let (folder, given) = rough_ball();
-    let output = ertel(folder.path(), &["solve", "ball.toml"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    let report = text(&output.stdout);
+    let report = stdout_of(ertel(folder.path(), &["solve", "ball.toml"]), 0);
     let json = |name: &str| -> Value {
         let path = folder.path().join("results").join(name).join("result.json");
         serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
@@ -162,7 +160,7 @@ fn result_of_a_rough_ball() {
         "total friction coefficient",
         "mixed lubrication",
     ] {
-        assert!(report.contains(words), "{words}: {report}");
+        contains(&report, words);
     }
     // The film of far smoother surfaces bears all.
     let smooth = given.replace("120 nm", "2 nm").replace("160 nm", "1 nm");
@@ -196,11 +194,9 @@ fn asperities_are_not_left_out_silently() {
         ),
     ] {
         std::fs::write(folder.path().join("ball.toml"), given.clone() + keys).unwrap();
-        let output = ertel(folder.path(), &["solve", "ball.toml", "--check"]);
-        let message = text(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{message}");
+        let message = stderr_of(ertel(folder.path(), &["solve", "ball.toml", "--check"]), 2);
         for words in ["asperity_group", "cannot share the load", words] {
-            assert!(message.contains(words), "{words}: {message}");
+            contains(&message, words);
         }
     }
 }
@@ -222,9 +218,8 @@ fn cylinder(folder: &TempDir, name: &str, keys: &str) -> Value {
 /// result.json of a case.
 fn solved_as(folder: &TempDir, name: &str, case: &str) -> Value {
     std::fs::write(folder.path().join(format!("{name}.toml")), case).unwrap();
-    let output = ertel(folder.path(), &["solve", &format!("{name}.toml")]);
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{message}");
+    let arguments = ["solve", &format!("{name}.toml")];
+    code(&ertel(folder.path(), &arguments), 0);
     let path = folder.path().join("results").join(name).join("result.json");
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
@@ -249,7 +244,7 @@ fn range_of_both_gaps() {
         close(other[film].as_f64().unwrap(), alone, 1e-3);
     }
     let report = std::fs::read_to_string(folder.path().join("results/both/report.txt")).unwrap();
-    assert!(report.contains("with the other gap"), "{report}");
+    contains(&report, "with the other gap");
 }
 
 /// A table of the pressures of Greenwood and Tripp gives what the law does; summits on one surface alone, a hardness and flow factors give something else.

@@ -7,7 +7,7 @@ use std::process::{Command, Output, Stdio};
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{self, read, stderr, stdout};
+use crate::common::{self, code, contains, read, stderr, stderr_of, stdout};
 
 const QUICK: &str = include_str!("good/quick.toml");
 
@@ -42,16 +42,6 @@ fn workplace() -> TempDir {
     folder
 }
 
-fn code(output: &Output, expected: i32) {
-    assert_eq!(
-        output.status.code(),
-        Some(expected),
-        "{}{}",
-        stdout(output),
-        stderr(output)
-    );
-}
-
 /// The film of a case changed on the command line is that of the file with the change in it, and that file is written with the results.
 #[test]
 fn values_are_set_on_the_command_line() {
@@ -67,10 +57,8 @@ fn values_are_set_on_the_command_line() {
     ];
     code(&ertel(&folder, &set), 0);
     let text = read(&folder, "results/quick/case.toml");
-    assert!(
-        text.contains("load = \"30 kN/m\"") && text.contains("title = \"Other\""),
-        "{text}"
-    );
+    contains(&text, "load = \"30 kN/m\"");
+    contains(&text, "title = \"Other\"");
     assert!(text.starts_with("# A light line contact"), "{text}");
     std::fs::write(folder.path().join("again.toml"), &text).unwrap();
     code(&ertel(&folder, &["solve", "again.toml", "-q"]), 0);
@@ -89,7 +77,7 @@ fn values_are_set_on_the_command_line() {
         &["estimate", "quick.toml", "--set", "contact.load=40 kN/m"],
     );
     code(&output, 0);
-    assert!(stdout(&output).contains("40 kN/m"), "{}", stdout(&output));
+    contains(stdout(&output), "40 kN/m");
 }
 
 #[test]
@@ -101,13 +89,9 @@ fn wrong_values_name_the_option() {
         ("contact.load", "has no value"),
     ] {
         for command in ["solve", "estimate"] {
-            let output = ertel(&folder, &[command, "quick.toml", "--set", set]);
-            code(&output, 2);
-            let error = stderr(&output);
-            assert!(
-                error.contains(words) && error.contains("--> --set:1:"),
-                "{error}"
-            );
+            let error = stderr_of(ertel(&folder, &[command, "quick.toml", "--set", set]), 2);
+            contains(&error, words);
+            contains(&error, "--> --set:1:");
         }
     }
     assert!(!folder.path().join("results").exists());
@@ -151,11 +135,7 @@ fn a_study_takes_values_for_its_base_case() {
     let twice = ["sweep", "study.toml", "--set", "contact.load=30 kN/m"];
     let output = ertel(&folder, &twice);
     code(&output, 2);
-    assert!(
-        stderr(&output).contains("`contact.load` varies in this study"),
-        "{}",
-        stderr(&output)
-    );
+    contains(stderr(&output), "`contact.load` varies in this study");
 
     let json = [
         "sweep",
@@ -201,11 +181,7 @@ fn a_case_is_read_from_standard_input() {
     let wrong = QUICK.replace("10 mm", "10 N");
     let output = with_input(&folder, &["estimate", "-"], &wrong);
     code(&output, 2);
-    assert!(
-        stderr(&output).contains("--> stdin:6:10"),
-        "{}",
-        stderr(&output)
-    );
+    contains(stderr(&output), "--> stdin:6:10");
     let output = with_input(&folder, &["solve", "-", "-"], QUICK);
     code(&output, 2);
 }
@@ -254,11 +230,7 @@ fn several_cases_have_separate_folders() {
         lines[3].contains("other.toml") && lines[3].contains("solved"),
         "{summary}"
     );
-    assert!(
-        stderr(&output).contains("1 of 3 cases did not succeed"),
-        "{}",
-        stderr(&output)
-    );
+    contains(stderr(&output), "1 of 3 cases did not succeed");
 }
 
 #[test]
@@ -277,11 +249,7 @@ fn several_cases_are_read_before_any_is_solved() {
         "the section [contact] is missing",
         "2 of 3 cases are bad; nothing was solved",
     ] {
-        assert!(
-            stderr(&output).contains(words),
-            "{words}: {}",
-            stderr(&output)
-        );
+        contains(stderr(&output), words);
     }
     assert!(!folder.path().join("results").exists());
 
@@ -289,11 +257,7 @@ fn several_cases_are_read_before_any_is_solved() {
     std::fs::write(folder.path().join("b/quick.toml"), QUICK).unwrap();
     let output = ertel(&folder, &["solve", "quick.toml", "b/quick.toml"]);
     code(&output, 2);
-    assert!(
-        stderr(&output).contains("into the same folder, results/quick"),
-        "{}",
-        stderr(&output)
-    );
+    contains(stderr(&output), "into the same folder, results/quick");
     let output = ertel(
         &folder,
         &["solve", "quick.toml", "bad.toml", "--monte-carlo", "5"],
@@ -397,11 +361,7 @@ fn a_curve_reports_its_points_to_programs() {
             "motion.slide_to_roll_ratio=0.1",
         ],
     );
-    assert!(
-        stdout(&table).contains("traction coefficient"),
-        "{}",
-        stdout(&table)
-    );
+    contains(stdout(&table), "traction coefficient");
     assert!(
         !stdout(&table).contains("largest film temperature"),
         "{}",
@@ -464,11 +424,7 @@ fn a_check_says_what_it_checked() {
         "results/quick",
         "quick.toml is valid (check only)",
     ] {
-        assert!(
-            stdout(&output).contains(words),
-            "{words}: {}",
-            stdout(&output)
-        );
+        contains(stdout(&output), words);
     }
     assert!(!folder.path().join("results").exists());
     assert_eq!(
@@ -493,11 +449,7 @@ fn verbose_shows_files_and_meshes() {
         "results will go to results/quick",
         "Newton  1: film ",
     ] {
-        assert!(
-            stderr(&output).contains(words),
-            "{words}: {}",
-            stderr(&output)
-        );
+        contains(stderr(&output), words);
     }
     for words in [
         "\nMeshes\n",
@@ -505,11 +457,7 @@ fn verbose_shows_files_and_meshes() {
         "\nFiles\n",
         "results/quick/result.json",
     ] {
-        assert!(
-            stdout(&output).contains(words),
-            "{words}: {}",
-            stdout(&output)
-        );
+        contains(stdout(&output), words);
     }
     code(&ertel(&folder, &["solve", "quick.toml", "-v", "-q"]), 2);
 }
@@ -537,7 +485,7 @@ fn colours_are_for_terminals() {
     )
     .unwrap();
     let error = run(&["solve", "esc.toml", "--color", "always"], None);
-    assert!(error.contains("\\u001b[2J"), "{error}");
+    contains(&error, "\\u001b[2J");
 }
 
 #[test]
@@ -593,11 +541,14 @@ fn init_writes_templates_that_pass_the_check() {
     }
     let again = ertel(&folder, &["init", "gear", "-o", "rig.toml"]);
     code(&again, 2);
-    assert!(stderr(&again).contains("will not overwrite rig.toml"));
+    contains(stderr(&again), "will not overwrite rig.toml");
     assert!(read(&folder, "rig.toml").contains("ball-on-disc"));
     let unknown = ertel(&folder, &["init", "geer"]);
     code(&unknown, 2);
-    assert!(stderr(&unknown).contains("one of: bearing, bearing-ball, roller-bearing, gear"));
+    contains(
+        stderr(&unknown),
+        "one of: bearing, bearing-ball, roller-bearing, gear",
+    );
 }
 
 #[test]
@@ -606,16 +557,10 @@ fn init_asks_and_checks_the_answers() {
     let answers = "20 mm\n40 N\n3000 rpm\n2 m/s\n1.5 m/s\n\n\n\n\n\n\n\n\n";
     let output = with_input(&folder, &["init", "rig", "--ask", "-o", "my.toml"], answers);
     code(&output, 0);
-    assert!(
-        stderr(&output).contains("u = π d n/60"),
-        "{}",
-        stderr(&output)
-    );
+    contains(stderr(&output), "u = π d n/60");
     let text = read(&folder, "my.toml");
-    assert!(
-        text.contains("ball_diameter = \"20 mm\"") && text.contains("ball_speed = \"2 m/s\""),
-        "{text}"
-    );
+    contains(&text, "ball_diameter = \"20 mm\"");
+    contains(&text, "ball_speed = \"2 m/s\"");
     code(&ertel(&folder, &["solve", "--check", "my.toml"]), 0);
     let short = with_input(
         &folder,
@@ -640,7 +585,7 @@ fn completions_and_manual_pages() {
     code(&ertel(&folder, &["completions", "basic"]), 2);
     let page = ertel(&folder, &["man"]);
     code(&page, 0);
-    assert!(stdout(&page).contains(".SH SYNOPSIS"), "{}", stdout(&page));
+    contains(stdout(&page), ".SH SYNOPSIS");
     for _ in 0..2 {
         code(&ertel(&folder, &["man", "-o", "man"]), 0);
     }

@@ -5,7 +5,7 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use crate::common::{Workspace, text, write};
+use crate::common::{Workspace, contains, stderr_of, text, write};
 
 const OIL: &str = r#"
 density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
@@ -140,12 +140,12 @@ fn errors_name_the_file() {
         ),
     ]);
     let missing = w.refused(&["solve", "own.toml"]);
-    assert!(missing.contains("oil.toml cannot be read"), "{missing}");
-    assert!(missing.contains("own.toml:2:"), "{missing}");
+    contains(&missing, "oil.toml cannot be read");
+    contains(&missing, "own.toml:2:");
     write(&w.0, "oil.toml", &format!("{OIL}viscocity = 3\n"));
     let unknown = w.refused(&["solve", "own.toml"]);
-    assert!(unknown.contains("oil.toml:4:1"), "{unknown}");
-    assert!(unknown.contains("`viscosity`"), "{unknown}");
+    contains(&unknown, "oil.toml:4:1");
+    contains(&unknown, "`viscosity`");
     write(&w.0, "oil.toml", &OIL.replace("40 mPa.s", "-40 mPa.s"));
     assert!(
         w.refused(&["fluids", "show", "oil.toml"])
@@ -153,10 +153,8 @@ fn errors_name_the_file() {
     );
     write(&w.0, "metal.toml", "youngs_modulus = \"200 GPa\"\n");
     let body = w.refused(&["solve", "body.toml"]);
-    assert!(
-        body.contains("metal.toml") && body.contains("poissons_ratio"),
-        "{body}"
-    );
+    contains(&body, "metal.toml");
+    contains(&body, "poissons_ratio");
 }
 
 /// A name stands for a file of the folder of own data in cases, studies, lists and fits; where the database has it, too, the file
@@ -199,7 +197,7 @@ fn names_of_own_data_are_added_to_those_of_the_database() {
     ]);
     // Without the folder the names are unknown; with it, films are those of the files, to the bit.
     let unknown = w.refused(&["solve", "named.toml"]);
-    assert!(unknown.contains("works-"), "{unknown}");
+    contains(&unknown, "works-");
     let by_path = central_film(&w, "path.toml");
     w.succeed(&[
         "solve",
@@ -229,19 +227,17 @@ fn names_of_own_data_are_added_to_those_of_the_database() {
         &["sweep", "study.toml", "--dry-run"][..],
         &["solve", "--check", "shipped.toml"],
     ] {
-        let output = with_variable(arguments);
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-        assert!(text(&output.stderr).contains("note: the fluid `glycerol` is that of data"));
+        let error = stderr_of(with_variable(arguments), 0);
+        contains(&error, "note: the fluid `glycerol` is that of data");
     }
     let list = with_variable(&["fluids"]);
-    assert!(
-        text(&list.stdout).contains("works-oil") && text(&list.stdout).contains("squalane-pip")
-    );
+    contains(text(&list.stdout), "works-oil");
+    contains(text(&list.stdout), "squalane-pip");
     assert_eq!(text(&list.stdout).matches("\n  glycerol ").count(), 1);
-    assert!(text(&with_variable(&["solids"]).stdout).contains("works-metal"));
-    assert!(
-        text(&with_variable(&["fluids", "show", "glycerol", "-t", "40 degC"]).stdout)
-            .contains("80 mPa.s")
+    contains(text(&with_variable(&["solids"]).stdout), "works-metal");
+    contains(
+        text(&with_variable(&["fluids", "show", "glycerol", "-t", "40 degC"]).stdout),
+        "80 mPa.s",
     );
     assert!(
         w.succeed(&["solids", "show", "works-metal", "--data", "data"])
@@ -266,7 +262,7 @@ fn names_of_own_data_are_added_to_those_of_the_database() {
     );
     // A result never takes the place of what was read.
     let over = w.refused(&["solve", "named.toml", "--data", "data", "-o", "data"]);
-    assert!(over.contains("will not replace the folder data"), "{over}");
+    contains(&over, "will not replace the folder data");
 }
 
 #[test]
@@ -282,15 +278,13 @@ fn a_folder_that_is_none_is_refused() {
         ("empty", "neither a folder `fluids` nor `solids`"),
     ] {
         let message = w.refused(&["fluids", "--data", folder]);
-        assert!(
-            message.contains(words) && message.contains(folder),
-            "{message}"
-        );
+        contains(&message, words);
+        contains(&message, folder);
     }
     assert!(
         w.refused(&["fluids", "--data", "data"])
             .contains("bad.toml:1:")
     );
     let near = w.refused(&["fluids", "show", "badd", "--data", "data"]);
-    assert!(near.contains("did you mean `bad`"), "{near}");
+    contains(&near, "did you mean `bad`");
 }

@@ -13,6 +13,8 @@ use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
 
+use crate::common::contains;
+
 /// Longest run; all of them take tenths of a second on an idle machine.
 const LONGEST: Duration = Duration::from_secs(60);
 
@@ -378,7 +380,7 @@ fn one_folder_for_two_results() {
         let arguments = ["solve", "a.toml", "b.toml", "-q"].map(OsString::from);
         let (code, said) = run(root, &arguments, Stdio::null());
         assert_eq!(code, 2, "{a}, {b}: {said}");
-        assert!(said.contains("would go into the same folder"), "{said}");
+        contains(&said, "would go into the same folder");
         assert!(!root.join("new").exists() && !root.join("later").exists());
         assert_eq!(fs::read_dir(root.join("there")).unwrap().count(), 0);
     }
@@ -401,7 +403,7 @@ fn results_have_a_separate_folder() {
     arguments.push("contact.load=20 kN/m ± 5 %".into());
     let (code, said) = run(root, &arguments, Stdio::null());
     assert_eq!(code, 2, "{said}");
-    assert!(said.contains("these folders overlap"), "{said}");
+    contains(&said, "these folders overlap");
     assert!(!root.join("out").exists());
 }
 
@@ -461,7 +463,7 @@ fn questions_end() {
     let (code, said) = run(folder.path(), &arguments, input);
     yes.wait().unwrap();
     assert_eq!(code, 2, "{said}");
-    assert!(said.contains("100 answers to one question were wrong"));
+    contains(&said, "100 answers to one question were wrong");
 }
 
 /// Nothing was compared: that is no success.
@@ -491,7 +493,10 @@ fn a_fit_replaces_only_with_force() {
     fs::write(root.join("oil.svg"), "my drawing").unwrap();
     let (code, said) = fit("-o oil.toml");
     assert_eq!(code, 2, "{said}");
-    assert!(said.contains("will not overwrite oil.svg; choose another name, or add --force"));
+    contains(
+        &said,
+        "will not overwrite oil.svg; choose another name, or add --force",
+    );
     assert!(!root.join("oil.toml").exists());
     fs::rename(root.join("oil.svg"), root.join("oil.toml")).unwrap();
     let (code, said) = fit("-o oil.toml");

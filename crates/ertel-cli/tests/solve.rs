@@ -5,7 +5,7 @@ use std::process::Command;
 
 use tempfile::TempDir;
 
-use crate::common::{Running, solve, solve_command, text};
+use crate::common::{Running, contains, solve, solve_command, stderr_of, stdout_of, text};
 
 /// A folder with a copy of `tests/good/<name>`.
 fn workspace(name: &str) -> TempDir {
@@ -27,10 +27,8 @@ fn names(folder: &Path) -> Vec<String> {
 /// Exit code 1, the words on stderr, and the folder as it was.
 fn refused(folder: &TempDir, arguments: &[&str], words: &str) {
     let before = names(folder.path());
-    let output = solve(folder, arguments);
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(1), "{message}");
-    assert!(message.contains(words), "{message}");
+    let message = stderr_of(solve(folder, arguments), 1);
+    contains(&message, words);
     assert_eq!(names(folder.path()), before);
 }
 
@@ -40,9 +38,9 @@ fn results_are_reported_and_written() {
     let output = solve(&folder, &["quick.toml"]);
     let report = text(&output.stdout);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    assert!(report.contains("central film thickness"), "{report}");
-    assert!(report.contains("results/quick"), "{report}");
-    assert!(text(&output.stderr).contains("Newton"));
+    contains(report, "central film thickness");
+    contains(report, "results/quick");
+    contains(text(&output.stderr), "Newton");
 
     let results = folder.path().join("results/quick");
     for name in [
@@ -143,7 +141,7 @@ fn an_unwritable_folder_is_reported_before_the_solve() {
     );
     assert_eq!(output.status.code(), Some(1));
     let message = text(&output.stderr);
-    assert!(message.contains("cannot write results to"), "{message}");
+    contains(message, "cannot write results to");
     assert!(!message.contains("Newton"), "{message}");
 }
 
@@ -165,10 +163,8 @@ fn a_disk_that_fills_up_leaves_nothing_half_written() {
     let output = limited(&folder);
     let message = text(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{message}");
-    assert!(
-        message.contains("error: cannot write ") && message.contains("/steel/"),
-        "{message}"
-    );
+    contains(message, "error: cannot write ");
+    contains(message, "/steel/");
     assert_eq!(names(folder.path()), ["quick.toml"]);
 
     // A former result survives.
@@ -193,9 +189,8 @@ fn no_convergence_exits_with_3_and_writes_nothing() {
     let path = folder.path().join("quick.toml");
     let case = std::fs::read_to_string(&path).unwrap();
     std::fs::write(&path, case + "\n[solver]\nmax_iterations = 1\n").unwrap();
-    let output = solve(&folder, &["quick.toml"]);
-    assert_eq!(output.status.code(), Some(3));
-    assert!(text(&output.stderr).contains("no convergence"));
+    let error = stderr_of(solve(&folder, &["quick.toml"]), 3);
+    contains(&error, "no convergence");
     assert_eq!(names(folder.path()), ["quick.toml"]);
 }
 
@@ -209,9 +204,8 @@ fn a_mesh_that_cannot_be_built_exits_with_2() {
         case + "body_width = 8\n[solver]\nelasticity = \"equivalent\"\n",
     )
     .unwrap();
-    let output = solve(&folder, &["quick.toml"]);
-    assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
-    assert!(text(&output.stderr).contains("see [mesh] in the case file"));
+    let error = stderr_of(solve(&folder, &["quick.toml"]), 2);
+    contains(&error, "see [mesh] in the case file");
     assert_eq!(names(folder.path()), ["quick.toml"]);
 }
 
@@ -221,7 +215,7 @@ fn ctrl_c_exits_with_130_and_writes_nothing() {
     let folder = workspace("slow.toml");
     let mut run = Running::start(solve_command(&folder, &["slow.toml"]));
     let first = run.lines.next().unwrap().unwrap();
-    assert!(first.contains("grid 1"), "{first}");
+    contains(&first, "grid 1");
     let rest = run.interrupt();
     assert!(
         rest.last()
@@ -266,9 +260,7 @@ fn pictures_are_written_in_the_formats_that_are_asked_for() {
 #[test]
 fn a_thermal_contact_writes_its_temperatures() {
     let folder = workspace("thermal.toml");
-    let output = solve(&folder, &["thermal.toml"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    let report = text(&output.stdout);
+    let report = stdout_of(solve(&folder, &["thermal.toml"]), 0);
     for words in [
         "\nHeat\n",
         "carried off by body 1",
@@ -276,7 +268,7 @@ fn a_thermal_contact_writes_its_temperatures() {
         "temperatures ",
         "no profile across the film at [9, 0]",
     ] {
-        assert!(report.contains(words), "{words} is missing in\n{report}");
+        contains(&report, words);
     }
     let results = folder.path().join("results/thermal");
     let found = names(&results);

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
 
-use crate::common::{ertel, write};
+use crate::common::{contains, ertel, write};
 
 fn workspace(study: &str) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
@@ -21,10 +21,7 @@ fn refused(folder: &TempDir, words: &[&str]) {
         let message = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{message}");
         for words in words {
-            assert!(
-                message.contains(words),
-                "`{words}` is missing in\n{message}"
-            );
+            contains(&message, words);
         }
         assert!(!folder.path().join("results").exists());
     }
@@ -84,7 +81,7 @@ fn a_base_case_that_is_missing_is_named_with_its_place() {
     let output = ertel(&folder, &["validate", "--folder", "studies"]);
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(message.contains("reference.toml:5:8"), "{message}");
+    contains(&message, "reference.toml:5:8");
 }
 
 #[test]

@@ -2,7 +2,9 @@
 
 use tempfile::TempDir;
 
-use crate::common::{BRAKING, case_folder, ertel, read, stderr, stdout, write};
+use crate::common::{
+    BRAKING, case_folder, contains, ertel, read, stderr, stderr_of, stdout, write,
+};
 
 const STUDY: &str = r#"
 case = "case.toml"
@@ -126,7 +128,7 @@ fn a_study_over_time_shows_extremes_and_resumes() {
     );
     std::fs::remove_file(folder.path().join("out/results.csv")).unwrap();
     let shown = run(&["--jobs", "1"]);
-    assert!(shown.contains("3 of them earlier"), "{shown}");
+    contains(&shown, "3 of them earlier");
     assert_eq!(read(&folder, "out/results.csv"), table);
 }
 
@@ -138,10 +140,9 @@ fn points_that_fail_have_their_reason() {
     let folder = workspace(&format!("{BRAKING}{relief}"), axis);
     let output = ertel(&folder, &["sweep", "study.toml", "-o", "out"]);
     assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
-    assert!(
-        stdout(&output).contains("point 1 (surface.1.half_width = 1 um) failed: "),
-        "{}",
-        stdout(&output)
+    contains(
+        stdout(&output),
+        "point 1 (surface.1.half_width = 1 um) failed: ",
     );
     let rows = Rows::of(&folder, "out/results.csv");
     assert_eq!(rows.texts("converged"), ["false", "true"]);
@@ -153,13 +154,8 @@ fn points_that_fail_have_their_reason() {
     assert!(rows.numbers("film_minimum_lowest_m")[0].is_nan());
     let of = |number: usize| axis.replace("surface.1.", &format!("surface.{number}."));
     write(&folder, "study.toml", &of(2));
-    let output = ertel(&folder, &["sweep", "study.toml", "--dry-run"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(
-        stderr(&output).contains("surface has 1 entries, counted from 1"),
-        "{}",
-        stderr(&output)
-    );
+    let error = stderr_of(ertel(&folder, &["sweep", "study.toml", "--dry-run"]), 2);
+    contains(&error, "surface has 1 entries, counted from 1");
 }
 
 /// A curve over a quantity at which courses begin; samples of an uncertain load.
@@ -169,11 +165,7 @@ fn curves_and_samples_of_a_case_in_time() {
     let folder = workspace(&format!("{BRAKING}{curve}"), STUDY);
     let output = ertel(&folder, &["solve", "case.toml", "-o", "out"]);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
-    assert!(
-        stdout(&output).contains("lowest minimum film thickness"),
-        "{}",
-        stdout(&output)
-    );
+    contains(stdout(&output), "lowest minimum film thickness");
     let rows = Rows::of(&folder, "out/curve.csv");
     let films = rows.numbers("film_minimum_lowest_m");
     assert!(films[0] > films[1] && films[1] > films[2], "{films:?}");
@@ -200,13 +192,8 @@ fn curves_and_samples_of_a_case_in_time() {
         "alpha = \"22 1/GPa\" }\nshear_thinning = { law = \"ree-eyring\", tau_0 = \"5 MPa\" }",
     );
     write(&folder, "case.toml", &format!("{power}{newtonian}"));
-    let output = ertel(&folder, &["solve", "case.toml", "--check"]);
-    assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
-    assert!(
-        stderr(&output).contains("`newtonian`"),
-        "{}",
-        stderr(&output)
-    );
+    let error = stderr_of(ertel(&folder, &["solve", "case.toml", "--check"]), 2);
+    contains(&error, "`newtonian`");
 
     write(
         &folder,
@@ -248,26 +235,16 @@ fn what_changes_nothing_is_refused() {
     );
     let axis = "case = \"case.toml\"\n[[axis]]\nkey = \"motion.entrainment_speed\"\nvalues = [\"1 m/s\", \"2 m/s\"]\n";
     let folder = workspace(&table, axis);
-    let output = ertel(&folder, &["sweep", "study.toml", "--dry-run"]);
-    assert_eq!(output.status.code(), Some(2));
-    let message = stderr(&output);
-    assert!(
-        message.contains("`motion.entrainment_speed` changes nothing")
-            && message.contains("study.toml:3"),
-        "{message}"
-    );
+    let message = stderr_of(ertel(&folder, &["sweep", "study.toml", "--dry-run"]), 2);
+    contains(&message, "`motion.entrainment_speed` changes nothing");
+    contains(&message, "study.toml:3");
     write(
         &folder,
         "measured.csv",
         "contact.load (kN/m),film_central (nm)\n60,300\n",
     );
-    let output = ertel(&folder, &["compare", "case.toml", "measured.csv"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(
-        stderr(&output).contains("this case changes in time"),
-        "{}",
-        stderr(&output)
-    );
+    let error = stderr_of(ertel(&folder, &["compare", "case.toml", "measured.csv"]), 2);
+    contains(&error, "this case changes in time");
 }
 
 /// The shipped study at the speed of its middle points: waves of a half and of one half-width keep 0.394 and 0.183 of their amplitude (Venner, Couhier, Lubrecht and Greenwood 1997, table 1), to 3 %.

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant, SystemTime};
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{self, Running, ertel, read, text};
+use crate::common::{self, Running, contains, ertel, read, stderr_of, text};
 
 /// Eighteen points in two groups of films.
 const STUDY: &str = r#"
@@ -74,17 +74,14 @@ fn random() -> f64 {
 fn a_study_is_solved_and_its_films_are_fitted() {
     let folder = workspace(STUDY);
     let output = sweep(&folder, &["study.toml", "--dry-run"]);
-    assert!(text(&output.stdout).contains("18 points, 0 finished"));
+    contains(text(&output.stdout), "18 points, 0 finished");
     assert!(!folder.path().join("results").exists());
     let output = sweep(&folder, &["study.toml"]);
     let (report, progress) = (text(&output.stdout), text(&output.stderr));
     assert_eq!(output.status.code(), Some(0), "{progress}");
-    assert!(
-        report.contains("18 of 18 points finished, 0 failed"),
-        "{report}"
-    );
-    assert!(progress.contains("1/18: point "), "{progress}");
-    assert!(progress.contains("left"), "{progress}");
+    contains(report, "18 of 18 points finished, 0 failed");
+    contains(progress, "1/18: point ");
+    contains(progress, "left");
     let table = read(&folder, "results/study/results.csv");
     let numbers: Vec<usize> = (column(&table, "point").iter())
         .map(|n| n.parse().unwrap())
@@ -118,7 +115,7 @@ values = ["0.2 m/s", "2 m/s"]
     }
     let fit = ertel(&folder, &["fit", "film", "results/study/results.csv"]);
     assert!(fit.status.success(), "{}", text(&fit.stderr));
-    assert!(text(&fit.stdout).contains("Central film of 18 results"));
+    contains(text(&fit.stdout), "Central film of 18 results");
 }
 
 /// Temperatures are in the table, and the films are thinner than those without heat.
@@ -291,10 +288,7 @@ fn a_torn_line_is_dropped() {
     std::fs::remove_file(folder.path().join("results/study/results.csv")).unwrap();
     let output = sweep(&folder, &["study.toml"]);
     let progress = text(&output.stderr);
-    assert!(
-        progress.contains("7 of 18 points are finished already"),
-        "{progress}"
-    );
+    contains(progress, "7 of 18 points are finished already");
     assert_eq!(read(&folder, "results/study/results.csv"), undisturbed);
     assert_eq!(
         keys(&read(&folder, "results/study/journal.jsonl")).len(),
@@ -310,14 +304,8 @@ fn a_torn_line_is_dropped() {
         std::fs::write(&path, damaged).unwrap();
         let output = sweep(&folder, &["study.toml"]);
         let said = text(&output.stderr);
-        assert!(
-            said.contains("17 of 18 points are finished already"),
-            "{said}"
-        );
-        assert!(
-            said.contains("1 lines of the journal are damaged"),
-            "{said}"
-        );
+        contains(said, "17 of 18 points are finished already");
+        contains(said, "1 lines of the journal are damaged");
         assert_eq!(read(&folder, "results/study/results.csv"), undisturbed);
     }
 }
@@ -345,13 +333,8 @@ fn parts_are_joined_to_the_whole() {
         arguments.extend(parts.iter().map(String::as_str));
         sweep(&folder, &arguments)
     };
-    let output = merge(&parts[..3]);
-    assert_eq!(output.status.code(), Some(1));
-    let message = text(&output.stderr);
-    assert!(
-        message.contains("of 18 points are in none of the parts"),
-        "{message}"
-    );
+    let message = stderr_of(merge(&parts[..3]), 1);
+    contains(&message, "of 18 points are in none of the parts");
     let output = merge(&parts);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let whole = read(&folder, "whole/results.csv");
@@ -362,7 +345,7 @@ fn parts_are_joined_to_the_whole() {
     );
     // The whole is a study like any other.
     let output = sweep(&folder, &["study.toml"]);
-    assert!(text(&output.stdout).contains("18 of them earlier"));
+    contains(text(&output.stdout), "18 of them earlier");
     // Parts of something else are refused.
     let other = STUDY.replace("45 kN/m", "40 kN/m");
     std::fs::write(folder.path().join("other.toml"), other).unwrap();
@@ -373,7 +356,7 @@ fn parts_are_joined_to_the_whole() {
     );
     let output = merge(&[parts[0].clone(), "results/other/shards/1-of-9".into()]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("another study"));
+    contains(text(&output.stderr), "another study");
 }
 
 #[test]
@@ -392,34 +375,24 @@ key = "solver.formulation"
 values = ["galerkin"]
 "#;
     let folder = workspace(study);
-    let output = sweep(&folder, &["study.toml"]);
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(3), "{message}");
-    assert!(message.contains("1 of 3 points failed"), "{message}");
+    let message = stderr_of(sweep(&folder, &["study.toml"]), 3);
+    contains(&message, "1 of 3 points failed");
     let table = read(&folder, "results/study/results.csv");
     assert_eq!(column(&table, "converged"), ["true", "false", "true"]);
     assert_eq!(column(&table, "film_central_m")[1], "");
     let failed = table.lines().nth(2).unwrap();
-    assert!(failed.contains("no convergence"), "{failed}");
+    contains(failed, "no convergence");
     // It is kept, unless asked for again.
     let output = sweep(&folder, &["study.toml"]);
     assert_eq!(output.status.code(), Some(3));
-    assert!(text(&output.stdout).contains("0 new"));
+    contains(text(&output.stdout), "0 new");
     let output = sweep(&folder, &["study.toml", "--retry"]);
     assert_eq!(output.status.code(), Some(3));
-    assert!(
-        text(&output.stdout).contains("1 new"),
-        "{}",
-        text(&output.stdout)
-    );
+    contains(text(&output.stdout), "1 new");
     assert_eq!(read(&folder, "results/study/results.csv"), table);
     // The others are fitted.
     let fit = ertel(&folder, &["fit", "film", "results/study/results.csv"]);
-    assert!(
-        text(&fit.stderr).contains("2 films"),
-        "{}",
-        text(&fit.stderr)
-    );
+    contains(text(&fit.stderr), "2 films");
 }
 
 #[test]
@@ -430,17 +403,17 @@ fn a_changed_study_solves_what_changed() {
     std::fs::write(folder.path().join("study.toml"), more).unwrap();
     let output = sweep(&folder, &["study.toml"]);
     let report = text(&output.stdout);
-    assert!(
-        report.contains("24 of 24 points finished, 18 of them earlier"),
-        "{report}"
-    );
+    contains(report, "24 of 24 points finished, 18 of them earlier");
     let table = read(&folder, "results/study/results.csv");
     assert_eq!(column(&table, "contact.load_N_per_m")[3], "6e4");
     // Another viscosity is another case in every point; the former ones are omitted from the table.
     let base = read(&folder, "base.toml").replace("40 mPa.s", "41 mPa.s");
     std::fs::write(folder.path().join("base.toml"), base).unwrap();
     let output = sweep(&folder, &["study.toml"]);
-    assert!(text(&output.stdout).contains("24 of 24 points finished, 0 failed; 24 new"));
+    contains(
+        text(&output.stdout),
+        "24 of 24 points finished, 0 failed; 24 new",
+    );
     let second = read(&folder, "results/study/results.csv");
     assert_eq!(second.lines().count(), 25);
     let thick = |table: &str| -> f64 { column(table, "film_central_m")[0].parse().unwrap() };
@@ -478,7 +451,7 @@ fn what_cannot_be_run_is_refused() {
         let output = sweep(&folder, arguments);
         let message = text(&output.stderr);
         assert_eq!(output.status.code(), Some(code), "{message}");
-        assert!(message.contains(words), "{message}");
+        contains(message, words);
     };
     for shard in ["0/3", "4/3", "1", "a/b"] {
         refused(

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::common::{BRAKING, case_folder, ertel, json, text};
+use crate::common::{BRAKING, case_folder, contains, ertel, json, stderr_of, text};
 
 /// Files, tables and the report say the same; the speed at a time is that of the ramp; a second run replaces the folder.
 #[test]
@@ -12,12 +12,9 @@ fn a_ramp_is_solved_written_and_replaced() {
         let output = ertel(&folder, &["solve", "case.toml", "--output", "out"]);
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
         let shown = text(&output.stdout);
-        assert!(shown.contains("highest central film thickness"), "{shown}");
+        contains(shown, "highest central film thickness");
         // A Newtonian oil without heat.
-        assert!(
-            shown.contains("larger than measured for any lubricant"),
-            "{shown}"
-        );
+        contains(shown, "larger than measured for any lubricant");
     }
     let out = folder.path().join("out");
     let result = json(&out.join("transient.json"));
@@ -65,10 +62,7 @@ fn unsolved_instants_are_reported() {
     let output = ertel(&folder, &["solve", "case.toml", "--output", "out"]);
     let message = text(&output.stderr);
     assert_eq!(output.status.code(), Some(3), "{message}");
-    assert!(
-        message.contains("the shortest length of a relief needs cells"),
-        "{message}"
-    );
+    contains(message, "the shortest length of a relief needs cells");
     assert!(!folder.path().join("out").exists());
     let output = ertel(&folder, &["solve", "case.toml", "--cross-check"]);
     assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
@@ -105,7 +99,7 @@ fn bodies_that_are_apart_come_near() {
         &["solve", case.to_str().unwrap(), "--output", "impact"],
     );
     let shown = text(&output.stdout);
-    assert!(shown.contains("largest film force"), "{shown}");
+    contains(shown, "largest film force");
     let result = json(&folder.path().join("impact/transient.json"));
     let rebound = result["coefficient_of_restitution"].as_f64().unwrap();
     // 0.866 without the weight of the ball.
@@ -149,10 +143,8 @@ fn a_killed_run_goes_on() {
         (&["-o", "none", "--resume"], "none.checkpoint"),
         (&["-o", "out", "--checkpoint", "1 kg"], "a time is needed"),
     ] {
-        let output = solve(more);
-        let message = text(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{message}");
-        assert!(message.contains(said), "{message}");
+        let message = stderr_of(solve(more), 2);
+        contains(&message, said);
     }
     // Cut off, and with a bit changed in the middle: refused, and the file stays as it is.
     let whole = std::fs::read(&file).unwrap();
@@ -160,9 +152,8 @@ fn a_killed_run_goes_on() {
     changed[whole.len() / 2] ^= 16;
     for damaged in [&whole[..whole.len() / 2], &changed] {
         std::fs::write(&file, damaged).unwrap();
-        let output = solve(&["-o", "out", "--resume"]);
-        assert_eq!(output.status.code(), Some(2));
-        assert!(text(&output.stderr).contains("damaged"));
+        let error = stderr_of(solve(&["-o", "out", "--resume"]), 2);
+        contains(&error, "damaged");
         assert_eq!(std::fs::read(&file).unwrap(), damaged);
     }
     // Incomplete files of a killed run are removed.
@@ -189,9 +180,7 @@ fn a_checkpoint_that_cannot_be_written_is_reported_at_once() {
     let link = folder.path().join("out.checkpoint");
     std::os::unix::fs::symlink("missing/place", link).unwrap();
     let arguments = ["solve", "case.toml", "-o", "out", "--checkpoint", "0 s"];
-    let output = ertel(&folder, &arguments);
-    let shown = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{shown}");
+    let shown = stderr_of(ertel(&folder, &arguments), 0);
     assert_eq!(
         shown
             .matches("warning: the checkpoint cannot be written")
@@ -264,17 +253,12 @@ fn a_complete_result_is_kept_when_a_second_run_is_stopped() {
     let signal = ["-INT", &run.id().to_string()];
     let sent = std::process::Command::new("kill").args(signal).status();
     assert!(sent.unwrap().success());
-    let output = run.wait_with_output().unwrap();
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(130), "{message}");
-    assert!(
-        message.contains("out keeps its complete result"),
-        "{message}"
-    );
+    let message = stderr_of(run.wait_with_output().unwrap(), 130);
+    contains(&message, "out keeps its complete result");
     assert_eq!(std::fs::read(at("out/transient.csv")).unwrap(), table);
     assert_eq!(json(&at("out-partial/transient.json"))["complete"], false);
     let report = std::fs::read_to_string(at("out-partial/report.txt")).unwrap();
-    assert!(report.contains("interrupted"), "{report}");
+    contains(&report, "interrupted");
     // It continues to a complete result, which replaces the former one.
     let rest = ertel(
         &folder,
@@ -441,14 +425,14 @@ fn fields_of_instants_are_written_on_request() {
     let collection = text(&read("fields.pvd")).to_owned();
     for (time, file) in [("0e0", "fields-001.vtu"), ("5e-4", "fields-002.vtu")] {
         let line = format!("<DataSet timestep=\"{time}\" part=\"0\" file=\"{file}\"/>");
-        assert!(collection.contains(&line), "{collection}");
+        contains(&collection, &line);
         let fields = text(&read(file)).to_owned();
         for array in [
             "Float32\" Name=\"pressure_Pa",
             "Name=\"film_thickness_m",
             "Name=\"TimeValue",
         ] {
-            assert!(fields.contains(array), "{array}");
+            contains(&fields, array);
         }
     }
     assert!(!out.join("fields-003.vtu").exists());

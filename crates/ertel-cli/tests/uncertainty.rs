@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::common::Workspace;
+use crate::common::{Workspace, contains};
 
 const CASE: &str = concat!(
     "[contact]\nkind = \"line\"\nradius = \"10 mm ± 0.5 %\"\nload = \"50 kN/m ± 5 %\"\n",
@@ -21,11 +21,8 @@ fn number(value: &Value) -> f64 {
 fn uncertainty_is_the_root_of_the_sum_of_squares() {
     let workspace = Workspace::new(&[("line.toml", CASE)]);
     let report = workspace.succeed(&["solve", "line.toml", "--output", "out"]);
-    assert!(
-        report.contains("Uncertainty of the inputs, to first order"),
-        "{report}"
-    );
-    assert!(report.contains("Sensitivities: per cent"), "{report}");
+    contains(&report, "Uncertainty of the inputs, to first order");
+    contains(&report, "Sensitivities: per cent");
     let result = workspace.json("out/result.json");
     assert_eq!(result["sensitivities_by"], "linear solves");
     for figure in ["film_central", "film_minimum", "friction_power"] {
@@ -61,7 +58,7 @@ fn samples_agree_with_the_first_order() {
         "120",
     ];
     let report = workspace.succeed(&run);
-    assert!(report.contains("120 of 120 samples solved"), "{report}");
+    contains(&report, "120 of 120 samples solved");
     let found = workspace.json("out-monte-carlo/monte-carlo.json");
     for figure in ["film_central", "film_minimum"] {
         let figure = &found["figures"][figure];
@@ -113,8 +110,8 @@ fn fits_hand_their_uncertainty_on() {
         "oil.toml",
     ]);
     let oil = std::fs::read_to_string(workspace.path("oil.toml")).unwrap();
-    assert!(oil.contains(" ± "), "{oil}");
-    assert!(oil.contains("[[correlation]]"), "{oil}");
+    contains(&oil, " ± ");
+    contains(&oil, "[[correlation]]");
     let complete = oil.replacen(
         "[viscosity]",
         "[density]\nlaw = \"dowson-higginson\"\nrho_0 = \"870 kg/m^3\"\n\n[viscosity]",
@@ -239,7 +236,7 @@ fn bad_uncertainties_exit_with_2() {
         let output = workspace.ertel(&all);
         let error = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{error}");
-        assert!(error.contains(part), "{error}");
+        contains(&error, part);
     }
 }
 

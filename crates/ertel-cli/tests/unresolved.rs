@@ -1,6 +1,6 @@
 //! Results that are written and not to be trusted: exit code 3, and by request 0.
 
-use crate::common::{BRAKING, case_folder, ertel, json, text};
+use crate::common::{BRAKING, case_folder, code, contains, ertel, json, stderr_of, text};
 
 const CURVE: &str = "\n[curve]\nquantity = \"motion.entrainment_speed\"\nvalues = [\"1 m/s\", \"1.5 m/s\", \"2 m/s\"]\n";
 
@@ -16,25 +16,15 @@ fn starved() -> String {
 #[test]
 fn a_case_that_is_not_resolved_is_written_with_a_warning() {
     let folder = case_folder(&starved());
-    let output = ertel(&folder, &["solve", "case.toml"]);
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(3), "{message}");
-    assert!(
-        message.contains("error: not resolved: the central film thickness"),
-        "{message}"
-    );
-    assert!(message.contains("--accept-unresolved"), "{message}");
+    let message = stderr_of(ertel(&folder, &["solve", "case.toml"]), 3);
+    contains(&message, "error: not resolved: the central film thickness");
+    contains(&message, "--accept-unresolved");
     let result = json(&folder.path().join("results/case/result.json"));
     let names = result["unresolved"].as_array().unwrap();
     assert!(names.contains(&"film_central".into()) && names.contains(&"film_minimum".into()));
 
     let accepted = ertel(&folder, &["solve", "case.toml", "--accept-unresolved"]);
-    assert_eq!(
-        accepted.status.code(),
-        Some(0),
-        "{}",
-        text(&accepted.stderr)
-    );
+    code(&accepted, 0);
 }
 
 /// Three points, each with its own figures in four kinds of warnings: a line for each kind.
@@ -44,7 +34,7 @@ fn points_that_are_not_resolved_are_counted_and_their_warnings_merged() {
     let folder = case_folder(&format!("{sliding}{CURVE}"));
     let output = ertel(&folder, &["solve", "case.toml"]);
     assert_eq!(output.status.code(), Some(3));
-    assert!(text(&output.stderr).contains("3 of 3 points are not resolved"));
+    contains(text(&output.stderr), "3 of 3 points are not resolved");
     let report = text(&output.stdout);
     let warnings: Vec<&str> = report.lines().filter(|l| l.starts_with("  !")).collect();
     assert_eq!(warnings.len(), 4, "{report}");
@@ -56,11 +46,11 @@ fn points_that_are_not_resolved_are_counted_and_their_warnings_merged() {
         warnings[3].contains("all 3 points, worst at point"),
         "{report}"
     );
-    assert!(
-        report.contains("  · 3 of 3 points have figures that are not to be used")
-            && report.contains("central film thickness in 3"),
-        "{report}"
+    contains(
+        report,
+        "  · 3 of 3 points have figures that are not to be used",
     );
+    contains(report, "central film thickness in 3");
     let table = std::fs::read_to_string(folder.path().join("results/case/curve.csv")).unwrap();
     assert!(
         table
@@ -81,17 +71,9 @@ fn studies_count_them_too() {
     let output = ertel(&folder, &["sweep", "study.toml"]);
     let message = text(&output.stderr);
     assert_eq!(output.status.code(), Some(3), "{message}");
-    assert!(
-        message.contains("2 of 2 points are not resolved"),
-        "{message}"
-    );
+    contains(message, "2 of 2 points are not resolved");
     let said = text(&output.stdout);
-    assert!(said.contains("central film thickness in 2"), "{said}");
+    contains(said, "central film thickness in 2");
     let accepted = ertel(&folder, &["sweep", "study.toml", "--accept-unresolved"]);
-    assert_eq!(
-        accepted.status.code(),
-        Some(0),
-        "{}",
-        text(&accepted.stderr)
-    );
+    code(&accepted, 0);
 }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use crate::common::text;
+use crate::common::{contains, stderr_of, text};
 
 fn validate(folder: &Path, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_ertel"))
@@ -49,8 +49,8 @@ fn a_comparison_that_does_not_hold_exits_with_1() {
     let table = std::fs::read_to_string(table).unwrap();
     let row: Vec<&str> = table.lines().nth(1).unwrap().split(',').collect();
     assert_eq!((row[0], row[3], row[7]), ("roller", "1.0000", "NOT"));
-    assert!(text(&output.stdout).contains("NOT"));
-    assert!(text(&output.stderr).contains("do not hold in: roller"));
+    contains(text(&output.stdout), "NOT");
+    contains(text(&output.stderr), "do not hold in: roller");
 }
 
 #[test]
@@ -68,7 +68,7 @@ fn a_study_that_holds_exits_with_0_and_makes_a_page() {
     );
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stdout));
     let table = text(&output.stdout);
-    assert!(table.contains("film 1e4, normal"), "{table}");
+    contains(table, "film 1e4, normal");
     assert!(
         !table.contains("h^2 1e2, fine"),
         "a slow run is made: {table}"
@@ -111,9 +111,8 @@ fn writing_one_study_keeps_the_sections_of_others() {
 
 #[test]
 fn unknown_studies_and_bad_references_exit_with_2() {
-    let output = validate(&studies(), &["table-9-9"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("table-3-4"), "lists them");
+    let error = stderr_of(validate(&studies(), &["table-9-9"]), 2);
+    assert!(error.contains("table-3-4"), "lists them");
     assert_eq!(
         validate(Path::new("no/such/folder"), &[]).status.code(),
         Some(2)
@@ -150,10 +149,7 @@ fn stated_efforts_are_updated() {
     std::fs::write(&path, &before).unwrap();
     let output = validate(folder.path(), &["--update"]);
     let shown = text(&output.stdout);
-    assert!(
-        shown.contains("- newton_iterations = 3000\n+ newton_iterations = "),
-        "{shown}"
-    );
+    contains(shown, "- newton_iterations = 3000\n+ newton_iterations = ");
     let after = std::fs::read_to_string(&path).unwrap();
     let line = |text: &str| {
         let line = text

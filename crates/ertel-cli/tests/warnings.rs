@@ -4,7 +4,7 @@ use ertel::warning::WarningKind;
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{ertel, ertel_here, read, solve, stderr, stdout, write};
+use crate::common::{contains, ertel, ertel_here, read, solve, stderr, stderr_of, stdout, write};
 
 #[test]
 fn codes_are_explained() {
@@ -18,12 +18,11 @@ fn codes_are_explained() {
     for code in ["friction", "[friction]"] {
         let text = ertel_here(&["explain", code]);
         for words in ["0.15", "Johnson", "shear_thinning", "not possible"] {
-            assert!(stdout(&text).contains(words), "{}", stdout(&text));
+            contains(stdout(&text), words);
         }
     }
-    let unknown = ertel_here(&["explain", "fricton"]);
-    assert_eq!(unknown.status.code(), Some(2));
-    assert!(stderr(&unknown).contains("the codes are unusual-input, "));
+    let error = stderr_of(ertel_here(&["explain", "fricton"]), 2);
+    contains(&error, "the codes are unusual-input, ");
 }
 
 /// A line between oils of a data sheet, which always has the note on its law, with sliding beyond 2, which warns.
@@ -44,10 +43,8 @@ const BOTH: &str = "silence = [\"law-range\", \"opposite-motion\"]";
 fn silenced_warnings_are_not_shown_but_counted() {
     let folder = case("");
     let shown = stderr(&ertel(&folder, &["solve", "case.toml", "--check"])).to_owned();
-    assert!(
-        shown.contains("[law-range]") && shown.contains("[opposite-motion]"),
-        "{shown}"
-    );
+    contains(&shown, "[law-range]");
+    contains(&shown, "[opposite-motion]");
     let folder = case(BOTH);
     let output = ertel(&folder, &["solve", "case.toml", "--check"]);
     assert_eq!(output.status.code(), Some(0));
@@ -83,13 +80,9 @@ fn unknown_codes_and_unusable_figures_are_refused() {
         ("friction", "cannot be silenced"),
     ] {
         let folder = case(&format!("silence = [\"{code}\"]"));
-        let output = ertel(&folder, &["solve", "case.toml", "--check"]);
-        assert_eq!(output.status.code(), Some(2));
-        let shown = stderr(&output);
-        assert!(
-            shown.contains(words) && shown.contains("case.toml:22"),
-            "{shown}"
-        );
+        let shown = stderr_of(ertel(&folder, &["solve", "case.toml", "--check"]), 2);
+        contains(&shown, words);
+        contains(&shown, "case.toml:22");
     }
 }
 
@@ -97,11 +90,6 @@ fn unknown_codes_and_unusable_figures_are_refused() {
 #[test]
 fn a_case_without_ending_is_named() {
     let folder = case("");
-    let output = ertel(&folder, &["solve", "case", "--check"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(
-        stderr(&output).contains("did you mean case.toml?"),
-        "{}",
-        stderr(&output)
-    );
+    let error = stderr_of(ertel(&folder, &["solve", "case", "--check"]), 2);
+    contains(&error, "did you mean case.toml?");
 }

@@ -34,3 +34,7 @@ pub mod transient;
 pub mod volumes;
 pub mod warning;
 pub mod words;
+
+#[cfg(test)]
+#[path = "../../ertel/tests/common/near.rs"]
+mod near;

@@ -6,3 +6,7 @@
 pub mod bearing;
 pub mod cam;
 pub mod gear;
+
+#[cfg(test)]
+#[path = "../../ertel/tests/common/near.rs"]
+mod near;

@@ -47,3 +47,7 @@ pub use scalar::Scalar;
 pub use shear::ShearThinning;
 pub use solid::Solid;
 pub use viscosity::ViscosityLaw;
+
+#[cfg(test)]
+#[path = "../../ertel/tests/common/near.rs"]
+mod near;

@@ -1,17 +1,15 @@
 //! Laws of oils that several tests use.
 
-use approx::assert_relative_eq;
+#[path = "../../ertel/tests/common/near.rs"]
+mod near;
+
 use ertel_rheology::density::{BulkModulusSoftening, Murnaghan, TaitVolume};
 use ertel_rheology::viscosity::{
     Doolittle, GlassTransition, Hybrid, ImprovedYasutomi, ModifiedWlf, OccupiedVolume,
 };
 use ertel_rheology::{DensityLaw, ViscosityLaw};
 
-/// Two numbers within a relative tolerance.
-#[track_caller]
-pub fn near(found: f64, expected: f64, tolerance: f64) {
-    assert_relative_eq!(found, expected, max_relative = tolerance);
-}
+pub use near::near;
 
 /// Reference temperature, coefficients of the bulk modulus and of its slope, expansivity.
 pub fn softening([reference, modulus, slope, expansivity]: [f64; 4]) -> BulkModulusSoftening {

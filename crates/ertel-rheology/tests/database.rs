@@ -1,5 +1,6 @@
 //! The database: every entry loads and every number has unit, source and status; checks against published figures.
 
+use crate::common::near;
 use approx::assert_relative_eq;
 use ertel_rheology::database::{self, DatabaseError, REFERENCES};
 use ertel_rheology::provenance::{Datum, RangeWarning, Status};
@@ -173,11 +174,7 @@ fn coefficients_of_the_thesis_fluids() {
         ("thesis-fluid-c", 313.0, 0.5e-3, 0.5, 0.5),
     ] {
         let fluid = database::fluid(name).unwrap();
-        assert_relative_eq!(
-            fluid.viscosity(0.0, temperature),
-            mu_0,
-            max_relative = 1e-10
-        );
+        near(fluid.viscosity(0.0, temperature), mu_0, 1e-10);
         let alpha = fluid
             .pressure_viscosity_reciprocal_asymptotic(temperature)
             .unwrap()
@@ -207,16 +204,8 @@ fn tables_return_their_states() {
     // Lines of the CoolProp tables: absolute pressure 150 MPa at 313.15 K, 40 MPa at 240.65 K.
     let dodecane = database::fluid("n-dodecane").unwrap();
     let p = 150e6 - 101_325.0;
-    assert_relative_eq!(
-        dodecane.viscosity(p, 313.15),
-        4.08781e-3,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        dodecane.density(p, 313.15).unwrap(),
-        809.0,
-        max_relative = 1e-9
-    );
+    near(dodecane.viscosity(p, 313.15), 4.08781e-3, 1e-9);
+    near(dodecane.density(p, 313.15).unwrap(), 809.0, 1e-9);
     let refrigerant = database::fluid("r134a").unwrap();
     assert_relative_eq!(
         refrigerant.viscosity(40e6 - 101_325.0, 240.65),

@@ -63,3 +63,10 @@ pub mod run;
 pub mod sensitivity;
 pub mod study;
 pub mod sweep;
+
+#[cfg(test)]
+#[path = "../tests/common/contains.rs"]
+mod contains;
+#[cfg(test)]
+#[path = "../tests/common/near.rs"]
+mod near;

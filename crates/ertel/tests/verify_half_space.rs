@@ -5,10 +5,11 @@ use crate::common;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use crate::common::near;
 use approx::assert_relative_eq;
 use common::{hertz_bodies, largest_difference, material, noise, uniform};
 use ertel::contact::{ContactKind, Family, Material, hertz, pressure_profile};
-use ertel::elastic::{Accuracy, Elasticity, HalfSpace, Series, SurfaceResponse};
+use ertel::elastic::{Accuracy, Elasticity, HalfSpace, SurfaceResponse};
 use ertel::engine::NoObserver;
 use ertel::params::{ElasticModel, MeshParams, MeshPreset};
 use ertel::run::{problem, solve};
@@ -252,18 +253,11 @@ fn the_finite_body_grows_into_the_half_space() {
     }
 }
 
-/// Finite bodies, a half-space on their surface, and both in series.
-fn responses(contact: &ContactSurface) -> [(&'static str, Box<dyn SurfaceResponse>); 3] {
-    let finite = || Box::new(contact.body().unwrap().1.clone());
-    let half_space = || Box::new(half_space_on(contact, &[material(2.0, 0.25)]));
-    [
-        ("finite elements", finite()),
-        ("half-space", half_space()),
-        (
-            "series",
-            Box::new(Series::new(vec![finite(), half_space()])),
-        ),
-    ]
+/// Finite bodies, and a half-space on their surface.
+fn responses(contact: &ContactSurface) -> [Box<dyn SurfaceResponse>; 2] {
+    let half_space = half_space_on(contact, &[material(2.0, 0.25)]);
+    let finite = contact.body().unwrap().1.clone();
+    [Box::new(finite), Box::new(half_space)]
 }
 
 fn half_space_on(contact: &ContactSurface, bodies: &[Material]) -> HalfSpace {
@@ -288,69 +282,19 @@ fn same_bits_on_any_number_of_threads() {
     for kind in KINDS {
         let d = on_two_bodies(kind, 2);
         let p = noise(d.pressure.n_nodes(), 1);
-        let z = noise(d.contact.deflection.n_nodes(), 2);
         let results = [1, 2, 3].map(|n| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(n).build();
             pool.unwrap().install(|| {
-                responses(&d.contact).map(|(_, response)| {
+                responses(&d.contact).map(|response| {
                     [
                         response.deflect(&d.trace, &p, Accuracy::Full),
                         response.deflect(&d.trace, &p, Accuracy::Krylov),
-                        response.respond(&d.trace, &z),
                         response.near_stiffness(),
                     ]
                 })
             })
         });
         assert!(results[0] == results[1] && results[0] == results[2]);
-    }
-}
-
-/// Half-spaces in series are the half-space of the summed compliance; of a body and a half-space the deflections
-/// add up.
-#[test]
-fn deflections_in_series_add_up() {
-    for kind in KINDS {
-        let d = on_two_bodies(kind, 1);
-        let p = noise(d.pressure.n_nodes(), 1);
-        let bodies = [material(2.0, 0.25), material(0.7, 0.4)];
-        let one = half_space_on(&d.contact, &bodies);
-        let part = |body| Box::new(half_space_on(&d.contact, &[body])) as Box<dyn SurfaceResponse>;
-        let two = Series::new(bodies.map(part).into());
-        assert_relative_eq!(one.compliance(), two.compliance(), max_relative = 1e-15);
-        let deflect = |r: &dyn SurfaceResponse| r.deflect(&d.trace, &p, Accuracy::Full);
-        let off = largest_difference(&deflect(&two), &deflect(&one));
-        assert!(off < 1e-12, "{kind:?}: {off:.1e}");
-        let near = largest_difference(&two.near_stiffness(), &one.near_stiffness());
-        assert!(near < 1e-12, "{kind:?}: {near:.1e}");
-
-        let [(_, finite), (_, half), (_, series)] = responses(&d.contact);
-        let sum: Vec<f64> = (deflect(&*finite).iter().zip(deflect(&*half)))
-            .map(|(a, b)| a + b)
-            .collect();
-        assert_eq!(deflect(&*series), sum);
-        let compliance = finite.compliance() + half.compliance();
-        assert_relative_eq!(series.compliance(), compliance, max_relative = 1e-15);
-    }
-}
-
-/// Loads of a pressure deflect what the pressure does: a half-space to the accuracy of products in Krylov's
-/// iterations, which its answer to loads is made with, finite bodies bit by bit.
-#[test]
-fn loads_deflect_as_their_pressure() {
-    for kind in KINDS {
-        for pressure_order in [1, 2] {
-            let d = on_two_bodies(kind, pressure_order);
-            let q = sampled(&d, |r| (-2.0 * r * r).exp());
-            let loads = d.trace.loads(&q);
-            for (name, response) in responses(&d.contact) {
-                let deflection = response.deflect(&d.trace, &q, Accuracy::Full);
-                let off = largest_difference(&response.respond(&d.trace, &loads), &deflection);
-                println!("{kind:?} {name}: {off:.1e}");
-                let tolerance = if name == "finite elements" { 0.0 } else { 1e-4 };
-                assert!(off <= tolerance, "{kind:?} {name}: {off:.1e}");
-            }
-        }
     }
 }
 
@@ -381,11 +325,7 @@ fn solutions_satisfy_the_equations() {
         let share = residual(1.0) / residual(1.0001);
         println!("{kind:?}: {share:.1e}");
         assert!(share < 1e-4, "{kind:?}: {share:.1e}");
-        assert_relative_eq!(
-            d.integral(&end.state.pressure),
-            problem.load,
-            max_relative = 1e-10
-        );
+        near(d.integral(&end.state.pressure), problem.load, 1e-10);
     }
 }
 

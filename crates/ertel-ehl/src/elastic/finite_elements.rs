@@ -245,10 +245,6 @@ impl SurfaceResponse for FiniteBodies {
         self.deflection_of(&trace.loads(pressure), accuracy)
     }
 
-    fn respond(&self, _: &Trace, loads: &[f64]) -> Vec<f64> {
-        self.deflect_loads(loads)
-    }
-
     /// Of bodies in series approximately: the first body's, scaled by its share of the half-space compliance.
     fn near_stiffness(&self) -> Vec<f64> {
         let Some(first) = self.bodies.first() else {

@@ -75,11 +75,6 @@ impl HalfSpace {
         }
     }
 
-    /// Bytes that it takes, about.
-    pub fn bytes(&self) -> usize {
-        self.potential().bytes()
-    }
-
     fn potential(&self) -> Arc<Potential> {
         if let Some(kept) = &*self.kept() {
             return Arc::clone(kept);
@@ -94,25 +89,17 @@ impl HalfSpace {
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
     }
-
-    /// Deflection under a pressure given at the deflection nodes.
-    fn deflect_values(&self, values: &[f64], accuracy: Accuracy) -> Vec<f64> {
-        let mut deflection = self.potential().apply(values, accuracy);
-        let lift = self.lift.as_ref().map_or(0.0, |lift| dot(lift, values));
-        for d in &mut deflection {
-            *d = self.factor * *d + lift;
-        }
-        deflection
-    }
 }
 
 impl SurfaceResponse for HalfSpace {
     fn deflect(&self, trace: &Trace, pressure: &[f64], accuracy: Accuracy) -> Vec<f64> {
-        self.deflect_values(&trace.values(pressure), accuracy)
-    }
-
-    fn respond(&self, trace: &Trace, loads: &[f64]) -> Vec<f64> {
-        self.deflect_values(&trace.density(loads), Accuracy::Krylov)
+        let values = trace.values(pressure);
+        let mut deflection = self.potential().apply(&values, accuracy);
+        let lift = self.lift.as_ref().map_or(0.0, |lift| dot(lift, &values));
+        for d in &mut deflection {
+            *d = self.factor * *d + lift;
+        }
+        deflection
     }
 
     fn near_stiffness(&self) -> Vec<f64> {

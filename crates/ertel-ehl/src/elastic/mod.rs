@@ -1,16 +1,14 @@
 //! Deflection of the contact surface by the film pressure.
 //!
 //! - [`HalfSpace`]: closed-form integrals and a fast summation, for homogeneous bodies (the default);
-//! - [`FiniteBodies`]: finite-element bodies condensed to their surface, as in Habchi's thesis;
-//! - [`Series`]: several of them under one load, whose deflections add up.
+//! - [`FiniteBodies`]: finite-element bodies condensed to their surface, as in Habchi's thesis.
 //!
-//! All use nodal pressures and deflections at the nodes of a [`Trace`], and do not depend on the film.
+//! Both use nodal pressures and deflections at the nodes of a [`Trace`], and do not depend on the film.
 
 mod finite_elements;
 mod half_space;
 mod near;
 mod response;
-mod series;
 mod trace;
 
 pub use crate::contact::material::compliance;
@@ -21,7 +19,6 @@ pub use finite_elements::{
 pub use half_space::{HalfSpace, LINE_REFERENCE};
 pub use near::{near_pairs, symbol_stiffness};
 pub use response::SurfaceResponse;
-pub use series::Series;
 pub use trace::Trace;
 
 use crate::contact::Material;

@@ -7,9 +7,6 @@ pub trait SurfaceResponse: Send + Sync {
     /// Deflection at the deflection nodes under nodal pressures.
     fn deflect(&self, trace: &Trace, pressure: &[f64], accuracy: Accuracy) -> Vec<f64>;
 
-    /// Deflection under loads ∫p N of the deflection nodes.
-    fn respond(&self, trace: &Trace, loads: &[f64]) -> Vec<f64>;
-
     /// Stiffness between near deflection nodes, in the order of [`near_pairs`](super::near_pairs), for a preconditioner.
     fn near_stiffness(&self) -> Vec<f64>;
 

@@ -12,7 +12,6 @@ pub struct Trace {
     /// Deflection nodes.
     pub deflection: Space,
     pressure_nodes: Vec<u32>,
-    n_pressure_nodes: usize,
     /// Element matrices ∫N_δ N_P, row-major, deflection by pressure node.
     coupling: Vec<f64>,
     /// N_P at the deflection nodes of an element, row by row.
@@ -21,8 +20,6 @@ pub struct Trace {
     owners: Vec<(u32, u32)>,
     /// ∫1 of each element over its reference element.
     determinants: Vec<f64>,
-    /// Mass matrix of the deflection on the reference element.
-    mass: Vec<f64>,
 }
 
 impl Trace {
@@ -53,16 +50,6 @@ impl Trace {
                 }
             }
         }
-        let mut mass = vec![0.0; m * m];
-        let exact = Quadrature::simplex(mesh.dim, 2 * deflection.element.order());
-        for (xi, weight) in exact.points.iter().zip(&exact.weights) {
-            let values: Vec<f64> = deflection.element.values(*xi).collect();
-            for i in 0..m {
-                for j in 0..m {
-                    mass[i * m + j] += weight * values[i] * values[j];
-                }
-            }
-        }
         let order = deflection.element.order() as f64;
         let lattice = deflection.element.lattice().iter().flat_map(|alpha| {
             let xi = [1, 2, 3].map(|v: usize| f64::from(alpha[v]) / order);
@@ -76,19 +63,12 @@ impl Trace {
         }
         Trace {
             pressure_nodes: pressure.element_nodes.clone(),
-            n_pressure_nodes: pressure.n_nodes(),
             coupling,
             lattice: lattice.collect(),
             owners,
             deflection: deflection.clone(),
             determinants,
-            mass,
         }
-    }
-
-    /// Pressure nodes.
-    pub fn n_pressure_nodes(&self) -> usize {
-        self.n_pressure_nodes
     }
 
     fn per_element(&self) -> (usize, usize) {
@@ -150,66 +130,7 @@ impl Trace {
             })
             .collect()
     }
-
-    /// Nodal values q at the deflection nodes of the pressure that has given loads, ∫q N = f, by conjugate gradients.
-    pub fn density(&self, loads: &[f64]) -> Vec<f64> {
-        let m = self.deflection.element.n_nodes();
-        let elements = || {
-            self.deflection
-                .element_nodes
-                .chunks_exact(m)
-                .zip(&self.determinants)
-        };
-        let multiply = |x: &[f64]| {
-            let mut y = vec![0.0; x.len()];
-            for (nodes, determinant) in elements() {
-                for (row, node) in self.mass.chunks_exact(m).zip(nodes) {
-                    let sum: f64 = row.iter().zip(nodes).map(|(a, j)| a * x[*j as usize]).sum();
-                    y[*node as usize] += determinant * sum;
-                }
-            }
-            y
-        };
-        let mut diagonal = vec![0.0; loads.len()];
-        for (nodes, determinant) in elements() {
-            for (i, node) in nodes.iter().enumerate() {
-                diagonal[*node as usize] += determinant * self.mass[i * m + i];
-            }
-        }
-        let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
-        let scaled =
-            |r: &[f64]| -> Vec<f64> { r.iter().zip(&diagonal).map(|(r, d)| r / d).collect() };
-        let mut x = vec![0.0; loads.len()];
-        let mut r = loads.to_vec();
-        let mut z = scaled(&r);
-        let mut direction = z.clone();
-        let mut rz = dot(&r, &z);
-        let end = MASS_TOLERANCE * MASS_TOLERANCE * rz;
-        for _ in 0..MASS_ITERATIONS {
-            if rz <= end {
-                break;
-            }
-            let product = multiply(&direction);
-            let step = rz / dot(&direction, &product);
-            for i in 0..x.len() {
-                x[i] += step * direction[i];
-                r[i] -= step * product[i];
-            }
-            z = scaled(&r);
-            let next = dot(&r, &z);
-            for (d, z) in direction.iter_mut().zip(&z) {
-                *d = z + next / rz * *d;
-            }
-            rz = next;
-        }
-        x
-    }
 }
-
-/// Relative error of [`Trace::density`]: enough to weight errors.
-const MASS_TOLERANCE: f64 = 1e-6;
-/// The mass matrix is well conditioned once scaled by its diagonal.
-const MASS_ITERATIONS: usize = 100;
 
 kernel! {
     Loads ['a] ['a] (trace: &'a Trace, pressure: &'a [f64], loads: &'a mut [f64]) -> () {

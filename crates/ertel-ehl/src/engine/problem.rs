@@ -21,31 +21,6 @@ pub struct Extents {
     pub body_depth: f64,
 }
 
-impl Extents {
-    /// Distances of inlet, outlet and side, and width and depth of the body.
-    pub fn reach(&self) -> [f64; 5] {
-        [
-            -self.inlet,
-            self.outlet,
-            self.side,
-            self.body_width,
-            self.body_depth,
-        ]
-    }
-
-    /// The smallest extents that contain both.
-    #[must_use]
-    pub fn around(&self, other: &Extents) -> Extents {
-        Extents {
-            inlet: self.inlet.min(other.inlet),
-            outlet: self.outlet.max(other.outlet),
-            side: self.side.max(other.side),
-            body_width: self.body_width.max(other.body_width),
-            body_depth: self.body_depth.max(other.body_depth),
-        }
-    }
-}
-
 /// A contact to be solved, with the settings of an engine.
 pub struct Problem<Plan> {
     /// Geometry of the contact and of its oil.

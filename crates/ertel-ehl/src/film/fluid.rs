@@ -97,11 +97,6 @@ impl FilmFluid {
         }
     }
 
-    /// Whether density and viscosity are those of another fluid in other scales.
-    pub fn shares_laws(&self, other: &FilmFluid) -> bool {
-        self.properties.shares_laws(&other.properties)
-    }
-
     /// The same fluid thinned by stress, between surfaces that slide by a velocity over the entrainment speed. `None` leaves it
     /// Newtonian; then sliding makes stress only.
     pub fn with_shear(
@@ -241,11 +236,6 @@ impl FilmFluid {
             sliding_stress,
             rule,
         })
-    }
-
-    /// p_h, Pa.
-    pub fn pressure_scale(&self) -> f64 {
-        self.properties.pressure_scale
     }
 
     /// a p_h/R, Pa: the unit of the stresses in the film.

@@ -117,13 +117,6 @@ impl Properties {
         Properties::new(&self.density, &self.viscosity, temperature, units)
     }
 
-    /// Whether these are the same laws at the same temperature, in any scales.
-    pub fn shares_laws(&self, other: &Properties) -> bool {
-        self.density == other.density
-            && self.viscosity == other.viscosity
-            && self.temperature == other.temperature
-    }
-
     fn tabulate(&self) -> Table {
         let width = 1.0 / PER_UNIT;
         let node = |i: usize| {

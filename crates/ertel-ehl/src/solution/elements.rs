@@ -24,13 +24,6 @@ pub struct TemperaturePolynomials {
     pub body_2: Polynomials,
 }
 
-impl TemperaturePolynomials {
-    /// All of them.
-    pub fn all(&self) -> [&Polynomials; 4] {
-        [&self.mid, &self.mean, &self.body_1, &self.body_2]
-    }
-}
-
 /// The fields that pictures show, on the contact area (half domain y ≤ 0 for circular contacts). Pictures sample them
 /// as finely as they need.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]

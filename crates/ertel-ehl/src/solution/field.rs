@@ -153,13 +153,6 @@ impl Field {
             Field::TemperatureBody2 => "surface temperature of body 2",
         }
     }
-
-    /// The field of a name, with or without its unit.
-    pub fn find(name: &str) -> Option<Field> {
-        Field::ALL
-            .into_iter()
-            .find(|field| field.name() == name || field.column() == name)
-    }
 }
 
 #[cfg(test)]
@@ -172,14 +165,10 @@ mod tests {
         for (i, field) in Field::ALL.into_iter().enumerate() {
             assert_ne!(field.name(), field.column());
             assert!(!field.words().is_empty() && !field.unit().is_empty());
-            for name in [field.name(), field.column()] {
-                assert_eq!(Field::find(name), Some(field));
-            }
             let others = Field::ALL[..i].iter();
             assert!(others.into_iter().all(|o| o.name() != field.name()));
         }
         assert_eq!(Field::Density.name(), "density");
         assert_eq!(Field::ShearRateMid.name(), "shear_rate_mid");
-        assert_eq!(Field::find("film"), None);
     }
 }

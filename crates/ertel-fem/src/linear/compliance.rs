@@ -69,11 +69,6 @@ impl Compliance {
         Compliance { n, double, single }
     }
 
-    /// Order of the matrix.
-    pub fn n(&self) -> usize {
-        self.n
-    }
-
     /// Entry (i, j).
     pub fn get(&self, i: usize, j: usize) -> f64 {
         self.double[place(i.max(j), i.min(j))]

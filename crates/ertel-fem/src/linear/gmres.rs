@@ -17,10 +17,7 @@ impl GmresParams {
     /// How an iteration that stopped at a relative residual ended.
     pub(super) fn end(&self, iterations: usize, residual: f64) -> Result<GmresInfo, GmresError> {
         if residual <= self.tolerance {
-            Ok(GmresInfo {
-                iterations,
-                residual,
-            })
+            Ok(GmresInfo { iterations })
         } else {
             Err(GmresError {
                 iterations,
@@ -45,8 +42,6 @@ impl Default for GmresParams {
 pub struct GmresInfo {
     /// Iterations, one product with the matrix and one preconditioner each.
     pub iterations: usize,
-    /// Relative residual reached.
-    pub residual: f64,
 }
 
 /// The tolerance was not reached.

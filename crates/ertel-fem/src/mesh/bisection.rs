@@ -45,17 +45,6 @@ impl AxisMap {
     }
 }
 
-/// Result of one refinement.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct RefineInfo {
-    /// cells bisected, closure included
-    pub n_bisections: usize,
-    /// for each cell of the new mesh, the cell of the old mesh that contains it
-    pub origin: Vec<u32>,
-    /// vertices before; later ones are midpoints, see [`Bisection::parent_edges`]
-    pub n_old_vertices: usize,
-}
-
 /// Mesh with the state that bisection needs; refinable in place any number of times.
 ///
 /// Vertices keep their index for ever; a bisected cell's index passes to its first child, the second is appended.
@@ -67,7 +56,6 @@ pub struct Bisection {
     /// coordinates in the grid of cubes: midpoints are exact there
     reference: Vec<[f64; 3]>,
     vertices: Vec<[f64; 3]>,
-    parent_edges: Vec<[u32; 2]>,
     cells: Vec<[u32; 4]>,
     tags: Vec<u8>,
     /// cells around each vertex
@@ -100,7 +88,6 @@ struct Pass {
     midpoints: FxHashMap<u64, u32>,
     stack: Vec<u32>,
     origin: Vec<u32>,
-    n_bisections: usize,
 }
 
 impl Bisection {
@@ -131,7 +118,6 @@ impl Bisection {
             maps,
             reference: vec![],
             vertices: vec![],
-            parent_edges: vec![],
             cells: vec![],
             tags: vec![],
             stars: vec![],
@@ -140,7 +126,7 @@ impl Bisection {
             for j in 0..=n[1] {
                 for i in 0..=n[0] {
                     let at = |axis: usize, step: usize| lower[axis] + side * step as f64;
-                    bisection.add_vertex([at(0, i), at(1, j), at(2, k)], [u32::MAX; 2]);
+                    bisection.add_vertex([at(0, i), at(1, j), at(2, k)]);
                 }
             }
         }
@@ -166,12 +152,11 @@ impl Bisection {
         bisection
     }
 
-    fn add_vertex(&mut self, reference: [f64; 3], parents: [u32; 2]) -> u32 {
+    fn add_vertex(&mut self, reference: [f64; 3]) -> u32 {
         let index = self.reference.len() as u32;
         self.reference.push(reference);
         self.vertices
             .push([0, 1, 2].map(|k: usize| self.maps[k].apply(reference[k])));
-        self.parent_edges.push(parents);
         self.stars
             .push(Vec::with_capacity([2, 8, 24][self.dim - 1]));
         index
@@ -184,12 +169,6 @@ impl Bisection {
         }
         self.cells.push(cell);
         self.tags.push(tag);
-    }
-
-    /// Dimension of the cells.
-    #[must_use]
-    pub fn dim(&self) -> usize {
-        self.dim
     }
 
     /// Number of cells.
@@ -210,27 +189,13 @@ impl Bisection {
         &self.cells[cell][..=self.dim]
     }
 
-    /// Tags of the cells, 1..=dim.
-    #[must_use]
-    pub fn tags(&self) -> &[u8] {
-        &self.tags
-    }
-
-    /// For each vertex the edge it is the midpoint of (in reference coordinates); `u32::MAX` for the first vertices.
-    #[must_use]
-    pub fn parent_edges(&self) -> &[[u32; 2]] {
-        &self.parent_edges
-    }
-
-    /// Bisects the marked cells once, and others as conformity demands.
+    /// Bisects the marked cells once, and others as conformity demands; for each cell then, the cell before that
+    /// contains it.
     ///
     /// # Errors
-    /// A marked cell that does not exist, or too many cells.
-    pub fn refine_marked(&mut self, marked: &[u32]) -> Result<RefineInfo, MeshError> {
+    /// Too many cells.
+    pub fn refine_marked(&mut self, marked: &[u32]) -> Result<Vec<u32>, MeshError> {
         let n_cells = self.n_cells();
-        if let Some(&cell) = marked.iter().find(|&&cell| cell as usize >= n_cells) {
-            return Err(MeshError::NoSuchCell { cell, n_cells });
-        }
         let mut is_marked = vec![false; n_cells];
         marked
             .iter()
@@ -249,10 +214,10 @@ impl Bisection {
     pub fn refine_while(
         &mut self,
         too_large: impl FnMut(&[[f64; 3]], &[u32]) -> Result<bool, MeshError>,
-    ) -> Result<RefineInfo, MeshError> {
+    ) -> Result<(), MeshError> {
         let mut pass = self.begin();
         pass.stack.extend((0..self.cells.len() as u32).rev());
-        self.close(pass, too_large)
+        self.close(pass, too_large).map(|_| ())
     }
 
     fn begin(&self) -> Pass {
@@ -263,13 +228,12 @@ impl Bisection {
     }
 
     /// Works off the stack until no cell has a split edge and none is too large. The result does not depend on the
-    /// order: it is the coarsest conforming descendant that satisfies both.
+    /// order: it is the coarsest conforming descendant that satisfies both. The origins of the cells are returned.
     fn close(
         &mut self,
         mut pass: Pass,
         mut too_large: impl FnMut(&[[f64; 3]], &[u32]) -> Result<bool, MeshError>,
-    ) -> Result<RefineInfo, MeshError> {
-        let n_old_vertices = self.vertices.len() - pass.midpoints.len();
+    ) -> Result<Vec<u32>, MeshError> {
         while let Some(cell) = pass.stack.pop() {
             if self.has_split_edge(cell, &pass)
                 || too_large(&self.vertices, self.cell(cell as usize))?
@@ -280,11 +244,7 @@ impl Bisection {
                 return Err(MeshError::TooManyCells { limit: MAX_CELLS });
             }
         }
-        Ok(RefineInfo {
-            n_bisections: pass.n_bisections,
-            origin: pass.origin,
-            n_old_vertices,
-        })
+        Ok(pass.origin)
     }
 
     fn has_split_edge(&self, cell: u32, pass: &Pass) -> bool {
@@ -300,7 +260,7 @@ impl Bisection {
             Entry::Occupied(known) => *known.get(),
             Entry::Vacant(vacant) => {
                 let (p, q) = (self.reference[a as usize], self.reference[b as usize]);
-                let z = self.add_vertex([0, 1, 2].map(|k: usize| 0.5 * (p[k] + q[k])), [a, b]);
+                let z = self.add_vertex([0, 1, 2].map(|k: usize| 0.5 * (p[k] + q[k])));
                 vacant.insert(z);
                 // all other cells around this edge have lost conformity
                 let around = self.stars[a as usize].iter();
@@ -325,7 +285,6 @@ impl Bisection {
         self.add_cell(second, tag);
         pass.origin.push(pass.origin[cell as usize]);
         pass.stack.extend([new, cell]);
-        pass.n_bisections += 1;
     }
 
     /// The current mesh; cells in the same order, two vertices swapped where the orientation asks for it.

@@ -1,22 +1,18 @@
 //! The body under a contact patch.
 
 use super::MeshError;
-use super::bisection::{Bisection, RefineInfo};
+use super::bisection::Bisection;
 use super::facet::{ContactMesh, FacetMesh};
 use super::layout::{BodyParams, choose_layout};
 use super::simplex::{SimplexMesh, longest_edge};
 
-/// The body's mesh with the parts of its boundary, refinable in place.
+/// The body's mesh with its contact facets, refinable in place.
 #[derive(Debug, Clone)]
 pub struct BodyMesh {
     /// the body
     pub mesh: SimplexMesh,
     /// facets on the patch, z = 0
     pub contact: FacetMesh,
-    /// facets on z = -depth
-    pub bottom: FacetMesh,
-    /// facets on the symmetry plane y = 0 (none for `dim` 2)
-    pub symmetry: FacetMesh,
     params: BodyParams,
     bisection: Bisection,
 }
@@ -48,7 +44,7 @@ fn refine_to_size(
     bisection: &mut Bisection,
     params: &BodyParams,
     size: &dyn Fn([f64; 3]) -> f64,
-) -> Result<RefineInfo, MeshError> {
+) -> Result<(), MeshError> {
     let positive = |point: [f64; 3]| {
         let value = size(point);
         if value > 0.0 {
@@ -89,17 +85,9 @@ impl BodyMesh {
     fn from_bisection(bisection: Bisection, params: BodyParams) -> Self {
         let mesh = bisection.mesh();
         let contact = FacetMesh::extract(&mesh, |x| params.on_patch(x));
-        let bottom = FacetMesh::extract(&mesh, |x| x[2] == -params.depth);
-        let symmetry = if params.dim == 3 {
-            FacetMesh::extract(&mesh, |x| x[1] == 0.0)
-        } else {
-            FacetMesh::default()
-        };
         Self {
             mesh,
             contact,
-            bottom,
-            symmetry,
             params,
             bisection,
         }
@@ -111,27 +99,10 @@ impl BodyMesh {
         &self.params
     }
 
-    /// The bisection state: ordered cells, tags, parents of vertices. Same numbering as `mesh`.
-    #[must_use]
-    pub fn bisection(&self) -> &Bisection {
-        &self.bisection
-    }
-
     /// The contact patch as a separate mesh.
     #[must_use]
     pub fn contact_mesh(&self) -> ContactMesh {
-        ContactMesh::extract(&self.mesh, &self.contact, |x| self.params.on_patch_edge(x))
-    }
-
-    /// Bisects the marked cells once, and others as conformity demands. Vertices keep their numbers.
-    ///
-    /// # Errors
-    /// A marked cell that does not exist, or too many cells; the mesh is then unchanged.
-    pub fn refine_marked(&mut self, marked: &[u32]) -> Result<RefineInfo, MeshError> {
-        let mut bisection = self.bisection.clone();
-        let info = bisection.refine_marked(marked)?;
-        *self = Self::from_bisection(bisection, self.params);
-        Ok(info)
+        ContactMesh::extract(&self.mesh, &self.contact)
     }
 
     /// Bisects the cells at the contact patch until the longest edge of each facet inside facet i of `contact` is at
@@ -144,7 +115,8 @@ impl BodyMesh {
     /// # Panics
     /// When there is not one size for each facet.
     pub fn refine_contact(&mut self, sizes: &[f64]) -> Result<(), MeshError> {
-        assert_eq!(sizes.len(), self.contact.len(), "one size for each facet");
+        let n_facets = self.contact.facets.len();
+        assert_eq!(sizes.len(), n_facets, "one size for each facet");
         let mut allowed = vec![f64::INFINITY; self.mesh.n_cells()];
         for ((facet, cell), &size) in self
             .contact
@@ -177,25 +149,10 @@ impl BodyMesh {
             if marked.is_empty() {
                 break;
             }
-            let info = bisection.refine_marked(&marked)?;
-            allowed = info
-                .origin
-                .iter()
-                .map(|&cell| allowed[cell as usize])
-                .collect();
+            let origin = bisection.refine_marked(&marked)?;
+            allowed = origin.iter().map(|&cell| allowed[cell as usize]).collect();
         }
         *self = Self::from_bisection(bisection, self.params);
         Ok(())
-    }
-
-    /// Refines further, to another size field. Vertices keep their numbers.
-    ///
-    /// # Errors
-    /// As [`body_mesh`]; the mesh is then unchanged.
-    pub fn refine_to(&mut self, size: &dyn Fn([f64; 3]) -> f64) -> Result<RefineInfo, MeshError> {
-        let mut bisection = self.bisection.clone();
-        let info = refine_to_size(&mut bisection, &self.params, size)?;
-        *self = Self::from_bisection(bisection, self.params);
-        Ok(info)
     }
 }

@@ -37,12 +37,4 @@ pub enum MeshError {
         /// the largest number of cells allowed
         limit: usize,
     },
-    /// A marked cell does not exist.
-    #[error("cell {cell} marked for refinement, but the mesh has {n_cells} cells")]
-    NoSuchCell {
-        /// the index given
-        cell: u32,
-        /// cells in the mesh
-        n_cells: usize,
-    },
 }

@@ -10,23 +10,9 @@ pub struct FacetMesh {
     pub facets: Vec<[u32; 3]>,
     /// cell that owns each facet
     pub cells: Vec<u32>,
-    /// local index, in the owning cell, of the vertex opposite to the facet
-    pub opposite: Vec<u8>,
 }
 
 impl FacetMesh {
-    /// Number of facets.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.facets.len()
-    }
-
-    /// Whether there is no facet.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.facets.is_empty()
-    }
-
     /// Facets of `mesh` (a body, not a surface) whose vertices all satisfy `on_face`; this must describe a part of
     /// the boundary that no interior facet lies in, such as one side of a box.
     pub fn extract(mesh: &SimplexMesh, on_face: impl Fn([f64; 3]) -> bool) -> Self {
@@ -40,7 +26,6 @@ impl FacetMesh {
             for opposite in (0..cell.len()).filter(|&i| !on_face[cell[i] as usize]) {
                 found.facets.push(outward_facet(cell, opposite));
                 found.cells.push(index as u32);
-                found.opposite.push(opposite as u8);
             }
         }
         found
@@ -70,17 +55,11 @@ pub struct ContactMesh {
     pub mesh: SimplexMesh,
     /// body vertex of each surface vertex
     pub body_vertices: Vec<u32>,
-    /// whether a vertex lies on the edge of the patch: inlet, outlet or side, but not on the symmetry line y = 0
-    pub on_patch_edge: Vec<bool>,
 }
 
 impl ContactMesh {
-    /// Surface of `body` made of the facets `contact`; `on_patch_edge` selects vertices on the patch's edge.
-    pub fn extract(
-        body: &SimplexMesh,
-        contact: &FacetMesh,
-        on_patch_edge: impl Fn([f64; 3]) -> bool,
-    ) -> Self {
+    /// Surface of `body` made of the facets `contact`.
+    pub fn extract(body: &SimplexMesh, contact: &FacetMesh) -> Self {
         let dim = body.dim - 1;
         let mut body_vertices: Vec<u32> = contact
             .facets
@@ -97,7 +76,7 @@ impl ContactMesh {
             .iter()
             .map(|&v| body.vertices[v as usize])
             .collect();
-        let mut cells = Vec::with_capacity(contact.len());
+        let mut cells = Vec::with_capacity(contact.facets.len());
         for facet in &contact.facets {
             let mut cell = [u32::MAX; 4];
             for (slot, &v) in cell.iter_mut().zip(&facet[..=dim]) {
@@ -105,7 +84,6 @@ impl ContactMesh {
             }
             cells.push(cell);
         }
-        let on_patch_edge = vertices.iter().map(|&x| on_patch_edge(x)).collect();
         Self {
             mesh: SimplexMesh {
                 dim,
@@ -114,7 +92,6 @@ impl ContactMesh {
                 cells,
             },
             body_vertices,
-            on_patch_edge,
         }
     }
 }

@@ -346,10 +346,6 @@ impl BodyParams {
         x[2] == 0.0 && (self.x_inlet..=self.x_outlet).contains(&x[0]) && x[1] >= self.y_lowest()
     }
 
-    pub(super) fn on_patch_edge(&self, x: [f64; 3]) -> bool {
-        x[0] == self.x_inlet || x[0] == self.x_outlet || (self.dim == 3 && x[1] == -self.y_side)
-    }
-
     /// Whether a facet of the upper side is partly on the patch, partly off.
     pub(super) fn straddles_patch(&self, vertices: &[[f64; 3]], facet: &[u32]) -> bool {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);

@@ -3,13 +3,6 @@
 /// A region of the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Zone {
-    /// points within `radius` of `center`
-    Ball {
-        /// centre
-        center: [f64; 3],
-        /// radius (0: a point)
-        radius: f64,
-    },
     /// points of the plane z = `center[2]` within `radius` of `center`: fine on the surface, growing at once below
     Disc {
         /// centre
@@ -43,10 +36,6 @@ impl Zone {
     #[must_use]
     pub fn distance(&self, point: [f64; 3]) -> f64 {
         match *self {
-            Self::Ball { center, radius } => {
-                let d = [0, 1, 2].map(|k: usize| point[k] - center[k]);
-                (norm(d) - radius).max(0.0)
-            }
             Self::Disc { center, radius } => {
                 let rho = (point[0] - center[0]).hypot(point[1] - center[1]);
                 (rho - radius).max(0.0).hypot(point[2] - center[2])

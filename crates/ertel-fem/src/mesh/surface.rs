@@ -156,8 +156,8 @@ impl SurfaceMesh {
             if marked.is_empty() {
                 return Ok(SurfaceMesh::from_bisection(bisection));
             }
-            let info = bisection.refine_marked(&marked)?;
-            allowed = info.origin.iter().map(|&c| allowed[c as usize]).collect();
+            let origin = bisection.refine_marked(&marked)?;
+            allowed = origin.iter().map(|&c| allowed[c as usize]).collect();
         }
     }
 }

@@ -180,6 +180,7 @@ fn density(volume: &dyn Fn(f64, f64) -> f64) -> Result<DensityLaw, LawError> {
 
 #[cfg(all(test, feature = "read"))]
 mod tests {
+    use crate::near::near;
     use approx::assert_relative_eq;
 
     use super::*;
@@ -222,11 +223,7 @@ mod tests {
         let parts = [oil(100.0, 11.0, 900.0, 24e-9), oil(32.0, 6.0, 850.0, 16e-9)];
         let blend = Blend::new(&[(0.5, &parts[0]), (0.5, &parts[1])]).unwrap();
         assert_relative_eq!(blend.volume_shares[0], 0.485_714, max_relative = 1e-5);
-        assert_relative_eq!(
-            blend.density.density(0.0, 313.15),
-            874.286,
-            max_relative = 1e-6
-        );
+        near(blend.density.density(0.0, 313.15), 874.286, 1e-6);
         let [nu_40, nu_100] = blend.kinematic_viscosities.map(|nu| 1e6 * nu);
         assert_relative_eq!(nu_40, 53.601, max_relative = 3e-5);
         assert_relative_eq!(nu_100, 7.9282, max_relative = 3e-5);
@@ -236,11 +233,7 @@ mod tests {
         }
         // Both have the compressibility of Dowson and Higginson, and so has the blend.
         let dense = |pressure: f64| blend.density.density(pressure, 313.15);
-        assert_relative_eq!(
-            dense(0.5e9) / dense(0.0),
-            1.0 + 0.3 / 1.85,
-            max_relative = 1e-9
-        );
+        near(dense(0.5e9) / dense(0.0), 1.0 + 0.3 / 1.85, 1e-9);
     }
 
     /// 32.05 % of 5 mm²/s and 67.95 % of 12 mm²/s make 9 mm²/s by mass, an example with the blending number lg ν/lg(1000 ν) (in mm²/s) of

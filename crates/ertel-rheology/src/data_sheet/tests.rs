@@ -1,5 +1,6 @@
 //! The correlations against measured oils.
 
+use crate::near::near;
 use approx::assert_relative_eq;
 
 use super::{BaseOil, Estimate, viscosity_index};
@@ -290,16 +291,8 @@ fn shear_of_the_kinds_covers_known_data() {
     }
     for oil in [BaseOil::Mineral, BaseOil::Ester, BaseOil::Pag] {
         let stress = oil.shear().eyring_stress;
-        assert_relative_eq!(
-            stress.value * (1.0 - stress.below),
-            2e6,
-            max_relative = 1e-12
-        );
-        assert_relative_eq!(
-            stress.value * (1.0 + stress.above),
-            10e6,
-            max_relative = 1e-12
-        );
+        near(stress.value * (1.0 - stress.below), 2e6, 1e-12);
+        near(stress.value * (1.0 + stress.above), 10e6, 1e-12);
     }
     assert_eq!(BaseOil::Pao.shear().eyring_stress.value, 4e6);
 }

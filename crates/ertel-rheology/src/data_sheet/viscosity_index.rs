@@ -87,6 +87,7 @@ fn reference_oils(y: f64) -> Option<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
+    use crate::near::near;
     use approx::assert_relative_eq;
 
     use super::*;
@@ -141,11 +142,7 @@ mod tests {
             (80e-6, 180.0),
         ] {
             let nu_40 = viscosity_at_40(nu_100, index).unwrap();
-            assert_relative_eq!(
-                viscosity_index(nu_40, nu_100).unwrap(),
-                index,
-                max_relative = 1e-9
-            );
+            near(viscosity_index(nu_40, nu_100).unwrap(), index, 1e-9);
         }
         assert_eq!(viscosity_at_40(1.5e-6, 100.0), None);
     }
@@ -159,11 +156,7 @@ mod tests {
             (1000e-6, 240.0),
         ] {
             let nu_100 = viscosity_at_100(nu_40, index).unwrap();
-            assert_relative_eq!(
-                viscosity_index(nu_40, nu_100).unwrap(),
-                index,
-                max_relative = 1e-6
-            );
+            near(viscosity_index(nu_40, nu_100).unwrap(), index, 1e-6);
         }
         assert_eq!(viscosity_at_100(4e-6, 95.0), None);
         assert_eq!(viscosity_index(3.7e-6, 1.3e-6), None);

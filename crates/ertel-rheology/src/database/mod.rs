@@ -18,7 +18,7 @@ use std::path::Path;
 use crate::provenance::{Datum, Status};
 use crate::{Files, Fluid, Solid};
 use entry::{Entry, Head};
-use ertel_input::{Document, Recorder};
+use ertel_input::{Document, Recorder, Table};
 use own::OwnFile;
 use shipped::{FLUIDS, Folder, SOLIDS, TABLES};
 
@@ -44,19 +44,7 @@ pub fn solid_names() -> Vec<&'static str> {
 ///
 /// [`DatabaseError::Unknown`] lists the names there are.
 pub fn fluid(name: &str) -> Result<Fluid, DatabaseError> {
-    fluid_noted_by(name, None)
-}
-
-fn fluid_noted_by(name: &str, inputs: Option<Recorder<'_>>) -> Result<Fluid, DatabaseError> {
-    let (name, text) = find("fluid", FLUIDS, name)?;
-    let document = Document::parse(format!("data/fluids/{name}.toml"), text)?;
-    read_fluid(
-        &document,
-        name,
-        Files::Embedded(TABLES),
-        Head::Whole,
-        inputs,
-    )
+    open(Kind::Fluid, name, None, None, read_fluid)
 }
 
 /// The fluid of that name in the own data or the database, or of that file in `folder`. Tables that the file names are found in its own
@@ -70,11 +58,7 @@ pub fn fluid_or_file(
     folder: &Path,
     inputs: Option<Recorder<'_>>,
 ) -> Result<Fluid, DatabaseError> {
-    let Some(path) = own_path(Kind::Fluid, name, folder) else {
-        return fluid_noted_by(name, inputs);
-    };
-    let own = OwnFile::read(path)?;
-    read_fluid(&own.document, name, own.files(), Head::AsFarAsGiven, inputs)
+    open(Kind::Fluid, name, Some(folder), inputs, read_fluid)
 }
 
 /// The solid of that name.
@@ -83,19 +67,7 @@ pub fn fluid_or_file(
 ///
 /// [`DatabaseError::Unknown`] lists the names there are.
 pub fn solid(name: &str) -> Result<Solid, DatabaseError> {
-    solid_noted_by(name, None)
-}
-
-fn solid_noted_by(name: &str, inputs: Option<Recorder<'_>>) -> Result<Solid, DatabaseError> {
-    let (name, text) = find("solid", SOLIDS, name)?;
-    let document = Document::parse(format!("data/solids/{name}.toml"), text)?;
-    read_solid(
-        &document,
-        name,
-        Files::Embedded(TABLES),
-        Head::Whole,
-        inputs,
-    )
+    open(Kind::Solid, name, None, None, read_solid)
 }
 
 /// The solid of that name, or of that file in `folder`; as [`fluid_or_file`].
@@ -108,47 +80,62 @@ pub fn solid_or_file(
     folder: &Path,
     inputs: Option<Recorder<'_>>,
 ) -> Result<Solid, DatabaseError> {
-    let Some(path) = own_path(Kind::Solid, name, folder) else {
-        return solid_noted_by(name, inputs);
+    open(Kind::Solid, name, Some(folder), inputs, read_solid)
+}
+
+/// Reads a fluid or a solid from the file of the user that the name stands for, where files in a folder are meant too, or from the database.
+fn open<T>(
+    kind: Kind,
+    name: &str,
+    folder: Option<&Path>,
+    inputs: Option<Recorder<'_>>,
+    read: fn(&str, &str, Table<'_>, Files<'_>, Head) -> Result<T, DatabaseError>,
+) -> Result<T, DatabaseError> {
+    if let Some(path) = folder.and_then(|folder| own_path(kind, name, folder)) {
+        let own = OwnFile::read(path)?;
+        let (text, table) = (own.document.text(), own.document.root_noted_by(inputs));
+        return read(name, text, table, own.files(), Head::AsFarAsGiven);
+    }
+    let (word, entries) = match kind {
+        Kind::Fluid => ("fluid", FLUIDS),
+        Kind::Solid => ("solid", SOLIDS),
     };
-    let own = OwnFile::read(path)?;
-    read_solid(&own.document, name, own.files(), Head::AsFarAsGiven, inputs)
+    let (name, text) = find(word, entries, name)?;
+    let document = Document::parse(format!("data/{word}s/{name}.toml"), text)?;
+    let table = document.root_noted_by(inputs);
+    read(name, text, table, Files::Embedded(TABLES), Head::Whole)
 }
 
 fn read_fluid(
-    document: &Document,
     name: &str,
+    text: &str,
+    mut table: Table<'_>,
     files: Files<'_>,
     head: Head,
-    inputs: Option<Recorder<'_>>,
 ) -> Result<Fluid, DatabaseError> {
-    let mut table = document.root_noted_by(inputs);
     let entry = Entry::read(&mut table, head, name)?;
     let mut fluid = Fluid::from_table(&mut table, name, files)?;
     table.finish()?;
     // Estimated and computed data are not in the file.
     let derived = |datum: &Datum| matches!(datum.status, Status::Estimated | Status::Computed);
     fluid.provenance.retain(derived);
-    fluid
-        .provenance
-        .splice(0..0, entry.provenance(document.text()));
+    fluid.provenance.splice(0..0, entry.provenance(text));
     fluid.title = entry.title;
     fluid.notes = entry.notes;
     Ok(fluid)
 }
 
 fn read_solid(
-    document: &Document,
     name: &str,
+    text: &str,
+    mut table: Table<'_>,
     files: Files<'_>,
     head: Head,
-    inputs: Option<Recorder<'_>>,
 ) -> Result<Solid, DatabaseError> {
-    let mut table = document.root_noted_by(inputs);
     let entry = Entry::read(&mut table, head, name)?;
     let mut solid = Solid::from_table(&mut table, name, files)?;
     table.finish()?;
-    solid.provenance = entry.provenance(document.text());
+    solid.provenance = entry.provenance(text);
     solid.title = entry.title;
     solid.notes = entry.notes;
     Ok(solid)

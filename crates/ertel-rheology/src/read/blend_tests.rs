@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::near::near;
 use approx::assert_relative_eq;
 
 use crate::Fluid;
@@ -58,11 +59,7 @@ fn estimates_of_the_parts_are_inputs() {
     let (_, moved) = slope(Some(noted.value + 1e-9));
     let parts = ["iso-vg-220-mineral", "pao-40"].map(|name| database::fluid(name).unwrap());
     let blend = Blend::new(&[(0.6, &parts[0]), (0.4, &parts[1])]).unwrap();
-    assert_relative_eq!(
-        moved - own,
-        1e-9 * blend.volume_shares[0],
-        max_relative = 1e-6
-    );
+    near(moved - own, 1e-9 * blend.volume_shares[0], 1e-6);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::near::near;
 use approx::assert_relative_eq;
 
 use super::Files;
@@ -124,11 +125,7 @@ fn estimates_are_inputs_with_their_range() {
     }
     let key = "lubricant.pressure_viscosity_coefficient".to_owned();
     let (fluid, _) = read(BTreeMap::from([(key, 15e-9)]));
-    assert_relative_eq!(
-        fluid.pressure_viscosity_slope(313.15),
-        15e-9,
-        max_relative = 1e-9
-    );
+    near(fluid.pressure_viscosity_slope(313.15), 15e-9, 1e-9);
 }
 
 #[test]
@@ -174,11 +171,7 @@ fn other_ways_to_say_it() {
     // The correlation at another temperature.
     let warm = oil(&format!("{SHEET}reference_temperature = '100 degC'")).unwrap();
     let alpha = 1.36 * 9.904e-9 * 6.9_f64.powf(0.139);
-    assert_relative_eq!(
-        warm.pressure_viscosity_slope(373.15),
-        alpha,
-        max_relative = 1e-4
-    );
+    near(warm.pressure_viscosity_slope(373.15), alpha, 1e-4);
     // All measured: no kind of oil is needed.
     let measured = "kinematic_viscosity_40 = '46 cSt'\nkinematic_viscosity_100 = '6.9 cSt'\n\
                     pressure_viscosity_coefficient = '20 1/GPa'\ndensity = { law = 'constant', rho_0 = '857 kg/m^3' }";
@@ -488,11 +481,7 @@ fn a_coefficient_holds_at_the_temperature_of_its_key() {
         by("pressure_viscosity_coefficient = '18 1/GPa'\nreference_temperature = '80 degC'");
     let named = by("pressure_viscosity_coefficient_80 = '18 1/GPa'");
     assert_eq!(at_80, named);
-    assert_relative_eq!(
-        named.pressure_viscosity_slope(353.15),
-        18e-9,
-        max_relative = 1e-12
-    );
+    near(named.pressure_viscosity_slope(353.15), 18e-9, 1e-12);
 }
 
 #[test]

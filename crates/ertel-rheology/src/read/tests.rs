@@ -1,5 +1,6 @@
 //! Laws, fluids and solids from text: what is right is read in SI, what is wrong is named with its line.
 
+use crate::near::near;
 use approx::assert_relative_eq;
 
 use super::Files;
@@ -149,11 +150,7 @@ fn a_table_is_read_from_isotherms_and_from_a_file() {
     )
     .unwrap();
     assert_relative_eq!(inline.viscosity(50e6, 273.15), 3e-3, max_relative = 1e-12);
-    assert_relative_eq!(
-        inline.viscosity(50e6, 323.15),
-        1e-3 * 2.0_f64.sqrt(),
-        max_relative = 1e-12
-    );
+    near(inline.viscosity(50e6, 323.15), 1e-3 * 2.0_f64.sqrt(), 1e-12);
 
     let csv = "# from a viscometer\n temperature [degC], note, pressure [MPa], viscosity [mPa.s]\n50, x, 0, 1\n50, x, 50, \n\
                50,x,100,2.0\n\n0,y,0,2\n0,y,50,3\n0,y,100,4.5\n";
@@ -162,11 +159,7 @@ fn a_table_is_read_from_isotherms_and_from_a_file() {
     let from_file = fluid_with(text, Files::Embedded(&files)).unwrap().viscosity;
     assert_eq!(from_file.tabulated_range(), inline.tabulated_range());
     for (p, t) in [(0.0, 273.15), (20e6, 280.0), (150e6, 340.0)] {
-        assert_relative_eq!(
-            from_file.viscosity(p, t),
-            inline.viscosity(p, t),
-            max_relative = 1e-12
-        );
+        near(from_file.viscosity(p, t), inline.viscosity(p, t), 1e-12);
     }
 
     let folder = tempfile::tempdir().unwrap();
@@ -178,11 +171,7 @@ fn a_table_is_read_from_isotherms_and_from_a_file() {
     let absolute = fluid_with(text, Files::Folder(folder.path()))
         .unwrap()
         .viscosity;
-    assert_relative_eq!(
-        absolute.viscosity(50e6 - 101_325.0, 273.15),
-        3e-3,
-        max_relative = 1e-12
-    );
+    near(absolute.viscosity(50e6 - 101_325.0, 273.15), 3e-3, 1e-12);
 }
 
 /// As spreadsheets write it: a mark of the byte order, quotes, semicolons with decimal commas, units after underscores.
@@ -296,11 +285,7 @@ fn doolittle_takes_the_equation_of_state_of_the_density() {
     let text = "density = { law = 'tait', rho_0 = '850 kg/m^3', k_0r = '1.4252 GPa', k_0r_prime = 12.82 }\n\
                 viscosity = { law = 'doolittle', mu_0 = '1.42 Pa.s', b = 4.422, r_0 = 0.6694 }";
     let fluid = fluid(text).unwrap();
-    assert_relative_eq!(
-        fluid.viscosity(0.5e9, 348.0),
-        400.597643019,
-        max_relative = 1e-9
-    );
+    near(fluid.viscosity(0.5e9, 348.0), 400.597643019, 1e-9);
     let error =
         viscosity("law = 'doolittle', mu_0 = '1.42 Pa.s', b = 4.422, r_0 = 0.6694").unwrap_err();
     assert!(
@@ -532,11 +517,7 @@ fn the_second_plateau_is_that_of_the_reference_temperature() {
     let error = fluid(wlf).unwrap_err().to_string();
     assert!(error.contains("`mu_2` belongs to a temperature"), "{error}");
     let with_temperature = format!("reference_temperature = '40 degC'\n{wlf}");
-    assert_relative_eq!(
-        ratio(&with_temperature),
-        0.010 / 0.0147392783087,
-        max_relative = 1e-10
-    );
+    near(ratio(&with_temperature), 0.010 / 0.0147392783087, 1e-10);
     // Equal plateaus: Newtonian, to round-off.
     for viscosity in ["70.5 mPa.s", "40 mPa.s", "0.3 mPa.s", "1.42 Pa.s"] {
         let text = roelands("").replace("10 mPa.s", viscosity);

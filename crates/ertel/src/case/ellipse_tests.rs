@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::near::near;
 use approx::assert_relative_eq;
 use ertel_input::InputError;
 
@@ -59,11 +60,7 @@ fn radii_of_the_contact_or_of_the_bodies() {
     let contact = read("", [flat, cylinder], "axes_angle = \"20 deg\"")
         .unwrap()
         .contact;
-    assert_relative_eq!(
-        contact.entrainment_angle.to_degrees(),
-        -20.0,
-        max_relative = 1e-12
-    );
+    near(contact.entrainment_angle.to_degrees(), -20.0, 1e-12);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::near::near;
 use approx::assert_relative_eq;
 use ertel_input::InputError;
 
@@ -62,31 +63,16 @@ fn profiles() {
     assert!(!roller.is_symmetric());
 }
 
-/// Each error names the line and its cause.
+/// Each error names the line and its cause. Other ones are among the bad cases of the command.
 #[test]
 fn bad_rollers() {
     let table = |positions: &str, drops: &str| {
         format!("profile = {{ kind = \"table\", position = [{positions}], drop = [{drops}] }}")
     };
-    let load = "load = \"1 kN\"";
-    let negative = "radius = \"5 mm\"\nlength = \"-8 mm\"";
-    let short = "radius = \"5 mm\"\nlength = \"0.5 mm\"";
-    let tilted = |tilt: &str| format!("{CROWN}\nmisalignment = {tilt}");
-    let sharp =
-        "profile = { kind = \"straight\", straight_length = \"7.99 mm\", end_radius = \"1 mm\" }";
     let small_arc =
         "profile = { kind = \"straight\", straight_length = \"2 mm\", end_radius = \"1 mm\" }";
-    for (sizes, rest, line, expected) in [
-        (negative, CROWN.to_owned(), 4, "must be between 1e-6 m"),
+    for (rest, line, expected) in [
         (
-            short,
-            CROWN.to_owned(),
-            4,
-            "is shorter than 4 half-widths of the contact",
-        ),
-        (SIZES, String::new(), 1, "`profile`"),
-        (
-            SIZES,
             table(
                 "\"0 mm\", \"4 mm\", \"3 mm\"",
                 "\"0 um\", \"1 um\", \"2 um\"",
@@ -95,69 +81,27 @@ fn bad_rollers() {
             "positions must increase",
         ),
         (
-            SIZES,
-            table(
-                "\"0 mm\", \"3 mm\", \"4 mm\"",
-                "\"0 um\", \"2 um\", \"1 um\"",
-            ),
-            6,
-            "drops must grow towards both ends",
-        ),
-        (
-            SIZES,
-            table(
-                "\"0 mm\", \"2 mm\", \"3 mm\"",
-                "\"0 um\", \"1 um\", \"2 um\"",
-            ),
-            6,
-            "the roller from",
-        ),
-        (
-            SIZES,
             table("\"0 mm\", \"3 mm\", \"4 mm\"", "\"0 um\", \"1 um\""),
             6,
             "2 drops for 3 positions",
         ),
+        (small_arc.to_owned(), 6, "does not reach"),
         (
-            SIZES,
-            "profile = { kind = \"crown\", end_drop = 5 }".to_owned(),
-            6,
-            "unit",
-        ),
-        (SIZES, tilted("0.01"), 7, "unit"),
-        (
-            SIZES,
-            tilted("\"0.3 deg\""),
-            7,
-            "lifts the roller off its partner: only one end touches",
-        ),
-        (SIZES, sharp.to_owned(), 6, "sharp edges"),
-        (SIZES, small_arc.to_owned(), 6, "does not reach"),
-        (
-            SIZES,
-            "profile = { kind = \"round\" }".to_owned(),
-            6,
-            "logarithmic",
-        ),
-        (
-            SIZES,
             format!("{CROWN}\n[mesh]\nside = 3"),
             8,
             "the film ends with its `length`",
         ),
         (
-            SIZES,
             format!("{CROWN}\n[solver]\nelasticity = \"equivalent\""),
             2,
             "a roller needs half-spaces",
         ),
     ] {
-        let error = read(sizes, load, &rest).unwrap_err().to_string();
+        let error = read(SIZES, "load = \"1 kN\"", &rest).unwrap_err();
+        let error = error.to_string();
         assert!(error.contains(expected), "{expected}: {error}");
-        assert!(
-            error.contains(&format!("case.toml:{line}:")),
-            "{line}: {error}"
-        );
+        let place = format!("case.toml:{line}:");
+        assert!(error.contains(&place), "{line}: {error}");
     }
 }
 
@@ -190,11 +134,7 @@ fn a_roller_of_a_bearing() {
     let roller = read("profile = { kind = \"iso-16281\", diameter = \"10 mm\" }");
     assert!(line.contact.kind.is_line() && !roller.contact.kind.is_line());
     assert_relative_eq!(roller.contact.load, 2e3, max_relative = 1e-12);
-    assert_relative_eq!(
-        roller.contact.line_load(),
-        line.contact.load,
-        max_relative = 1e-12
-    );
+    near(roller.contact.line_load(), line.contact.load, 1e-12);
     assert_eq!(roller.contact.radius, line.contact.radius);
 }
 

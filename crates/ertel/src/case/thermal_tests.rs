@@ -7,6 +7,7 @@ use ertel_input::InputError;
 use ertel_rheology::provenance::TemperatureRange;
 
 use super::Case;
+use crate::contains::contains;
 use crate::params::ThermalParams;
 
 const SQUALANE: &str = include_str!("../../tests/common/cases/squalane.toml");
@@ -95,27 +96,14 @@ fn every_setting_is_read() {
     );
 }
 
+/// Other ones are among the bad cases of the command.
 #[test]
 fn impossible_values_are_refused_with_their_line() {
     for (line, words) in [
-        ("depth = 0", "`depth` must be between"),
-        ("depth = -1", "`depth` must be between"),
-        ("depth = nan", "finite"),
-        ("depth = \"3 mm\"", "`depth` needs a number without unit"),
-        ("film_order = 1", "from 2 to 10"),
-        ("solid_elements = 0", "from 1 to 64"),
-        ("surface_order = 3", "from 1 to 2"),
-        ("tolerance = 0", "`tolerance` must be between"),
-        ("max_iterations = 0", "from 1 to 10000"),
-        ("body_1_temperature = 313", "has no unit"),
         ("body_2_temperature = \"-300 degC\"", "below absolute zero"),
-        ("body_2_temperature = \"50 K\"", "between 100 K and 1000 K"),
-        ("profiles = [0, 1]", "points of two numbers"),
         ("profiles = [[0, 1, 2]]", "points of two numbers"),
-        ("profiles = [[0, inf]]", "finite"),
         ("profiles = 3", "an array of points"),
         ("field = 1", "true or false"),
-        ("deph = 3", "did you mean `depth`?"),
     ] {
         let error = thermal(line).unwrap_err();
         assert!(error.line().is_some_and(|l| l > 13), "{error}");
@@ -125,8 +113,6 @@ fn impossible_values_are_refused_with_their_line() {
     let load = SQUALANE
         .replace("circular", "line")
         .replace("23 N", "23 kN/m");
-    let off = format!("{load}[thermal]\nprofiles = [[0, 0.5]]");
-    assert!(message(read(&off)).contains("y = 0"));
     assert!(read(&format!("{load}[thermal]\nprofiles = [[0.5, 0]]")).is_ok());
 }
 
@@ -165,10 +151,8 @@ fn missing_data_are_named_with_their_place() {
     let oil = SQUALANE.replace("squalane-pip", "thesis-roelands-oil");
     let text = message(read(&format!("{oil}[thermal]")));
     let words = "the thermal_conductivity of the lubricant (thesis-roelands-oil), the heat_capacity of the lubricant";
-    assert!(
-        text.contains(words) && text.contains("to [lubricant]"),
-        "{text}"
-    );
+    contains(&text, words);
+    contains(&text, "to [lubricant]");
 }
 
 #[test]
@@ -181,10 +165,7 @@ fn units_that_were_mistaken_are_refused() {
         ))
     };
     let text = message(ball("thermal_conductivity = \"46 kW/(m.K)\""));
-    assert!(
-        text.contains("thermal conductivity of body 2 is 4.6e4"),
-        "{text}"
-    );
+    contains(&text, "thermal conductivity of body 2 is 4.6e4");
     assert!(message(ball("heat_capacity = \"470 kJ/(kg.K)\"")).contains("heat capacity of body 2"));
     assert!(message(ball("density = \"7.85 kg/m^3\"")).contains("density of body 2 is 7.85"));
 }
@@ -225,10 +206,7 @@ fn temperature_outside_a_range_is_reported() {
 fn a_body_that_freezes_the_lubricant_is_refused() {
     for key in ["body_1_temperature", "body_2_temperature"] {
         let text = message(thermal(&format!("{key} = \"150 K\"")));
-        assert!(
-            text.contains("the viscosity of the lubricant at -123.15 °C"),
-            "{text}"
-        );
+        contains(&text, "the viscosity of the lubricant at -123.15 °C");
         assert!(
             text.contains(key) && text.contains("must be liquid"),
             "{text}"

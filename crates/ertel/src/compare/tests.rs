@@ -1,4 +1,5 @@
 use super::*;
+use crate::contains::contains;
 use crate::solution::Estimate;
 
 const CASE: &str = r#"
@@ -208,10 +209,8 @@ fn a_bad_table_is_refused_with_its_place() {
     let text = "speed [m/s],film_central [nm],humidity\n1,5,wet\n";
     assert!(read_with(text, &ignored("humidity")).is_ok());
     let message = read_with(text, &ignored("rain")).unwrap_err().to_string();
-    assert!(
-        message.contains("no column `rain`") && message.contains("humidity"),
-        "{message}"
-    );
+    contains(&message, "no column `rain`");
+    contains(&message, "humidity");
 }
 
 /// The layout of an EHD2 export with a few of the readings of `demo_2.txt` and `demo_12.txt` of github.com/moritzploss/tribology.
@@ -298,10 +297,8 @@ fn tractions_of_an_etm_export_are_read() {
     };
     assert_eq!(read_with(ETM, &step(1)).unwrap().rows.len(), 1);
     let message = read_with(ETM, &step(7)).unwrap_err().to_string();
-    assert!(
-        message.contains("no step 7") && message.contains("1 (BodTimed), 2 (Traction)"),
-        "{message}"
-    );
+    contains(&message, "no step 7");
+    contains(&message, "1 (BodTimed), 2 (Traction)");
 }
 
 #[test]
@@ -332,10 +329,7 @@ fn a_bad_export_is_refused_with_its_place() {
         0.85767,
     );
     let notes = turned.notes.join("\n");
-    assert!(
-        notes.contains("step 2: line 14: reversed motion, turned"),
-        "{notes}"
-    );
+    contains(&notes, "step 2: line 14: reversed motion, turned");
     refused("EHD261 Test Data File\n", &["no measurement was found"]);
 }
 

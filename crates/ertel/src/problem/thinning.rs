@@ -62,23 +62,16 @@ mod tests {
     use ertel_rheology::shear::{Carreau, ShearLaw, StressLimit};
 
     use super::*;
+    use crate::near::near;
 
     /// Carreau's law with n = 0.5 is φ = τ/G far above G: τ = G (S/G)^(1/1.32), h/h_N = (S/G)^(−0.68/1.32), by hand 0.02850 at S = 1,000 G.
     #[test]
     fn a_power_law_thins_the_film_by_a_power() {
         let law = ShearLaw::Carreau(Carreau::new(1e4, 0.5, 2.0, 0.0).unwrap());
         let thinning = ShearThinning::of(law);
-        approx::assert_relative_eq!(
-            remaining_share(&thinning, 1e7, 0.0),
-            0.02850,
-            max_relative = 2e-3
-        );
+        near(remaining_share(&thinning, 1e7, 0.0), 0.02850, 2e-3);
         // Far below G it is Newtonian.
-        approx::assert_relative_eq!(
-            remaining_share(&thinning, 10.0, 0.0),
-            1.0,
-            max_relative = 1e-6
-        );
+        near(remaining_share(&thinning, 10.0, 0.0), 1.0, 1e-6);
     }
 
     /// A limit far above the stress in the inlet leaves the film as it is; ten times below it next to nothing: φ = 10^(1/0.32), by hand
@@ -86,11 +79,7 @@ mod tests {
     #[test]
     fn a_limit_counts_where_it_is_reached() {
         let limited = |limit| ShearThinning::limited(StressLimit::new(limit, 0.0).unwrap());
-        approx::assert_relative_eq!(
-            remaining_share(&limited(1e7), 1e5, 0.0),
-            1.0,
-            max_relative = 1e-3
-        );
+        near(remaining_share(&limited(1e7), 1e5, 0.0), 1.0, 1e-3);
         let left = remaining_share(&limited(1e4), 1e5, 0.0);
         assert!((0.005..0.015).contains(&left), "{left}");
     }

@@ -180,11 +180,6 @@ impl Checkpoint {
             false => Err(CheckpointError::Damaged),
         }
     }
-
-    /// The reached time, s.
-    pub fn reached(&self) -> f64 {
-        (self.collected.instants.last()).map_or(0.0, |instant| instant.time)
-    }
 }
 
 #[cfg(test)]

@@ -250,6 +250,7 @@ fn without_bar(found: &TransientSolution) -> [(Definition, Option<AtInstant>); 7
 
 #[cfg(test)]
 mod tests {
+    use crate::near::near;
     use approx::assert_relative_eq;
 
     use super::*;
@@ -270,11 +271,7 @@ mod tests {
         let rows = rows(&[[0.0, 5.0, 1.0], [1.0, 3.0, 0.5], [3.0, 4.0, 2.0]]);
         let (found, time) = lowest(&rows, 1.0).unwrap();
         assert_eq!((found.value, time), (3.0, Some(1.0)));
-        assert_relative_eq!(
-            found.error.unwrap(),
-            1.0 + 49.0 / 120.0,
-            max_relative = 1e-14
-        );
+        near(found.error.unwrap(), 1.0 + 49.0 / 120.0, 1e-14);
         let (found, time) = lowest(&rows, -1.0).unwrap();
         assert_eq!((found.value, time), (5.0, Some(0.0)));
         // At most 4 + 2 = 6, and at least 5 − 1.
@@ -289,18 +286,10 @@ mod tests {
             .collect();
         let found = mean(&rows(&squares)).unwrap();
         assert_relative_eq!(found.value, 22.0 / 4.0);
-        assert_relative_eq!(
-            found.error.unwrap(),
-            (22.0 - 64.0 / 3.0) / 4.0,
-            max_relative = 1e-12
-        );
+        near(found.error.unwrap(), (22.0 - 64.0 / 3.0) / 4.0, 1e-12);
         let with_bars: Vec<[f64; 3]> = squares.iter().map(|[t, v, _]| [*t, *v, 0.25]).collect();
         let wider = mean(&rows(&with_bars)).unwrap();
-        assert_relative_eq!(
-            wider.error.unwrap() - found.error.unwrap(),
-            0.25,
-            max_relative = 1e-12
-        );
+        near(wider.error.unwrap() - found.error.unwrap(), 0.25, 1e-12);
         assert!(mean(&rows(&[[1.0, 2.0, 0.0]])).is_none());
     }
 }

@@ -1,12 +1,16 @@
 //! Cases, bodies and meshes that several verifications share.
 #![allow(dead_code)]
 
+mod contains;
+mod near;
 pub mod rigid;
 pub mod text;
 
 use std::f64::consts::PI;
 
-use approx::assert_relative_eq;
+pub use contains::contains;
+pub use near::near;
+
 use ertel::case::{Body, Case, Lubricant};
 use ertel::contact::roller::{Profile, Roller};
 use ertel::contact::{Contact, ContactKind, Hertz, Material, Motion, Shape, reduced_modulus};
@@ -147,12 +151,6 @@ pub fn moes_case(kind: ContactKind, m: f64, l: f64) -> Case {
 /// Hertz pressure of a case, Pa.
 pub fn hertz_pressure(case: &Case) -> f64 {
     Hertz::new(&case.contact, case.reduced_modulus()).pressure
-}
-
-/// Two numbers within a relative tolerance.
-#[track_caller]
-pub fn near(found: f64, expected: f64, tolerance: f64) {
-    assert_relative_eq!(found, expected, max_relative = tolerance);
 }
 
 /// The solution of a case that converges.

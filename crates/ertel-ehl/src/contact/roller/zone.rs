@@ -47,19 +47,6 @@ impl RollerZone {
         RollerZone::between(ends, self.half_length, |y| self.load(y), &self.kinks)
     }
 
-    /// The same places along a roller of another length.
-    pub fn drawn_to(&self, half_length: f64) -> RollerZone {
-        let ratio = half_length / self.half_length;
-        let mut zone = RollerZone {
-            half_length,
-            ..self.clone()
-        };
-        zone.y.iter_mut().for_each(|y| *y *= ratio);
-        zone.kinks.iter_mut().for_each(|y| *y *= ratio);
-        zone.ends.iter_mut().for_each(|end| end.y *= ratio);
-        zone
-    }
-
     fn between(
         ends: [End; 2],
         half_length: f64,

@@ -6,6 +6,7 @@ use crate::bearing::life::{
 };
 use crate::bearing::load::{Loads, Params};
 use crate::bearing::{Bearing, Geometry};
+use crate::near::near;
 use approx::assert_relative_eq;
 
 fn millimetres(entry: &Entry) -> [f64; 3] {
@@ -170,11 +171,7 @@ fn the_rules_against_a_catalogue() {
         );
     }
     let boundary = find("6206").unwrap().boundary;
-    assert_relative_eq!(
-        0.3 * (boundary.outside - boundary.bore),
-        9.525e-3,
-        max_relative = 8e-3
-    );
+    near(0.3 * (boundary.outside - boundary.bore), 9.525e-3, 8e-3);
     assert_eq!((0.6 * std::f64::consts::PI * 46.0 / 9.6).round(), 9.0);
 }
 
@@ -190,11 +187,7 @@ fn ratings_against_another_list() {
     for row in rows.filter(|row| row.starts_with('6')) {
         let (name, rating) = row.split_once(',').unwrap();
         let [dynamic, fixed] = find(name).unwrap().ratings.unwrap().value;
-        assert_relative_eq!(
-            dynamic,
-            1e3 * rating.parse::<f64>().unwrap(),
-            max_relative = 0.12
-        );
+        near(dynamic, 1e3 * rating.parse::<f64>().unwrap(), 0.12);
         assert!(fixed < dynamic && fixed > 0.4 * dynamic, "{name}");
         number += 1;
     }

@@ -163,6 +163,7 @@ impl BallGeometry {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::near::near;
     use approx::assert_relative_eq;
 
     /// 6206-like with 15 µm.
@@ -189,11 +190,7 @@ pub(crate) mod tests {
             ..bearing
         };
         assert_relative_eq!(by_angle.clearance(), 15e-6, max_relative = 1e-9);
-        assert_relative_eq!(
-            by_angle.centres()[0],
-            bearing.centres()[0],
-            max_relative = 1e-12
-        );
+        near(by_angle.centres()[0], bearing.centres()[0], 1e-12);
         assert_relative_eq!(bearing.axial_play(), 0.150_449e-3, max_relative = 1e-5);
         let squeezed = BallGeometry {
             play: Play::Clearance(-4e-6),
@@ -211,11 +208,7 @@ pub(crate) mod tests {
         let [x, y] = bearing.radii(Ring::Inner, 0.0);
         assert_relative_eq!(x, 3.776_352e-3, max_relative = 1e-6);
         assert_relative_eq!(y, 163.5125e-3, max_relative = 1e-9);
-        assert_relative_eq!(
-            bearing.radii(Ring::Outer, 0.0)[0],
-            5.748_648e-3,
-            max_relative = 1e-6
-        );
+        near(bearing.radii(Ring::Outer, 0.0)[0], 5.748_648e-3, 1e-6);
         let [raceway, ball] = bearing.curvatures(Ring::Inner, 0.0);
         assert_relative_eq!(raceway[0], 2.0 / 36.475e-3, max_relative = 1e-12);
         assert_relative_eq!(raceway[1], -1.0 / (0.515 * 9.525e-3), max_relative = 1e-12);
@@ -228,11 +221,7 @@ pub(crate) mod tests {
         for ring in Ring::BOTH {
             let of = |a: f64| bearing.radii(ring, a)[0].recip();
             let difference = (of(0.7 + 1e-6) - of(0.7 - 1e-6)) / 2e-6;
-            assert_relative_eq!(
-                bearing.curvature_slope(ring, 0.7),
-                difference,
-                max_relative = 1e-7
-            );
+            near(bearing.curvature_slope(ring, 0.7), difference, 1e-7);
         }
     }
 

@@ -106,6 +106,7 @@ impl RollerGeometry {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::near::near;
     use approx::assert_relative_eq;
 
     pub(crate) fn cylindrical() -> RollerGeometry {
@@ -124,16 +125,8 @@ pub(crate) mod tests {
     #[test]
     fn by_hand() {
         let bearing = cylindrical();
-        assert_relative_eq!(
-            bearing.radius(Ring::Inner),
-            4.074_074e-3,
-            max_relative = 1e-6
-        );
-        assert_relative_eq!(
-            bearing.radius(Ring::Outer),
-            5.925_926e-3,
-            max_relative = 1e-6
-        );
+        near(bearing.radius(Ring::Inner), 4.074_074e-3, 1e-6);
+        near(bearing.radius(Ring::Outer), 5.925_926e-3, 1e-6);
         // 2/(54 − 10) per mm
         let raceway = bearing.curvatures(Ring::Inner)[0][0];
         assert_relative_eq!(raceway, 2.0 / 44e-3, max_relative = 1e-12);

@@ -116,6 +116,7 @@ impl TaperedGeometry {
 mod tests {
     use super::*;
     use crate::bearing::test_data::tapered;
+    use crate::near::near;
     use approx::assert_relative_eq;
 
     /// By hand: tan ν = (8/46) sin(14° − ν) at ν = 2.0579°: 0.035933 and 0.173913 · sin 11.9421° = 0.173913 · 0.206922 = 0.035986; at ν =
@@ -129,11 +130,7 @@ mod tests {
         let axis = bearing.apex_distance() * nu.cos();
         assert_relative_eq!(axis, 111.178e-3, max_relative = 1e-4);
         assert_relative_eq!(axis * nu.tan(), 4e-3, max_relative = 1e-12);
-        assert_relative_eq!(
-            bearing.angle(Ring::Inner).to_degrees(),
-            9.879,
-            max_relative = 1e-4
-        );
+        near(bearing.angle(Ring::Inner).to_degrees(), 9.879, 1e-4);
     }
 
     /// Near the formula of cylinders with γ = D cos α/d_m, which takes one angle for both: R_x = D/2 (1 ∓ γ) within 2 %; exactly, raceway

@@ -146,6 +146,7 @@ pub fn reliability_factor(per_cent: f64) -> Result<f64, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::near::near;
     use approx::assert_relative_eq;
 
     fn oil(viscosity_ratio: f64, contamination: f64) -> Lubrication {
@@ -206,11 +207,7 @@ mod tests {
     #[test]
     fn reliabilities() {
         assert_eq!(reliability_factor(95.0), Ok(0.64));
-        assert_relative_eq!(
-            reliability_factor(92.5).unwrap(),
-            0.82,
-            max_relative = 1e-12
-        );
+        near(reliability_factor(92.5).unwrap(), 0.82, 1e-12);
         assert!(reliability_factor(99.99).is_err());
     }
 }

@@ -5,6 +5,7 @@ use crate::bearing::geometry::{BallGeometry, Play, RollerGeometry, RollerProfile
 use crate::bearing::kinematics::Speeds;
 use crate::bearing::test_data::{rows, tapered};
 use crate::bearing::{Bearing, Geometry, Material};
+use crate::near::near;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use ertel_ehl::contact::Ellipse;
 
@@ -55,11 +56,7 @@ fn loads_of_an_independent_program() {
             groove: [v(4), v(5)],
             play: Play::Clearance(v(6) * 1e-6),
         };
-        assert_relative_eq!(
-            geometry.free_angle().to_degrees(),
-            v(9),
-            max_relative = 1e-6
-        );
+        near(geometry.free_angle().to_degrees(), v(9), 1e-6);
         let loads = Loads::forces(v(7), v(8));
         let found = at_rest(Geometry::Ball(geometry), &loads, &free_angle());
         assert_relative_eq!(found.shift[0], v(10) * 1e-6, max_relative = 1e-6);
@@ -101,11 +98,7 @@ fn loaded_and_free_angle_differ_little() {
         .iter()
         .map(|c| Ellipse::of_radii(c.radii).approach(c.load, Material::STEEL.reduced_modulus))
         .sum();
-    assert_relative_eq!(
-        approach,
-        distance - ball.centre_distance(),
-        max_relative = 1e-9
-    );
+    near(approach, distance - ball.centre_distance(), 1e-9);
 }
 
 /// Many balls and rollers of a bearing whose loaded zone is prescribed: F_r/(Z Q_max) against Sjoevall's integrals. A shift δ_r under a
@@ -157,11 +150,7 @@ fn sjoevalls_integrals() {
         };
         let largest = found.heaviest(Ring::Inner).unwrap().load;
         let number = found.elements.len() as f64;
-        assert_relative_eq!(
-            found.force[0] / (number * largest),
-            integral,
-            max_relative = 2e-4
-        );
+        near(found.force[0] / (number * largest), integral, 2e-4);
     }
 }
 
@@ -363,11 +352,7 @@ fn axial_loads_mirror() {
     let back = at_rest(geometry, &Loads::forces(500.0, -2000.0), &Params::default());
     for (a, b) in there.elements.iter().zip(&back.elements) {
         assert_relative_eq!(a.contacts[0].load, b.contacts[0].load, max_relative = 1e-6);
-        assert_relative_eq!(
-            a.contacts[0].angle,
-            -b.contacts[0].angle,
-            max_relative = 1e-6
-        );
+        near(a.contacts[0].angle, -b.contacts[0].angle, 1e-6);
     }
 }
 
@@ -394,11 +379,7 @@ fn balls_at_speed() {
         inner.load * inner.angle.cos() + element.centrifugal_force,
         max_relative = 1e-9
     );
-    assert_relative_eq!(
-        inner.load * inner.angle.sin() * 14.0,
-        3000.0,
-        max_relative = 1e-8
-    );
+    near(inner.load * inner.angle.sin() * 14.0, 3000.0, 1e-8);
     assert!(outer.angle < inner.angle && outer.load > inner.load);
     assert!(element.gyroscopic_moment > 0.0);
     // outer control: no relative spin there

@@ -39,8 +39,6 @@ pub struct GearPair {
     pub shifts: [f64; 2],
     /// Tip alteration coefficient k.
     pub tip_alteration: f64,
-    /// Transverse module m_t.
-    pub transverse_module: f64,
     /// Transverse pressure angle α_t.
     pub pressure_angle: f64,
     /// Working transverse pressure angle α_wt.
@@ -136,7 +134,6 @@ impl GearPair {
             teeth,
             shifts,
             tip_alteration,
-            transverse_module,
             pressure_angle,
             working_pressure_angle,
             base_helix_angle,

@@ -1,3 +1,4 @@
+use crate::near::near;
 use approx::assert_relative_eq;
 
 use super::*;
@@ -20,11 +21,7 @@ fn fzg_gears_of_a_separate_program() {
         let pair = GearPair::new(&fzg(row.text("gear"))).expect("a pair");
         let angle = pair.working_pressure_angle.to_degrees();
         assert_relative_eq!(angle, row.number("working_angle_deg"), max_relative = 1e-9);
-        assert_relative_eq!(
-            pair.contact_ratio,
-            row.number("contact_ratio"),
-            max_relative = 1e-9
-        );
+        near(pair.contact_ratio, row.number("contact_ratio"), 1e-9);
         let points = pair.points;
         let s = match row.text("point") {
             "A" => points.a,
@@ -123,11 +120,7 @@ fn internal_pair_by_hand() {
     assert!(full.warnings.contains(&GearWarning::TipBeyondTangent {
         member: Member::Pinion
     }));
-    assert_relative_eq!(
-        full.contact_ratio,
-        11.436394 / 5.904263,
-        max_relative = 1e-6
-    );
+    near(full.contact_ratio, 11.436394 / 5.904263, 1e-6);
 }
 
 /// The corner of the driving tooth is followed in the wheel's frame from the pitch point to the tip circle of the wheel, and must stay behind the flank.
@@ -324,11 +317,7 @@ fn roots() {
     );
     assert_eq!(form(42.3e-3), None);
     let [form_diameter, contact_diameter] = form(42.4e-3).expect("a warning");
-    assert_relative_eq!(
-        1e3 * form_diameter,
-        2.0 * bases[0].hypot(flank_end),
-        max_relative = 1e-9
-    );
+    near(1e3 * form_diameter, 2.0 * bases[0].hypot(flank_end), 1e-9);
     assert_relative_eq!(
         1e3 * contact_diameter,
         2.0 * bases[0].hypot(start(42.4)),
@@ -350,11 +339,7 @@ fn reliefs() {
         Some(relief(ReliefShape::Parabolic)),
     ];
     let pair = GearPair::new(&dimensions).expect("a pair");
-    assert_relative_eq!(
-        pair.relief(pair.points.e - 1e-3),
-        10e-6,
-        max_relative = 1e-9
-    );
+    near(pair.relief(pair.points.e - 1e-3), 10e-6, 1e-9);
     assert_relative_eq!(pair.relief(pair.points.a + 1e-3), 5e-6, max_relative = 1e-9);
     assert_eq!(pair.relief(0.0), 0.0);
 }

@@ -15,4 +15,4 @@ pub use operation::Operation;
 pub use point::{PathLabel, PathParams, PathPoint};
 pub(crate) use sharing::Sharing;
 pub use sharing::{Buttressing, LoadSharing};
-pub use stiffness::{ToothStiffness, iso_single_stiffness, mean_mesh_stiffness};
+pub use stiffness::{ToothStiffness, iso_single_stiffness};

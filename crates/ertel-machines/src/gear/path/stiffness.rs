@@ -125,8 +125,3 @@ pub fn iso_single_stiffness(
     // 1 N/(mm µm) = 1e9 N/m².
     Ok(1e9 * 0.8 * blank_factor * rack * beta.cos() * light / flexibility)
 }
-
-/// Mean mesh stiffness per face width, N/m²: c_γα = c' (0.75 ε_α + 0.25), for ε_α ≥ 1.2. Source: ISO 6336-1:2006, 9.3.
-pub fn mean_mesh_stiffness(pair: &GearPair, single_stiffness: f64) -> f64 {
-    single_stiffness * (0.75 * pair.contact_ratio + 0.25)
-}

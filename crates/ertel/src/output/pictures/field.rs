@@ -122,7 +122,8 @@ impl FieldMap<'_> {
         self.draw_field(&mut drawing, frame, &placed);
         placed.draw_motion(&mut drawing);
         placed.draw_axes(&mut drawing);
-        self.draw_bar(&mut drawing, bar, &ticks);
+        let steps = matches!(self.bar, Bar::Steps);
+        draw_bar(&mut drawing, bar, &self.colours, &ticks, steps);
         if let Some(other) = &self.other {
             draw_other(&mut drawing, bar, other, &others);
         }
@@ -175,34 +176,6 @@ impl FieldMap<'_> {
         drawing.end_clip();
     }
 
-    fn draw_bar(&self, drawing: &mut Drawing, bar: Frame, ticks: &[(f64, String)]) {
-        let y = |share: f64| bar.top + (1.0 - share) * bar.height;
-        let n = self.colours.len() as f64;
-        for (i, colour) in self.colours.iter().enumerate() {
-            // Extends to the top of the bar: the next colour covers the rest without a seam
-            let from = y(i as f64 / n);
-            drawing.rectangle(bar.left, bar.top, bar.width, from - bar.top, colour);
-        }
-        let edge = bar.left + bar.width;
-        let mut d = String::new();
-        for (share, label) in ticks {
-            let y = y(*share);
-            let _ = match self.bar {
-                Bar::Continuous(_) => write!(d, "M{} {}h4", number(edge), number(y)),
-                Bar::Steps => write!(
-                    d,
-                    "M{} {}h{}",
-                    number(bar.left),
-                    number(y),
-                    number(bar.width + 4.0)
-                ),
-            };
-            drawing.text([edge + 7.0, y + 4.2], label, TICK_SIZE, Anchor::Start, INK);
-        }
-        drawing.stroke(&d, Stroke::solid(INK, 0.7));
-        drawing.stroke(&bar.outline(), Stroke::solid(INK, 0.8));
-    }
-
     /// Ticks of the bar: relative height and label.
     fn bar_ticks(&self) -> Vec<(f64, String)> {
         match self.bar {
@@ -221,6 +194,35 @@ impl FieldMap<'_> {
             }
         }
     }
+}
+
+/// A bar of colours with ticks at shares of its height, which are lines across the bar if it shows `steps`.
+pub(super) fn draw_bar(
+    drawing: &mut Drawing,
+    bar: Frame,
+    colours: &[String],
+    ticks: &[(f64, String)],
+    steps: bool,
+) {
+    let y = |share: f64| bar.top + (1.0 - share) * bar.height;
+    for (i, colour) in colours.iter().enumerate() {
+        // Extends to the top of the bar: the next colour covers the rest without a seam
+        let from = y(i as f64 / colours.len() as f64);
+        drawing.rectangle(bar.left, bar.top, bar.width, from - bar.top, colour);
+    }
+    let edge = bar.left + bar.width;
+    let (from, length) = match steps {
+        false => (edge, 4.0),
+        true => (bar.left, bar.width + 4.0),
+    };
+    let mut d = String::new();
+    for (share, label) in ticks {
+        let y = y(*share);
+        let _ = write!(d, "M{} {}h{}", number(from), number(y), number(length));
+        drawing.text([edge + 7.0, y + 4.2], label, TICK_SIZE, Anchor::Start, INK);
+    }
+    drawing.stroke(&d, Stroke::solid(INK, 0.7));
+    drawing.stroke(&bar.outline(), Stroke::solid(INK, 0.8));
 }
 
 /// Ticks of a bar with these values at its ends: relative height and label.

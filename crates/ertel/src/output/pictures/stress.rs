@@ -1,9 +1,7 @@
 //! Stresses in both bodies, in the plane of motion through the middle of the contact.
 
-use std::fmt::Write;
-
 use super::super::figure::BODIES;
-use super::field::{bar_ticks, closed};
+use super::field::{bar_ticks, closed, draw_bar};
 use super::layout::draw_ticks;
 use super::maps::shades;
 use crate::solution::Solution;
@@ -68,7 +66,7 @@ fn map(title: &str, stresses: &Stresses, half_width: f64) -> Drawing {
     }
     drawing.end_clip();
     draw_axes(&mut drawing, frame, &x, &z);
-    draw_bar(&mut drawing, bar, &colours, &ticks);
+    draw_bar(&mut drawing, bar, &colours, &ticks, false);
     let label = format!("Stress after von Mises ({unit})");
     let at = [right + 26.0, bar.top + 0.5 * bar.height];
     drawing.turned_text(at, &label, LABEL_SIZE, Anchor::Middle, INK, -90.0);
@@ -129,21 +127,4 @@ fn draw_section(
     for (region, colour) in mesh.regions(&values, levels).iter().zip(&colours[1..]) {
         drawing.fill(&closed(&region.loops), colour);
     }
-}
-
-fn draw_bar(drawing: &mut Drawing, bar: Frame, colours: &[String], ticks: &[(f64, String)]) {
-    let y = |share: f64| bar.top + (1.0 - share) * bar.height;
-    for (i, colour) in colours.iter().enumerate() {
-        let from = y(i as f64 / colours.len() as f64);
-        drawing.rectangle(bar.left, bar.top, bar.width, from - bar.top, colour);
-    }
-    let edge = bar.left + bar.width;
-    let mut d = String::new();
-    for (share, label) in ticks {
-        let y = y(*share);
-        let _ = write!(d, "M{} {}h4", number(edge), number(y));
-        drawing.text([edge + 7.0, y + 4.2], label, TICK_SIZE, Anchor::Start, INK);
-    }
-    drawing.stroke(&d, Stroke::solid(INK, 0.7));
-    drawing.stroke(&bar.outline(), Stroke::solid(INK, 0.8));
 }

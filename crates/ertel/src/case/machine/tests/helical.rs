@@ -1,5 +1,6 @@
 //! Helical gears against flanks in space: two involute helicoids whose shape and motion are found from their points alone.
 
+use crate::near::near;
 use approx::assert_relative_eq;
 
 use super::bad::refused;
@@ -170,23 +171,11 @@ fn flanks_in_space() {
         let velocities = [0, 1].map(|k: usize| pair[k].velocity(places[0]));
         let [pinion, wheel] = velocities.map(|v| dot(v, across).abs());
         let motion = &case.motion;
-        assert_relative_eq!(
-            motion.entrainment_speed,
-            0.5 * (pinion + wheel),
-            max_relative = 1e-6
-        );
+        near(motion.entrainment_speed, 0.5 * (pinion + wheel), 1e-6);
         let ratio = (pinion - wheel) / (0.5 * (pinion + wheel));
         assert_relative_eq!(motion.slide_to_roll_ratio, ratio, epsilon = 1e-6);
-        assert_relative_eq!(
-            dot(velocities[0], line),
-            dot(velocities[1], line),
-            max_relative = 1e-9
-        );
-        assert_relative_eq!(
-            dot(velocities[0], normal),
-            dot(velocities[1], normal),
-            max_relative = 1e-6
-        );
+        near(dot(velocities[0], line), dot(velocities[1], line), 1e-9);
+        near(dot(velocities[0], normal), dot(velocities[1], normal), 1e-6);
         let along = row(&case, "axial speed").split(' ').next().unwrap();
         let along: f64 = along.parse().unwrap();
         assert_relative_eq!(dot(velocities[0], line).abs(), along, max_relative = 1e-5);
@@ -241,11 +230,7 @@ fn contact_lines_carry_the_torque() {
     let case = with(HELICAL, "position", "load_share = 0.5\nposition").unwrap();
     let [beta, alpha, _] = angles(25.0);
     let base = 0.04 / beta.cos() * alpha.cos();
-    assert_relative_eq!(
-        case.contact.load,
-        0.5 * 100.0 / base / 0.04,
-        max_relative = 1e-12
-    );
+    near(case.contact.load, 0.5 * 100.0 / base / 0.04, 1e-12);
 }
 
 /// Without a helix the pair is the spur gear, to the last bit; and without a share of the load, the mean of the pairs in mesh carries.
@@ -265,11 +250,7 @@ fn straight_teeth_are_a_spur_gear() {
         let (helical, a, b) = alike(&spur);
         assert_eq!(a.motion, b.motion);
         let mean = with(&helical, "load_share = 1\n", "").unwrap();
-        assert_relative_eq!(
-            mean.contact.load * 1.635_2,
-            a.contact.load,
-            max_relative = 1e-4
-        );
+        near(mean.contact.load * 1.635_2, a.contact.load, 1e-4);
     }
     for angle in [14.5, 17.3, 22.5, 25.0] {
         let spur = GEAR.replace("20 deg", &format!("{angle} deg"));

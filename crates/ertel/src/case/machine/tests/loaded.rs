@@ -1,5 +1,6 @@
 //! Bearings under their loads.
 
+use crate::near::near;
 use approx::assert_relative_eq;
 
 use super::bad::refused;
@@ -88,16 +89,8 @@ fn loads_of_each_ball() {
     {
         assert_relative_eq!(loads[ball], *expected, max_relative = 1e-4, epsilon = 0.01);
     }
-    assert_relative_eq!(
-        whole.contacts[0].hertz_pressure,
-        2.126_484e9,
-        max_relative = 1e-5
-    );
-    assert_relative_eq!(
-        whole.contacts[1].hertz_pressure,
-        1.950_190e9,
-        max_relative = 1e-5
-    );
+    near(whole.contacts[0].hertz_pressure, 2.126_484e9, 1e-5);
+    near(whole.contacts[1].hertz_pressure, 1.950_190e9, 1e-5);
     // Σ Q cos ψ
     let along: f64 = (whole.contacts.iter().step_by(2))
         .map(|contact| contact.load * contact.place.cos())
@@ -219,11 +212,7 @@ fn tapered_rollers() {
     };
     let angle = 14.036_1_f64.to_radians();
     assert_relative_eq!(cup(&|_| angle.sin()), 2000.0, max_relative = 1e-6);
-    assert_relative_eq!(
-        cup(&|psi| angle.cos() * psi.cos()),
-        5000.0,
-        max_relative = 1e-4
-    );
+    near(cup(&|psi| angle.cos() * psi.cos()), 5000.0, 1e-4);
     assert!(whole.is_line && elements.iter().all(|e| e.rib_load > 0.0));
     let length = 0.8 * 14e-3;
     assert_relative_eq!(

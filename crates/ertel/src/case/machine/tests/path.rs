@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::near::near;
 use approx::assert_relative_eq;
 use ertel_input::InputError;
 
@@ -154,11 +155,7 @@ fn templates_and_load_stages() {
     assert_relative_eq!(distance, 91.5e-3, max_relative = 1e-12);
     assert_eq!(width, 20e-3);
     let both = "pinion_profile_shift = 0.0\nwheel_profile_shift = 0.0\npoints";
-    assert_relative_eq!(
-        torque(&FZG.replace("points", both)).2,
-        90e-3,
-        max_relative = 1e-12
-    );
+    near(torque(&FZG.replace("points", both)).2, 90e-3, 1e-12);
 }
 
 /// Pinion and wheel of 20 and 60 teeth inside, m = 4 mm: 13.68081 mm convex in 41.04242 mm concave is R = 20.52121 mm; both move at
@@ -168,11 +165,7 @@ fn an_internal_wheel() {
     let text = GEAR.replace("wheel_teeth = 40", "wheel_teeth = 60\ninternal = true");
     let case = read(&text).unwrap();
     assert_relative_eq!(case.contact.radius, 20.521_21e-3, max_relative = 1e-6);
-    assert_relative_eq!(
-        case.motion.entrainment_speed,
-        2.148_976,
-        max_relative = 1e-6
-    );
+    near(case.motion.entrainment_speed, 2.148_976, 1e-6);
     assert!(case.motion.slide_to_roll_ratio.abs() < 1e-12);
     assert!(row(&case, "R_2").contains("concave"));
     let [wheel, pinion] = case.contact.body_curvatures.unwrap();
@@ -246,6 +239,7 @@ fn relief_takes_the_load_off_the_ends() {
     );
 }
 
+/// Other ones are among the bad cases of the command.
 #[test]
 fn bad_gears_are_refused() {
     let path = GEAR
@@ -254,12 +248,8 @@ fn bad_gears_are_refused() {
     assert!(read(&path).is_ok());
     for (new, words) in [
         (
-            "centre_distance = \"121 mm\"\npinion_profile_shift = 0.1\nwheel_profile_shift = 0",
-            &["the centre distance, 121 mm, disagrees", "120.3"][..],
-        ),
-        (
             "centre_distance = \"110 mm\"",
-            &["base circles would touch", "centre_distance"],
+            &["base circles would touch", "centre_distance"][..],
         ),
         (
             "addendum_pinion = \"4 mm\"\npinion_tip_diameter = \"88 mm\"",
@@ -269,12 +259,6 @@ fn bad_gears_are_refused() {
             "pinion_tip_diameter = \"70 mm\"",
             &["the tip circle of the pinion", "pinion_tip_diameter"],
         ),
-        (
-            "addendum_pinion = \"1 mm\"\naddendum_wheel = \"1 mm\"",
-            &["do not take over"],
-        ),
-        ("load_sharing = \"half\"", &["`load_sharing` is one of"]),
-        ("points = -3", &["points", "2 to 1000"]),
         ("load_share = 0.5", &["load of a single contact"]),
         ("load_stage = 5", &["give the same quantity"]),
         ("tip_relief = \"20 um\"", &["tip_relief_length"]),
@@ -293,13 +277,6 @@ fn bad_gears_are_refused() {
     ] {
         refused(&path, "kind", &format!("{new}\nkind"), words);
     }
-    let internal = path.replace("pinion_teeth = 20", "pinion_teeth = 60");
-    refused(
-        &internal,
-        "wheel_teeth = 40",
-        "wheel_teeth = 66\ninternal = true",
-        &["tips", "wheel_teeth"],
-    );
     // One contact has one load.
     refused(
         GEAR,

@@ -1,5 +1,6 @@
 //! Cams over a turn, against a separate program and figures worked out by hand.
 
+use crate::near::near;
 use approx::assert_relative_eq;
 use ertel_input::InputError;
 
@@ -30,11 +31,7 @@ fn contacts_of_a_turn() {
     let at = alone("40");
     assert_relative_eq!(at.contact.radius, 21.041_889_07e-3, max_relative = 1e-9);
     assert_relative_eq!(at.motion.body_2_speed(), 4.407_002_94, max_relative = 1e-8);
-    assert_relative_eq!(
-        at.motion.body_1_speed(),
-        0.290_950_314_3,
-        max_relative = 1e-8
-    );
+    near(at.motion.body_1_speed(), 0.290_950_314_3, 1e-8);
     let [tappet, cam] = at.contact.body_curvatures.unwrap();
     assert_eq!(tappet[0], 0.0);
     assert_relative_eq!(1.0 / cam[0], 21.041_889_07e-3, max_relative = 1e-9);
@@ -51,21 +48,13 @@ fn contacts_of_a_turn() {
     assert_eq!(whole(&case).contacts[place + 18].like, Some(place));
     let point = contacts.study.points.iter().find(|p| p.label == "40 deg");
     let point = point.unwrap();
-    assert_relative_eq!(
-        point.case.contact.radius,
-        at.contact.radius,
-        max_relative = 1e-12
-    );
+    near(point.case.contact.radius, at.contact.radius, 1e-12);
     // The governing contact has the largest pressure.
     let governing = &whole(&case).contacts[whole(&case).governing];
     let pressures = whole(&case).contacts.iter().map(|c| c.hertz_pressure);
     assert_eq!(pressures.fold(0.0, f64::max), governing.hertz_pressure);
     assert_eq!(row(&case, "most loaded contact"), governing.name);
-    assert_relative_eq!(
-        case.hertz().pressure,
-        governing.hertz_pressure,
-        max_relative = 1e-9
-    );
+    near(case.hertz().pressure, governing.hertz_pressure, 1e-9);
 }
 
 /// With a lift of 8 mm, u_m = (ω/2)(r_b + h/2 + 3.5 h cos 2θ) vanishes at cos 2θ = −22/28, θ = 70.893°. Beyond, about the nose, x is turned.
@@ -157,11 +146,7 @@ fn a_roller() {
         );
     let case = read(&text).unwrap();
     assert_relative_eq!(case.contact.radius, 180.0e-3 / 28.0, max_relative = 1e-9);
-    assert_relative_eq!(
-        case.motion.entrainment_speed,
-        209.4395 * 18e-3,
-        max_relative = 1e-6
-    );
+    near(case.motion.entrainment_speed, 209.4395 * 18e-3, 1e-6);
     assert_eq!(case.motion.slide_to_roll_ratio, 0.0);
 }
 
@@ -291,12 +276,12 @@ fn steep_pressure_angles_are_reported() {
     assert!(!warned(&of("0 mm"), "the pressure angle reaches"));
 }
 
+/// Other ones are among the bad cases of the command.
 #[test]
 fn bad_cams_are_refused() {
     for (old, new, words) in [
         ("\"flat\"", "\"flatt\"", &["`follower` is one of"][..]),
         ("\"flat\"", "\"roller\"", &["missing key `follower_radius`"]),
-        ("lobes = 2\n", "", &["the lift of the cam is missing"]),
         ("lift = \"4 mm\"\n", "", &["missing key `lift`"]),
         (
             "lobes = 2",
@@ -305,11 +290,6 @@ fn bad_cams_are_refused() {
         ),
         ("lobes", "top_dwell = \"3 deg\"\nlobes", &["no such key"]),
         ("preload", "load = \"300 N\"\npreload", &["give it alone"]),
-        (
-            "\"4 mm\"",
-            "\"20 mm\"",
-            &["the cam is undercut", "base_radius"],
-        ),
         ("\"2000 rpm\"", "\"0 rpm\"", &["must not be zero"]),
         ("points = 36", "points = 1", &["points", "3 to 3600"]),
         ("\"turn\"", "\"all\"", &["or \"turn\""]),
