@@ -150,6 +150,7 @@ cases/machine/ball-on-disc.toml
     machine={ kind = "ball-on-disc", ball_radius = "10 mm", load = "20 N", entrainment_speed = "1 m/s", slide_to_roll_ratio = 0.0 }
     machine={ kind = "ball-on-disc", ball_radius = "10 mm", load = "20 N", body_1_speed = "1 m/s", body_2_speed = "1 m/s" }
 cases/stribeck.toml
+    surface_roughness={ body_1_rms_height = "0.2 um", body_2_rms_height = "0.15 um", asperity_law = "persson", rms_slope = 0.1, decay_length_to_rms_height = 0.45, pressure_factor = 0.02 }
     surface_roughness={ body_1_rms_height = "0.2 um", body_2_rms_height = "0.15 um", asperity_law = "table", asperity_distances = ["0 nm", "250 nm", "500 nm"], asperity_pressures = ["200 MPa", "20 MPa", "1 MPa"] }
 cases/machine/cam-turn.toml
     machine={ kind = "cam", follower = "flat", base_radius = "16 mm", eccentricity = "4 mm", cam_speed = "100 rad/s", width = "14 mm", load = "200 N", angle = "40 deg" }

@@ -266,6 +266,10 @@ fn laws_of_asperities() {
     let one = share("williamson", &one);
     assert!((one / own - 1.0).abs() > 0.02, "{one} {own}");
     assert!(soft < 0.9 * one, "{soft} {one}");
+    // 0.02 · 115.385 GPa · e^(−h/0.1 µm): two rows of a table, which is exponential between them.
+    let random = "asperity_law = \"persson\"\nrms_slope = 0.1\ndecay_length_to_rms_height = 0.4\npressure_factor = 0.02\n";
+    let rows = "asperity_law = \"table\"\nasperity_distances = [\"0 nm\", \"1000 nm\"]\nasperity_pressures = [\"2.307692308e9 Pa\", \"104769.069 Pa\"]\n";
+    close(share("persson", random), share("rows", rows), 1e-4);
     let factors = format!("{summits}flow = \"patir-cheng\"\norientation = \"1/9\"\n");
     let factors = cylinder(&folder, "factors", &factors);
     let factors = &factors["mixed"]["asperities"]["asperity_load_share"]["value"];

@@ -17,6 +17,7 @@
 
 mod flow;
 mod law;
+mod persson;
 mod pressure_table;
 mod rough;
 mod statistics;
@@ -24,6 +25,7 @@ mod table;
 
 pub use flow::{Flow, ORIENTATIONS, Orientation};
 pub use law::{Asperities, AsperityLaw, Summits};
+pub use persson::{DECAY, Persson};
 pub use pressure_table::PressureTable;
 pub use rough::Rough;
 
@@ -107,6 +109,19 @@ mod tests {
             let expected = law.pressure(u, sigma, 2.0 * modulus);
             assert_relative_eq!(density * sum, expected, max_relative = 1e-5);
         }
+    }
+
+    /// E* β e^(−u/γ) = 115 GPa · 0.05 · e^(−1/0.45) = 623.116 MPa (mpmath); with a hardness H A_r/A_0 = 2 GPa · erf(√2 · 0.05 e^(−1/0.45)/0.3).
+    #[test]
+    fn pressure_of_randomly_rough_surfaces() {
+        let law = asperities(AsperityLaw::Persson(Persson::new(0.3, None, Some(0.05))));
+        let soft = Asperities {
+            hardness: Some(2e9),
+            ..law.clone()
+        };
+        let at = |of: &Asperities| of.pressure(1.0, 0.3e-6, 230e9);
+        assert_relative_eq!(at(&law), 623_116_133.525_901_3, max_relative = 1e-12);
+        assert_relative_eq!(at(&soft), 57_630_914.876_290_09, max_relative = 1e-12);
     }
 
     /// H Q(0) = H/2 where the mean planes meet, and H where they overlap by far; without effect where summits are elastic.

@@ -2,6 +2,7 @@
 
 use super::flow::{Flow, Orientation};
 use super::law::{Asperities, AsperityLaw};
+use super::persson::Persson;
 use super::pressure_table::PressureTable;
 use super::statistics::{mean_gap, share_apart};
 use super::table::Tail;
@@ -12,6 +13,8 @@ use crate::contact::Scales;
 enum Elastic {
     /// κ F(H/σ), κ in p_h.
     Tail { stiffness: f64, tail: Tail },
+    /// Persson's law with E* in p_h.
+    Exponential { law: Persson, modulus: f64 },
     /// A table, with the scales of films, m, and of pressures, Pa.
     Table {
         table: PressureTable,
@@ -66,6 +69,10 @@ impl Rough {
             elastic: match &asperities.law {
                 AsperityLaw::GreenwoodTripp(_) => tail(Tail::FiveHalves),
                 AsperityLaw::GreenwoodWilliamson(_) => tail(Tail::ThreeHalves),
+                AsperityLaw::Persson(law) => Elastic::Exponential {
+                    law: *law,
+                    modulus: 0.5 * reduced_modulus / scales.pressure,
+                },
                 AsperityLaw::Table(table) => Elastic::Table {
                     table: table.clone(),
                     film: scales.film,
@@ -110,6 +117,10 @@ impl Rough {
                 let [value, slope] = tail.at(u);
                 [stiffness * value, stiffness * slope / self.rms_height]
             }
+            Elastic::Exponential { law, modulus } => {
+                let [value, slope] = law.pressure(u);
+                [modulus * value, modulus * slope / self.rms_height]
+            }
             Elastic::Table {
                 table,
                 film,
@@ -122,15 +133,27 @@ impl Rough {
         let Some(hardness) = self.hardness else {
             return elastic;
         };
-        // Q' = −φ.
-        let density = (-0.5 * u * u).exp() / (2.0 * std::f64::consts::PI).sqrt();
-        let flowing = [
-            hardness * share_apart(-u),
-            -hardness * density / self.rms_height,
-        ];
+        let [area, slope] = self.area_in_touch(u, elastic);
+        let flowing = [hardness * area, hardness * slope];
         match flowing[0] < elastic[0] {
             true => flowing,
             false => elastic,
+        }
+    }
+
+    /// Share of the area in touch where asperities flow, and its derivative by the distance, at u and the elastic pressure with its derivative.
+    #[inline]
+    fn area_in_touch(&self, u: f64, [pressure, slope]: [f64; 2]) -> [f64; 2] {
+        match &self.elastic {
+            Elastic::Exponential { law, modulus } => {
+                let [area, by_pressure] = law.area_in_touch(pressure / modulus);
+                [area, by_pressure * slope / modulus]
+            }
+            _ => {
+                // Q' = −φ.
+                let density = (-0.5 * u * u).exp() / (2.0 * std::f64::consts::PI).sqrt();
+                [share_apart(-u), -density / self.rms_height]
+            }
         }
     }
 
@@ -235,7 +258,23 @@ mod tests {
             },
             ..surfaces(Flow::AverageGap)
         };
-        for law in [&soft, &on_one, &measured, &surfaces(Flow::Distance)] {
+        let persson = |hardness| Rough {
+            elastic: Elastic::Exponential {
+                law: Persson::new(0.2, None, None),
+                modulus: 60.0,
+            },
+            hardness,
+            ..surfaces(Flow::AverageGap)
+        };
+        let (random, random_soft) = (persson(None), persson(Some(2.0)));
+        for law in [
+            &soft,
+            &on_one,
+            &measured,
+            &random,
+            &random_soft,
+            &surfaces(Flow::Distance),
+        ] {
             of(&|h| law.pressure(h));
             of(&|h| law.gap(h));
         }

@@ -108,13 +108,19 @@ rows! {
         body_1_ra, body_2_ra, body_1_rq, body_2_rq, body_1_rz, body_2_rz: LENGTH, usual [HEIGHTS] => r"instead of an rms height, for each body
             one of them: Rq is the rms height; Ra is taken as σ/1.25, as of normally distributed heights; Rz is taken as 6 Ra (DIN 3991),
             between 4 and 8 Ra by other quotations, so σ is uncertain by −25 to +50 %. The report shows the rule";
-        asperity_law: Choice(&["greenwood-tripp", "greenwood-williamson", "table"]), default "greenwood-tripp" => r#"pressure of the asperities over the distance of the
-            mean planes: `"greenwood-tripp"` (default), elastic summits on both surfaces; `"greenwood-williamson"`, on one of them; `"table"`, from
-            `asperity_distances` and `asperity_pressures`"#;
+        asperity_law: Choice(&["greenwood-tripp", "greenwood-williamson", "persson", "table"]), default "greenwood-tripp" => r#"pressure of the asperities over the distance of the
+            mean planes: `"greenwood-tripp"` (default), elastic summits on both surfaces; `"greenwood-williamson"`, on one of them; `"persson"`,
+            exponential, of randomly rough surfaces with `rms_slope`; `"table"`, from `asperity_distances` and `asperity_pressures`"#;
         asperity_group: Number => r"σβη, composite rms height times tip radius times density of asperities; above 0, below 1; usually 0.03 to
             0.07, else a warning";
         rms_height_to_asperity_radius: Number => r"σ/β, composite rms height over tip radius; above 0, below 1; usually 1e-4 to 1e-2, else a
             warning";
+        rms_slope: Number => r#"composite rms slope, the root of the mean square of the gradient of the heights in both directions, with `asperity_law = "persson"`; above
+            0, below 10"#;
+        decay_length_to_rms_height: Number, bounds [0.05, 5.0], default "0.45" => r"u_0/σ, the distance over which the pressure of Persson's law falls to 1/e over the
+            composite rms height{}; 0.4 to 0.5 of self-affine surfaces";
+        pressure_factor: Number => r"β, the pressure of Persson's law over E* where the mean planes meet; above 0, below 10; default 0.195 times `rms_slope`, that of one
+            band of wavelengths";
         asperity_distances: Quantities(&[D::LENGTH]) => "distances of the mean planes of a table, increasing; negative where the planes overlap";
         asperity_pressures: Quantities(&[D::PRESSURE]) => r"asperity pressures at these distances, falling, from at least the Hertz pressure to less than 0.1 % of it";
         hardness: PRESSURE => r"optional: hardness of the softer surface, as a pressure; asperities bear no more than it on the area that touches";

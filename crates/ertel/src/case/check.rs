@@ -378,7 +378,7 @@ pub(super) fn asperities(case: &Case, roughness: Option<&Table<'_>>) -> Result<(
     let (Some(asperities), Some(roughness)) = (&case.asperities, roughness) else {
         return Ok(());
     };
-    super::roughness::check_range(asperities, roughness, case.hertz().pressure)?;
+    super::asperities::check_range(asperities, roughness, case.hertz().pressure)?;
     let by_elements = "`method` is \"finite-elements\", which knows no asperities";
     let reason = match case.solver.method {
         Some(Method::FiniteElements) => by_elements.to_owned(),

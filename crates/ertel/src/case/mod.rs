@@ -31,6 +31,7 @@
 //! physical is required. `[transient]` describes changes in time, `[[surface]]` reliefs and measured surfaces. `[curve]` varies one quantity over a list or range ([`curve`]). Numbers carry units. Unknown keys are errors.
 
 mod approach;
+mod asperities;
 mod bodies;
 mod builder;
 mod check;
@@ -355,7 +356,7 @@ impl Case {
         let of_sections = std::mem::take(&mut self.warnings);
         let mut warnings = check::warnings(self, hertz);
         warnings.extend(of_sections);
-        warnings.extend(self.asperities.iter().flat_map(roughness::warnings));
+        warnings.extend(self.asperities.iter().flat_map(asperities::warnings));
         if let Some(table) = &mesh {
             warnings.extend(check_mesh_of_bodies(self, table)?);
         }

@@ -3,32 +3,13 @@
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 
+use super::asperities;
 use super::bodies::ROUGHNESS;
-use crate::mixed::{Asperities, AsperityLaw, Flow, ORIENTATIONS, PressureTable, Summits};
-use crate::warning::{Warning, WarningKind};
-use crate::words::{digits, length, pressure};
+use crate::mixed::Asperities;
+use crate::words::{digits, length};
 
 /// rms height of one body, m; one of the two may be smooth.
 const RMS_HEIGHT: Bounds = Bounds::closed(0.0, 1e-3);
-/// σβη is a share of the surface: asperities of more than all of it were mistaken.
-const GROUP: Bounds = Bounds::open(0.0, 1.0);
-/// Asperities are far wider than high.
-const HEIGHT_TO_RADIUS: Bounds = Bounds::open(0.0, 1.0);
-/// Friction of bare metals in vacuum is larger, but without lubricant.
-const BOUNDARY_FRICTION: (&str, Bounds) =
-    ("boundary_friction_coefficient", Bounds::closed(0.0, 2.0));
-/// From soft metals to diamond.
-const HARDNESS: (&str, Bounds) = ("hardness", Bounds::closed(1e7, 2e11));
-/// Distances of mean planes that overlap are negative.
-const DISTANCE: Bounds = Bounds::closed(-1e-3, 1e-3);
-/// Asperity pressures that count.
-const PRESSURE: Bounds = Bounds::closed(1e-3, 1e12);
-
-/// σβη and σ/β as usually quoted for engineering surfaces after Greenwood and Tripp (1970); quoted second-hand, and only to find errors
-/// of the decimal point.
-const USUAL_GROUP: [f64; 2] = [0.03, 0.07];
-const USUAL_HEIGHT_TO_RADIUS: [f64; 2] = [1e-4, 1e-2];
-
 /// Keys of the bodies; each body has one of its row.
 const KEYS: [[&str; 4]; 2] = [
     ["body_1_rms_height", "body_1_ra", "body_1_rq", "body_1_rz"],
@@ -40,12 +21,6 @@ const RMS_OVER_RA: f64 = 1.25;
 /// quotations of the ratio lie.
 const RZ_OVER_RA: f64 = 6.0;
 const RZ_OVER_RA_RANGE: [f64; 2] = [4.0, 8.0];
-
-const FLOW: &str = "flow";
-const ORIENTATION: &str = "orientation";
-const LAW: &str = "asperity_law";
-const TABLE_KEYS: [&str; 2] = ["asperity_distances", "asperity_pressures"];
-const ASPERITY_KEYS: [&str; 2] = ["asperity_group", "rms_height_to_asperity_radius"];
 
 /// Contents of `[surface_roughness]`.
 #[derive(Default)]
@@ -80,9 +55,9 @@ pub(super) fn read(
             .with_help("keep one of them"));
     }
     let roughness = own.or(of_bodies);
-    let asperities = asperities(&mut table)?;
+    let asperities = asperities::read(&mut table)?;
     if asperities.is_some() && roughness.is_none() {
-        let key = given_law(&mut table);
+        let key = asperities::given_key(&mut table);
         return Err(table
             .error(key, "asperities are described, but no roughness is given")
             .with_help(format!(
@@ -96,12 +71,9 @@ pub(super) fn read(
         return Err(table
             .error_here("[surface_roughness] is empty")
             .with_help(format!(
-                "keys are: {}, {}, {}, {LAW}, {}, {}, {FLOW}, {ORIENTATION}",
+                "keys are: {}, {}",
                 KEYS.as_flattened().join(", "),
-                ASPERITY_KEYS.join(", "),
-                TABLE_KEYS.join(", "),
-                HARDNESS.0,
-                BOUNDARY_FRICTION.0
+                asperities::KEYS.join(", ")
             )));
     }
     table.finish()?;
@@ -110,13 +82,6 @@ pub(super) fn read(
         rules,
         asperities,
     })
-}
-
-/// The key by which asperities are described.
-fn given_law(table: &mut Table<'_>) -> &'static str {
-    let keys = [ASPERITY_KEYS[0], LAW];
-    let given = keys.into_iter().find(|key| table.contains(key));
-    given.unwrap_or(ASPERITY_KEYS[0])
 }
 
 /// The key by which the roughness of a body is given, 0 or 1.
@@ -186,183 +151,4 @@ fn composite(table: &mut Table<'_>, rules: &mut Vec<String>) -> Result<Option<f6
         ));
     }
     Ok(Some(sigma))
-}
-
-/// Laws of the asperity pressure, by their name.
-#[derive(Clone, Copy, Default, PartialEq)]
-enum LawName {
-    #[default]
-    GreenwoodTripp,
-    GreenwoodWilliamson,
-    Table,
-}
-
-const LAWS: [(&str, LawName); 3] = [
-    ("greenwood-tripp", LawName::GreenwoodTripp),
-    ("greenwood-williamson", LawName::GreenwoodWilliamson),
-    ("table", LawName::Table),
-];
-
-/// The law of the asperity pressure with its numbers; `None` where the case describes no asperities.
-fn law(table: &mut Table<'_>) -> Result<Option<AsperityLaw>, InputError> {
-    let name = table.optional_choice(LAW, &LAWS)?;
-    let (numbers, others) = match name {
-        Some(LawName::Table) => (TABLE_KEYS, ASPERITY_KEYS),
-        _ => (ASPERITY_KEYS, TABLE_KEYS),
-    };
-    if let Some(other) = others.into_iter().find(|key| table.contains(key)) {
-        let problem = format!("`{other}` is not a number of this law of asperities");
-        let help = match name {
-            Some(LawName::Table) => "a table needs no other numbers".to_owned(),
-            _ => format!("write `{LAW} = \"table\"`, or remove it"),
-        };
-        return Err(table.error(other, problem).with_help(help));
-    }
-    if name.is_none() && !numbers.into_iter().any(|key| table.contains(key)) {
-        return Ok(None);
-    }
-    if name == Some(LawName::Table) {
-        let [distances, pressures] = TABLE_KEYS;
-        let own = (
-            table.required_quantities(distances, Dimension::LENGTH, DISTANCE)?,
-            table.required_quantities(pressures, Dimension::PRESSURE, PRESSURE)?,
-        );
-        let law = PressureTable::new(own.0, own.1);
-        return law
-            .map(|law| Some(AsperityLaw::Table(law)))
-            .map_err(|problem| table.error(pressures, problem));
-    }
-    let [group, ratio] = ASPERITY_KEYS;
-    let summits = Summits {
-        asperity_group: table.required_number(group, GROUP)?,
-        rms_height_to_asperity_radius: table.required_number(ratio, HEIGHT_TO_RADIUS)?,
-    };
-    Ok(Some(match name {
-        Some(LawName::GreenwoodWilliamson) => AsperityLaw::GreenwoodWilliamson(summits),
-        _ => AsperityLaw::GreenwoodTripp(summits),
-    }))
-}
-
-fn asperities(table: &mut Table<'_>) -> Result<Option<Asperities>, InputError> {
-    let flow = table.optional_choice(FLOW, &Flow::ALL)?;
-    let orientation = table.optional_choice(ORIENTATION, &ORIENTATIONS)?;
-    if orientation.is_some() && flow != Some(Flow::PatirCheng) {
-        return Err(table
-            .error(
-                ORIENTATION,
-                "only flow factors depend on the orientation of the roughness",
-            )
-            .with_help(format!("write `{FLOW} = \"patir-cheng\"`, or remove it")));
-    }
-    let Some(law) = law(table)? else {
-        let [group, ratio] = ASPERITY_KEYS;
-        for (key, problem) in [
-            (
-                BOUNDARY_FRICTION.0,
-                "boundary friction is that of asperities, which are not described",
-            ),
-            (
-                FLOW,
-                "the gap that flows is that between asperities, which are not described",
-            ),
-            (
-                HARDNESS.0,
-                "the hardness limits the pressure of asperities, which are not described",
-            ),
-        ] {
-            if table.contains(key) {
-                return Err(table.error(key, problem).with_help(format!(
-                    "`{group}` and `{ratio}` describe them, or `{LAW} = \"table\"`"
-                )));
-            }
-        }
-        return Ok(None);
-    };
-    Ok(Some(Asperities {
-        law,
-        hardness: table.optional_quantity(HARDNESS.0, Dimension::PRESSURE, HARDNESS.1)?,
-        boundary_friction_coefficient: table
-            .optional_number(BOUNDARY_FRICTION.0, BOUNDARY_FRICTION.1)?,
-        flow: flow.unwrap_or_default(),
-        flow_is_chosen: flow.is_some(),
-        orientation: (flow == Some(Flow::PatirCheng)).then(|| orientation.unwrap_or_default()),
-    }))
-}
-
-/// Share of the Hertz pressure at the last distance of a table above which films lie beyond it.
-const LEAST_PRESSURE: f64 = 1e-3;
-
-/// Refuses a table of pressures that the contact leaves, and a hardness at which the bodies themselves yield; `hertz` is the largest pressure of the dry
-/// contact, Pa.
-pub(super) fn check_range(
-    asperities: &Asperities,
-    table: &Table<'_>,
-    hertz: f64,
-) -> Result<(), InputError> {
-    if asperities.hardness.is_some_and(|hardness| hardness < hertz) {
-        let contact = pressure(hertz);
-        return Err(table
-            .error(
-                HARDNESS.0,
-                format!("the contact presses with up to {contact}: at this hardness the bodies yield, not only their asperities"),
-            )
-            .with_help("give the hardness as a pressure, such as \"7 GPa\", or remove it"));
-    }
-    let AsperityLaw::Table(law) = &asperities.law else {
-        return Ok(());
-    };
-    let [first, .., last] = law.asperity_pressures[..] else {
-        return Ok(());
-    };
-    if first < hertz {
-        let problem = format!(
-            "the table ends at {}, but the contact presses with up to {}",
-            pressure(first),
-            pressure(hertz)
-        );
-        return Err(table.error(TABLE_KEYS[1], problem).with_help(
-            "continue it to smaller distances, below zero where the mean planes overlap, or choose another `asperity_law`",
-        ));
-    }
-    if last > LEAST_PRESSURE * hertz {
-        let problem = format!(
-            "the last pressure of the table, {}, is {} % of that of the contact: thicker films lie beyond it",
-            pressure(last),
-            digits(100.0 * last / hertz, 2)
-        );
-        return Err(table.error(TABLE_KEYS[1], problem).with_help(format!(
-            "continue it to larger distances, down to {}, or choose another `{LAW}`",
-            pressure(LEAST_PRESSURE * hertz)
-        )));
-    }
-    Ok(())
-}
-
-/// Numbers that measured surfaces seldom have.
-pub(super) fn warnings(asperities: &Asperities) -> Vec<Warning> {
-    let (AsperityLaw::GreenwoodTripp(summits) | AsperityLaw::GreenwoodWilliamson(summits)) =
-        &asperities.law
-    else {
-        return Vec::new();
-    };
-    let [group, ratio] = ASPERITY_KEYS;
-    let values = [
-        (group, summits.asperity_group, USUAL_GROUP),
-        (
-            ratio,
-            summits.rms_height_to_asperity_radius,
-            USUAL_HEIGHT_TO_RADIUS,
-        ),
-    ];
-    let outside =
-        (values.into_iter()).filter(|(_, value, [low, high])| value < low || value > high);
-    outside
-        .map(|(key, value, [low, high])| {
-            let text = format!(
-                "{key} = {} is outside {low} to {high}, the range usually quoted for engineering surfaces",
-                digits(value, 4)
-            );
-            Warning::beyond(WarningKind::AsperityData, (value / high).max(low / value), text)
-        })
-        .collect()
 }

@@ -20,6 +20,13 @@ pub(super) fn describe(asperities: &Asperities) -> String {
                 digits(summits.rms_height_to_asperity_radius, 6)
             )
         }
+        AsperityLaw::Persson(own) => format!(
+            "{}: rms slope {}, u_0/σ {}, β {}",
+            law.source(),
+            digits(own.rms_slope, 6),
+            digits(own.decay_length_to_rms_height, 6),
+            digits(own.pressure_factor, 4)
+        ),
         AsperityLaw::Table(table) => format!(
             "{} at {} distances",
             law.source(),
