@@ -6,6 +6,7 @@ use ertel::case::Case;
 use ertel::contact::ContactKind;
 use ertel::engine::SolveError;
 use ertel::estimate::{CaseEstimate, estimate};
+use ertel::machine;
 use ertel::output;
 use ertel::run;
 use ertel::solution::Solution;
@@ -55,7 +56,8 @@ pub fn run(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<(), Fail
     if arguments.report.quiet {
         return Ok(());
     }
-    let text = output::check_report(&case.echo(), &found.estimate);
+    let whole = machine::estimate(case);
+    let text = output::check_report(&case.echo(), &found.estimate, whole.as_ref());
     let files: Vec<String> = job
         .given
         .files()

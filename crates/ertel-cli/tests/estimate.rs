@@ -96,6 +96,153 @@ fn warnings_and_errors() {
     assert_eq!(output.status.code(), Some(2));
 }
 
+/// The template of a machine in a folder.
+fn template(kind: &str) -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("machine.toml");
+    let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .args(["init", kind, "--output"])
+        .arg(&path)
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    (folder, path)
+}
+
+/// Figures and contacts of whole machines without a solve; tables fit into 80 columns, and the check has the main figures.
+#[test]
+fn whole_machines_are_estimated() {
+    let machines: [(&str, &[&str], &[&str]); 3] = [
+        (
+            "bearing",
+            &[
+                "viscosity ratio κ                 1.639",
+                "dynamic load rating C             19453 N",
+                "friction torque of all contacts   needs a solve",
+                "minimum Hamrock-Dowson 1977",
+                "ball 0, inner ring",
+                "ball 1, inner ring ×2",
+                "torque, SKF model",
+            ],
+            &[
+                "life factor a_ISO",
+                "static safety C_0/P_0",
+                "torque, Palmgren model",
+            ],
+        ),
+        (
+            "gear",
+            &[
+                "transverse contact ratio          1.635",
+                "from the mean friction after Schlenk",
+                "safety against scuffing S_B       give `scuffing_temperature`",
+                "power lost in the mesh            needs a solve",
+                "smallest specific film λ_GF",
+                "minimum Dowson-Higginson 1977",
+                "\n  B ",
+                "\n  E ",
+            ],
+            &[
+                "power lost after Ohlendorf and Schlenk",
+                "largest flash temperature",
+            ],
+        ),
+        (
+            "cam",
+            &[
+                "entrainment reverses              at 50.41, 73.15, 86.85, 109.6 deg",
+                "largest pressure angle",
+                "mean friction torque              needs a solve",
+                "64 deg",
+            ],
+            &["largest torque of the follower's force"],
+        ),
+    ];
+    for (kind, words, of_check) in machines {
+        let (folder, path) = template(kind);
+        let output = estimate(&path, &[]);
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        let text = stdout(&output);
+        for words in words {
+            assert!(text.contains(words), "{kind}: {words}: {text}");
+        }
+        let (_, table) = text.split_once("Contacts by formulas\n").unwrap();
+        let (table, _) = table.split_once("\nMost loaded contact\n").unwrap();
+        for line in table.lines() {
+            assert!(line.chars().count() <= 80, "{kind}: {line}");
+        }
+        let check = Command::new(env!("CARGO_BIN_EXE_ertel"))
+            .args(["solve", "--check"])
+            .arg(&path)
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        assert_eq!(check.status.code(), Some(0), "{}", stderr(&check));
+        for words in of_check {
+            assert!(
+                stdout(&check).contains(words),
+                "{kind}: {words}: {}",
+                stdout(&check)
+            );
+        }
+
+        std::fs::write(
+            &path,
+            std::fs::read_to_string(&path)
+                .unwrap()
+                .replace(" rpm\"", "\""),
+        )
+        .unwrap();
+        let output = estimate(&path, &[]);
+        assert_eq!(output.status.code(), Some(2), "{kind}");
+        assert!(
+            stderr(&output).contains("has no unit"),
+            "{}",
+            stderr(&output)
+        );
+        assert_eq!(stdout(&output), "");
+    }
+}
+
+/// The document of a machine has the keys of `machine.json`, with the quantities of its contacts.
+#[test]
+fn json_of_whole_machines() {
+    let document = |kind: &str| -> serde_json::Value {
+        let (_folder, path) = template(kind);
+        let output = estimate(&path, &["--json"]);
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        serde_json::from_str(stdout(&output)).unwrap()
+    };
+    let number = |json: &serde_json::Value, path: &str| {
+        let found = json.pointer(path).and_then(serde_json::Value::as_f64);
+        found.unwrap_or_else(|| panic!("{path}: {json:#}"))
+    };
+    let bearing = document("bearing");
+    assert_eq!(bearing["figures"]["kappa"]["words"], "viscosity ratio κ");
+    assert_eq!(bearing["not_estimated"]["friction_torque"], "needs a solve");
+    // As the table of formulas has it for the most loaded contact.
+    assert_eq!(bearing["governing_contact"], 1);
+    let film = number(&bearing, "/contacts/0/film_central");
+    assert_eq!(film, number(&bearing, "/film/film_central"));
+    assert_eq!(number(&bearing, "/contacts/0/contact_angle"), 0.0);
+    assert_eq!(bearing["contacts"].as_array().unwrap().len(), 18);
+    assert_eq!(bearing["units"]["contact_angle"], "rad");
+    assert_eq!(bearing["units"]["load"], "N");
+
+    let gear = document("gear");
+    let mut contacts = gear["contacts"].as_array().unwrap().iter();
+    let pitch_point = contacts
+        .find(|contact| contact["name"].as_str().unwrap().starts_with("C,"))
+        .unwrap();
+    assert_eq!(number(pitch_point, "/sliding_speed"), 0.0);
+    assert_eq!(number(pitch_point, "/flash_temperature"), 0.0);
+    assert_eq!(gear["units"]["load"], "N/m");
+
+    let cam = document("cam");
+    assert_eq!(cam["entrainment_reversals"].as_array().unwrap().len(), 4);
+    assert_eq!(cam["units"]["entrainment_reversals"], "rad");
+}
+
 /// A computed film is set against the roughness, too: some 200 nm here.
 #[test]
 fn solve_shows_the_lambda_ratio() {

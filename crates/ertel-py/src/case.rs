@@ -126,14 +126,16 @@ impl NativeCase {
     /// Estimates by formulas, as JSON.
     fn estimate(&self) -> PyResult<String> {
         let estimate = ertel::estimate::estimate(&self.case);
-        let document = ertel::output::estimate_json(&self.case.echo(), &estimate);
+        let whole = ertel::machine::estimate(&self.case);
+        let document = ertel::output::estimate_json(&self.case.echo(), &estimate, whole.as_ref());
         Ok(document.map_err(unwritable)?.to_string())
     }
 
     /// The same in words.
     fn estimate_report(&self) -> String {
         let estimate = ertel::estimate::estimate(&self.case);
-        ertel::output::estimate_report(&self.case.echo(), &estimate)
+        let whole = ertel::machine::estimate(&self.case);
+        ertel::output::estimate_report(&self.case.echo(), &estimate, whole.as_ref())
     }
 }
 

@@ -45,6 +45,16 @@ def machine(bearing: ertel.Bearing) -> ertel.MachineSolution:
     return solved
 
 
+def test_a_machine_is_estimated_without_a_solve(bearing: ertel.Bearing, machine: ertel.MachineSolution) -> None:
+    estimate = bearing.estimate()
+    for name in ("dynamic_load_rating", "kappa", "static_safety_factor", "friction_torque_skf"):
+        assert estimate["figures"][name]["value"] == machine.figures[name].value
+    assert estimate["not_estimated"]["friction_torque"] == "needs a solve"
+    loads = [contact["load"] for contact in estimate["contacts"]]
+    assert loads == [contact.load for contact in machine.contacts]
+    assert "Contacts by formulas" in bearing.estimate_report()
+
+
 def test_keywords_say_what_a_file_says(bearing: ertel.Bearing) -> None:
     text = """
         title = "Five balls"

@@ -2,10 +2,11 @@
 
 use approx::assert_relative_eq;
 use ertel::case::{Case, Mechanics};
-use ertel::machine::MachineFigures;
+use ertel::machine::{MachineFigures, estimate};
 use ertel::solution::Figure;
 use ertel::study::MachineSolution;
 
+use crate::common::text::read;
 use crate::common::{assert_figures, near, solved_machine, value};
 
 const REST: &str = concat!(
@@ -173,6 +174,148 @@ fn a_short_path_of_gears() {
         .map(|p| p.hertz_pressure)
         .fold(0.0, f64::max);
     assert_eq!(value(&found, "hertz_pressure_maximum"), highest);
+}
+
+/// Closed forms of C14: contact ratio by the lengths of its path; Schlenk's friction; flash temperatures by the formula of ISO/TS 6336-20 with that friction; minimum films after
+/// Dowson and Higginson, h/R = 2.65 G^0.54 U^0.7 W^−0.13, from the lubricant at 100 °C, over the mean Ra.
+#[test]
+fn gears_by_closed_forms() {
+    let case = read(format!("{GEARS}{REST}"));
+    let Mechanics::Gears(gears) = &case.whole.as_ref().unwrap().mechanics else {
+        panic!("gears")
+    };
+    let found = estimate(&case).unwrap();
+    let figures = &found.figures;
+    let [a, e] = [0, 4].map(|i| gears.path[i].position);
+    let pitch = std::f64::consts::PI * 4.5e-3 * 20_f64.to_radians().cos();
+    assert_figures(
+        figures,
+        &[("transverse_contact_ratio", (e - a) / pitch, 1e-9)],
+    );
+    assert!((value(figures, "loss_factor_ohlendorf") - 0.1950).abs() < 6e-5);
+
+    // w in N/mm, v_ΣC in m/s, ρ_C in mm, 20 mPa·s and 0.4 µm.
+    let at_c = &gears.path[2];
+    let force = 40.0 / (36e-3 * 20_f64.to_radians().cos());
+    let speed = at_c.u_1 + at_c.u_2;
+    let load = 1e-3 * force / 14e-3 / (speed * 1e3 * at_c.reduced_radius);
+    let schlenk = 0.048 * load.powf(0.2) * 20_f64.powf(-0.05) * 0.4_f64.powf(0.25);
+    assert_figures(figures, &[("friction_coefficient_schlenk", schlenk, 1e-6)]);
+
+    let body = &case.body_1;
+    let conductivity = body.thermal_conductivity.as_ref().unwrap();
+    let capacity = body.heat_capacity.as_ref().unwrap();
+    let effusivity = (conductivity.conductivity(0.0, 373.15)
+        * body.density.unwrap()
+        * capacity.heat_capacity(0.0, 373.15))
+    .sqrt();
+    let viscosity = case.lubricant.ambient_viscosity();
+    let (mut flash, mut film) = (0.0_f64, f64::INFINITY);
+    // E' = E/(1 − ν²).
+    let modulus = 210e9 / (1.0 - 0.09);
+    for p in &gears.path {
+        let heat = schlenk * p.load_per_length * (p.u_2 - p.u_1).abs();
+        let root = (2.0 * p.half_width).sqrt() * effusivity * (p.u_1.sqrt() + p.u_2.sqrt());
+        flash = flash.max(1.11 * heat / root);
+        let r = p.reduced_radius;
+        let [g, u, w] = [
+            16e-9 * modulus,
+            viscosity * p.entrainment_speed / (modulus * r),
+            p.load_per_length / (modulus * r),
+        ];
+        film = film.min(2.65 * r * g.powf(0.54) * u.powf(0.7) * w.powf(-0.13));
+    }
+    let hottest = value(figures, "contact_temperature");
+    assert_figures(
+        figures,
+        &[
+            ("flash_temperature", flash, 0.05),
+            (
+                "contact_temperature",
+                373.15 + value(figures, "flash_temperature"),
+                1e-9,
+            ),
+            ("scuffing_safety", 210.0 / (hottest - 363.15), 1e-9),
+            ("film_minimum", film, 1e-3),
+            ("specific_film_minimum", film / 0.4e-6, 1e-3),
+            ("micropitting_safety", film / 0.4e-6 / 0.2, 1e-3),
+        ],
+    );
+    let absent: Vec<&str> = found.absent.iter().map(|(figure, _)| figure.name).collect();
+    assert_eq!(
+        absent,
+        [
+            "friction_coefficient_mean",
+            "friction_power",
+            "mesh_loss",
+            "mesh_efficiency"
+        ]
+    );
+    // The shares 1/3 to 2/3 and 1, and the largest of the flash temperatures along the path.
+    let column = |name: &str| {
+        let column = found.columns.iter().find(|column| column.name == name);
+        column
+            .unwrap()
+            .values
+            .iter()
+            .map(|v| v.unwrap())
+            .collect::<Vec<f64>>()
+    };
+    let shares = column("load_share");
+    near(shares[0], 1.0 / 3.0, 1e-9);
+    near(shares[2], 1.0, 1e-9);
+    let most = column("flash_temperature").into_iter().fold(0.0, f64::max);
+    assert_eq!(most, value(figures, "flash_temperature"));
+}
+
+/// Without the limits and the roughness the estimate says what to give.
+#[test]
+fn an_estimate_says_what_it_needs() {
+    let bare = GEARS
+        .replace("scuffing_temperature = \"300 degC\"\n", "")
+        .replace(
+            "pinion_ra = \"0.3 um\"\nwheel_ra = \"0.5 um\"\npermissible_lambda = 0.2\n",
+            "",
+        );
+    let found = estimate(&read(format!("{bare}{REST}"))).unwrap();
+    let needs = |name: &str| {
+        let absent = found.absent.iter().find(|(figure, _)| figure.name == name);
+        absent.unwrap_or_else(|| panic!("{name}")).1
+    };
+    assert_eq!(needs("scuffing_safety"), "give `scuffing_temperature`");
+    assert_eq!(needs("micropitting_safety"), "give `permissible_lambda`");
+    for name in ["flash_temperature", "specific_film_minimum"] {
+        assert_eq!(needs(name), "give `pinion_ra` and `wheel_ra`");
+    }
+    assert_eq!(needs("mesh_loss"), "needs a solve");
+}
+
+/// An eccentric disc, s = e (1 − cos θ) under 500 N: T = F e at a right angle, no pressure angle; a flat follower is entrained with ω (r_b + 2 s'' + s)/2 =
+/// ω (18 + 4 + 4 cos θ)/2 mm, which does not reverse: 11 mm ± 2 mm.
+#[test]
+fn a_cam_by_closed_forms() {
+    let case = read(format!("{CAM}{REST}"));
+    let found = estimate(&case).unwrap();
+    assert_figures(&found.figures, &[("torque_maximum", 500.0 * 4e-3, 1e-4)]);
+    assert_eq!(value(&found.figures, "pressure_angle_maximum"), 0.0);
+    let column = |name: &str| -> Vec<f64> {
+        let column = found.columns.iter().find(|column| column.name == name);
+        column.unwrap().values.iter().map(|v| v.unwrap()).collect()
+    };
+    let omega = 1500.0 * std::f64::consts::TAU / 60.0;
+    assert!(
+        column("force")
+            .iter()
+            .all(|force| (force - 500.0).abs() < 1e-9)
+    );
+    for (i, speed) in column("entrainment_speed").into_iter().enumerate() {
+        let theta = std::f64::consts::TAU * i as f64 / 4.0;
+        near(speed.abs(), omega * 1e-3 * (11.0 + 2.0 * theta.cos()), 1e-6);
+    }
+    let Mechanics::Cam(cam) = &case.whole.as_ref().unwrap().mechanics else {
+        panic!("a cam")
+    };
+    assert!(cam.reversals.is_empty());
 }
 
 /// With heat the temperatures of the teeth are those that were solved: the hottest flank of all contacts is the contact temperature of S_B, and Blok's is given in addition.

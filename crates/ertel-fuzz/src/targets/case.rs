@@ -41,8 +41,9 @@ pub fn run(folder: &Path) -> Result<Verdict, Defect> {
 /// The steps of all commands except the solver.
 pub fn set_up(case: &Case) -> Result<(), Defect> {
     let (echo, figures) = (case.echo(), ertel::estimate::estimate(case));
-    output::estimate_report(&echo, &figures);
-    if let Err(error) = output::estimate_json(&echo, &figures) {
+    let whole = ertel::machine::estimate(case);
+    output::estimate_report(&echo, &figures, whole.as_ref());
+    if let Err(error) = output::estimate_json(&echo, &figures, whole.as_ref()) {
         return Err(Defect::wrong(
             "estimates that are not finite",
             error.to_string(),

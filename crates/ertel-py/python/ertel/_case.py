@@ -246,7 +246,11 @@ class Case:
         return {key: value for key, value, _ in self._native.inputs()}
 
     def estimate(self) -> dict[str, Any]:
-        """Estimates by formulas, in milliseconds: dry contact, groups, regime, films (SI)."""
+        """Estimates by formulas, in milliseconds: dry contact, groups, regime, films (SI).
+
+        Of a whole machine also ``figures``, by name as in :attr:`MachineSolution.figures`, ``not_estimated``, figures with what they need, and ``contacts`` with load,
+        Hertz pressure and formula films; all other keys are those of its most loaded contact.
+        """
         return json.loads(self._native.estimate())
 
     def estimate_report(self) -> str:

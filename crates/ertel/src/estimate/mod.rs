@@ -205,6 +205,16 @@ pub fn estimate(case: &Case) -> CaseEstimate {
     estimate
 }
 
+/// Films of one central and one minimum formula.
+pub fn films(case: &Case) -> FilmEstimate {
+    let temperature = case.lubricant.temperature;
+    let groups = groups(
+        case,
+        (case.lubricant.viscosity).pressure_viscosity_slope(temperature),
+    );
+    film(case, &groups, regime(&case.contact, &groups).regime)
+}
+
 fn chart(family: Family, groups: &Groups) -> ChartParameters {
     let (w, u, g) = (groups.load, groups.speed, groups.material);
     let circular = |value: f64| (family == Family::Point).then_some(value);

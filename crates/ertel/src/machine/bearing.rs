@@ -42,6 +42,35 @@ pub(super) fn figures(
     solved: &MachineSolution,
     warnings: &mut Vec<Warning>,
 ) -> Vec<Row> {
+    let mut figures = loads(mechanics, warnings);
+    let length = match (mechanics.contacts, &mechanics.bearing.geometry) {
+        // Lines are solved per length.
+        (ContactKind::Lines, Geometry::CylindricalRoller(roller)) => roller.length,
+        (ContactKind::Lines, Geometry::TaperedRoller(roller)) => roller.length,
+        _ => 1.0,
+    };
+    let film = sum(solved, |_, point| Some(film_power(point)? * length));
+    let rolling = sum(solved, |_, point| Some(rolling_power(point)? * length));
+    if let (Some(film), Some(rolling)) = (film, rolling) {
+        figures.extend(friction(case, mechanics, solved, [film, rolling], warnings));
+    }
+    figures.extend(super::life::figures(case, mechanics, warnings));
+    figures
+}
+
+/// Those that need no solved contact.
+pub(super) fn estimate(
+    case: &Case,
+    mechanics: &BearingMechanics,
+    warnings: &mut Vec<Warning>,
+) -> Vec<Row> {
+    let mut figures = loads(mechanics, warnings);
+    figures.extend(super::life::figures(case, mechanics, warnings));
+    figures
+}
+
+/// Largest loads and pressure.
+fn loads(mechanics: &BearingMechanics, warnings: &mut Vec<Warning>) -> Vec<Row> {
     let heaviest = mechanics.distribution.elements.iter();
     let heaviest = heaviest.flat_map(|e| e.contacts.iter().map(|c| [c.load, c.pressure]));
     let [load, pressure] = heaviest.fold([0.0_f64; 2], |[q, p], [load, pressure]| {
@@ -57,18 +86,6 @@ pub(super) fn figures(
     if rib > 0.0 {
         figures.push(RIB_LOAD_MAXIMUM.row(rib, ""));
     }
-    let length = match (mechanics.contacts, &mechanics.bearing.geometry) {
-        // Lines are solved per length.
-        (ContactKind::Lines, Geometry::CylindricalRoller(roller)) => roller.length,
-        (ContactKind::Lines, Geometry::TaperedRoller(roller)) => roller.length,
-        _ => 1.0,
-    };
-    let film = sum(solved, |_, point| Some(film_power(point)? * length));
-    let rolling = sum(solved, |_, point| Some(rolling_power(point)? * length));
-    if let (Some(film), Some(rolling)) = (film, rolling) {
-        figures.extend(friction(case, mechanics, solved, [film, rolling], warnings));
-    }
-    figures.extend(super::life::figures(case, mechanics, warnings));
     figures
 }
 

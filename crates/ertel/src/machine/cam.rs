@@ -13,8 +13,9 @@ use std::f64::consts::TAU;
 
 use ertel_machines::cam::CamPoint;
 
-use super::contacts::{self, figure_of, friction_of};
+use super::contacts::{figure_of, friction_of};
 use super::curve::Curve;
+use super::films::Films;
 use crate::case::CamMechanics;
 use crate::figures::Row;
 use crate::figures::cam::{
@@ -30,12 +31,26 @@ use crate::solution::Figure;
 const ANGLES: usize = 1440;
 
 /// The figures of a cam.
-pub(super) fn figures(cam: &CamMechanics, solved: &MachineSolution) -> Vec<Row> {
-    let turn = cam.cam.turn(&cam.operation, ANGLES);
-    let turn = turn.unwrap_or_else(|_| cam.points.clone());
-    let mut figures = mechanics(cam, &turn);
-    figures.extend(thinnest(cam, solved));
+pub(super) fn figures(cam: &CamMechanics, solved: &MachineSolution, films: &Films) -> Vec<Row> {
+    let turn = turn(cam);
+    let mut figures = without_solve(cam, &turn, films);
     figures.extend(friction(cam, &turn, solved).into_iter().flatten());
+    figures
+}
+
+/// Those that need no solved contact.
+pub(super) fn estimate(cam: &CamMechanics, films: &Films) -> Vec<Row> {
+    without_solve(cam, &turn(cam), films)
+}
+
+fn turn(cam: &CamMechanics) -> Vec<CamPoint> {
+    let turn = cam.cam.turn(&cam.operation, ANGLES);
+    turn.unwrap_or_else(|_| cam.points.clone())
+}
+
+fn without_solve(cam: &CamMechanics, turn: &[CamPoint], films: &Films) -> Vec<Row> {
+    let mut figures = mechanics(cam, turn);
+    figures.extend(thinnest(cam, films));
     figures
 }
 
@@ -72,8 +87,8 @@ fn mechanics(cam: &CamMechanics, turn: &[CamPoint]) -> Vec<Row> {
 }
 
 /// Where the film is thinnest.
-fn thinnest(cam: &CamMechanics, solved: &MachineSolution) -> Option<Row> {
-    let i = contacts::thinnest(solved)?;
+fn thinnest(cam: &CamMechanics, films: &Films) -> Option<Row> {
+    let i = films.thinnest()?;
     Some(FILM_MINIMUM_ANGLE.row(
         cam.points[i].angle,
         "steady films: where the entrainment nearly vanishes, squeeze keeps the real film thicker",

@@ -4,13 +4,16 @@ use crate::mark::Marked;
 use crate::point::{MachineSolution, PointSolution};
 use crate::solution::Figure;
 
-/// The contact with the smallest film, by its place among the contacts.
-pub(super) fn thinnest(solved: &MachineSolution) -> Option<usize> {
-    let films = solved
-        .solved()
-        .filter_map(|(i, point)| Some((i, figure_of(point, Figure::FilmMinimum)?.value)));
-    let (i, _) = films.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    Some(i)
+/// A value of each contact of a machine; `None` where it is not known.
+pub(super) type Values = Vec<Option<Marked>>;
+
+/// A value of every contact that is solved, those that are alike included.
+pub(super) fn each(
+    solved: &MachineSolution,
+    value: impl Fn(&PointSolution) -> Option<Marked>,
+) -> Values {
+    let all = 0..solved.contacts.len();
+    all.map(|i| value(solved.of(i)?)).collect()
 }
 
 /// A figure of a contact.

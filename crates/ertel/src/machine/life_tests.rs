@@ -1,7 +1,7 @@
 use approx::assert_relative_eq;
 use std::path::Path;
 
-use super::super::unsolved;
+use super::super::estimate;
 use super::*;
 use crate::machine::MachineFigures;
 
@@ -13,7 +13,7 @@ fn figures(machine: &str, steel: &str) -> MachineFigures {
          viscosity = {{ law = \"roelands\", mu_0 = \"17 mPa.s\", alpha = \"18 1/GPa\" }}\n"
     );
     let case = Case::from_text("bearing.toml", &text, Path::new("")).unwrap();
-    unsolved(&case).unwrap().1
+    estimate(&case).unwrap().figures
 }
 
 fn value(figures: &MachineFigures, name: &str) -> f64 {
@@ -170,7 +170,7 @@ fn the_model_of_skf_ends_in_the_cold() {
              [lubricant]\ntemperature = \"{temperature}\"\niso_vg = 100\nbase_oil = \"mineral\"\n"
         );
         let case = Case::from_text("bearing.toml", &text, Path::new("")).unwrap();
-        unsolved(&case).unwrap().1
+        estimate(&case).unwrap().figures
     };
     let [cold, warm] = [at("-25 degC"), at("40 degC")];
     let is_reported = |of: &MachineFigures| of.warnings.iter().any(|w| w.contains("SKF's model"));

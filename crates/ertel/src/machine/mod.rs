@@ -5,6 +5,8 @@ mod cam;
 mod collected;
 mod contacts;
 mod curve;
+mod estimate;
+mod films;
 mod gears;
 mod heat;
 mod life;
@@ -12,12 +14,14 @@ mod moments;
 mod rolling;
 mod slip;
 
+pub use estimate::{ContactColumn, MachineEstimate};
 pub(crate) use heat::solve_by;
 pub use heat::{Balance, SolvedMachine};
 
-use self::contacts::figure_of;
+use self::contacts::{Values, each, figure_of};
 use self::curve::Curve;
-use crate::case::{Case, Mechanics};
+use self::films::Films;
+use crate::case::{Case, Mechanics, WholeMachine};
 use crate::figures::Row;
 use crate::figures::machine::{
     ASPERITY_LOAD_SHARE_MAXIMUM, FILM_CENTRAL, FILM_MINIMUM, LAMBDA_MINIMUM,
@@ -25,7 +29,7 @@ use crate::figures::machine::{
 };
 use crate::mark::Marked;
 pub use crate::point::MachineFigures;
-use crate::point::{MachineSolution, PointSolution};
+use crate::point::MachineSolution;
 use crate::solution::Figure;
 use crate::warning::silence;
 
@@ -39,41 +43,57 @@ pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
         }
         false => solved,
     };
-    let mut all = films(solved);
+    let films = Films::solved(solved);
+    let mut all = film_rows(&solved.machine, &films);
+    all.extend(asperities(solved));
     all.extend(stresses(solved));
     let mut warnings = Vec::new();
     match &solved.machine.mechanics {
         Mechanics::Bearing(bearing) => {
             all.extend(bearing::figures(case, bearing, solved, &mut warnings));
         }
-        Mechanics::Gears(gears) => all.extend(gears::figures(case, gears, solved, &mut warnings)),
-        Mechanics::Cam(cam) => all.extend(cam::figures(cam, solved)),
+        Mechanics::Gears(gears) => {
+            all.extend(gears::figures(case, gears, solved, &films, &mut warnings));
+        }
+        Mechanics::Cam(cam) => all.extend(cam::figures(cam, solved, &films)),
     }
     silence(&mut warnings, &case.output.silence);
     MachineFigures { all, warnings }
 }
 
-/// A machine none of whose contacts is solved, with the figures that need no film: loads, ratings, lives, models of friction. `None` of single contacts.
-pub fn unsolved(case: &Case) -> Option<(MachineSolution, MachineFigures)> {
+/// What is known of a whole machine before its contacts are solved; `None` of single contacts.
+pub fn estimate(case: &Case) -> Option<MachineEstimate> {
     let machine = case.whole.clone()?;
-    let solution = MachineSolution {
-        contacts: vec![None; machine.contacts.len()],
-        machine,
-        wall_seconds: 0.0,
+    let films = Films::by_formulas(case, &machine);
+    let mut all = film_rows(&machine, &films);
+    let mut warnings = Vec::new();
+    all.extend(match &machine.mechanics {
+        Mechanics::Bearing(bearing) => bearing::estimate(case, bearing, &mut warnings),
+        Mechanics::Gears(gears) => gears::estimate(case, &machine, gears, &films),
+        Mechanics::Cam(cam) => cam::estimate(cam, &films),
+    });
+    let columns = match &machine.mechanics {
+        Mechanics::Bearing(bearing) => estimate::around(bearing),
+        Mechanics::Gears(gears) => {
+            estimate::along(gears, gears::along(case, &machine, gears, &films))
+        }
+        Mechanics::Cam(cam) => estimate::over_turn(cam),
     };
-    let figures = figures(case, &solution);
-    Some((solution, figures))
+    silence(&mut warnings, &case.output.silence);
+    Some(MachineEstimate {
+        absent: estimate::absent(case, &machine.mechanics, &all),
+        columns: [columns, estimate::of_films(&films)].concat(),
+        figures: MachineFigures { all, warnings },
+        machine,
+    })
 }
 
 /// The smallest value of all contacts. Along a path and over a turn its bar allows for what lies between the contacts.
-fn smallest(
-    solved: &MachineSolution,
-    value: impl Fn(&PointSolution) -> Option<Marked>,
-) -> Option<Marked> {
-    let contacts = solved.machine.contacts.iter().enumerate();
-    let values = contacts.filter_map(|(i, at)| Some((at.place, value(solved.of(i)?)?)));
+fn smallest(machine: &WholeMachine, values: &Values) -> Option<Marked> {
+    let values = machine.contacts.iter().zip(values);
+    let values = values.filter_map(|(at, value)| Some((at.place, (*value)?)));
     let values: Vec<(f64, Marked)> = values.collect();
-    match &solved.machine.mechanics {
+    match &machine.mechanics {
         Mechanics::Bearing(_) => {
             let values = values.into_iter().map(|(_, value)| value);
             values.min_by(|a, b| a.value.total_cmp(&b.value))
@@ -83,46 +103,47 @@ fn smallest(
     }
 }
 
-/// The smallest film of all, the smallest film over roughness, and the largest load share of asperities.
-fn films(solved: &MachineSolution) -> Vec<Row> {
-    let film = smallest(solved, |point| figure_of(point, Figure::FilmMinimum));
-    let central = smallest(solved, |point| figure_of(point, Figure::FilmCentral));
-    let lambda = smallest(solved, |point| {
-        let mixed = point.outcome.solution()?.mixed.as_ref()?;
-        Some(Marked::from(mixed.lambda_minimum))
-    });
-    let share = |point: &PointSolution| figure_of(point, Figure::AsperityLoadShare);
-    let share = smallest(solved, |point| Some(share(point)? * -1.0)).map(|least| least * -1.0);
+/// The largest value of all contacts, likewise.
+fn largest(machine: &WholeMachine, values: &Values) -> Option<Marked> {
+    let turned = values.iter().map(|value| Some((*value)? * -1.0)).collect();
+    Some(smallest(machine, &turned)? * -1.0)
+}
+
+/// The smallest films, and the smallest film over roughness.
+fn film_rows(machine: &WholeMachine, films: &Films) -> Vec<Row> {
     [
-        (FILM_CENTRAL, central),
-        (FILM_MINIMUM, film),
-        (LAMBDA_MINIMUM, lambda),
-        (ASPERITY_LOAD_SHARE_MAXIMUM, share),
+        (FILM_CENTRAL, &films.central),
+        (FILM_MINIMUM, &films.minimum),
+        (LAMBDA_MINIMUM, &films.lambda),
     ]
     .into_iter()
-    .filter_map(|(figure, estimate)| Some(figure.row(estimate?, "")))
+    .filter_map(|(figure, of)| Some(figure.row(smallest(machine, of)?, films.by.source())))
     .collect()
+}
+
+/// The largest load share of asperities.
+fn asperities(solved: &MachineSolution) -> Option<Row> {
+    let share = each(solved, |point| figure_of(point, Figure::AsperityLoadShare));
+    Some(ASPERITY_LOAD_SHARE_MAXIMUM.row(largest(&solved.machine, &share)?, ""))
 }
 
 /// The largest stresses in the bodies of all contacts.
 fn stresses(solved: &MachineSolution) -> Vec<Row> {
-    let largest = |figures: [Figure; 2]| {
-        // The smallest of the negative values.
-        let of = |point: &PointSolution| {
+    let of = |figures: [Figure; 2]| {
+        let in_bodies = each(solved, |point| {
             let bodies = figures.into_iter().filter_map(|f| figure_of(point, f));
-            let largest = bodies.max_by(|a, b| a.value.total_cmp(&b.value));
-            Some(largest? * -1.0)
-        };
-        Some(smallest(solved, of)? * -1.0)
+            bodies.max_by(|a, b| a.value.total_cmp(&b.value))
+        });
+        largest(&solved.machine, &in_bodies)
     };
     [
         (
             VON_MISES_MAXIMUM,
-            largest([Figure::VonMisesBody1, Figure::VonMisesBody2]),
+            of([Figure::VonMisesBody1, Figure::VonMisesBody2]),
         ),
         (
             ORTHOGONAL_SHEAR_MAXIMUM,
-            largest([Figure::OrthogonalShearBody1, Figure::OrthogonalShearBody2]),
+            of([Figure::OrthogonalShearBody1, Figure::OrthogonalShearBody2]),
         ),
     ]
     .into_iter()

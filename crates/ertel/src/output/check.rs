@@ -1,13 +1,19 @@
 //! The report of a case check.
 
 use super::lines::Lines;
+use super::machine::write_summary;
 use super::report::{write_case, write_hertz};
 use crate::case::CaseEcho;
 use crate::estimate::CaseEstimate;
+use crate::machine::MachineEstimate;
 use crate::words::length;
 
-/// The case as read, its dry contact and its formula films. The caller adds remarks on the solve.
-pub fn check_report(case: &CaseEcho, estimate: &CaseEstimate) -> String {
+/// The case as read, its dry contact and its formula films, and the main figures of a whole machine. The caller adds remarks on the solve.
+pub fn check_report(
+    case: &CaseEcho,
+    estimate: &CaseEstimate,
+    machine: Option<&MachineEstimate>,
+) -> String {
     let mut out = Lines::default();
     out.title(&case.title);
     write_case(&mut out, case);
@@ -23,6 +29,10 @@ pub fn check_report(case: &CaseEcho, estimate: &CaseEstimate) -> String {
     out.row("central film", by(film.central_formula, film.central));
     if let (Some(h), Some(name)) = (film.minimum, film.minimum_formula) {
         out.row("minimum film", by(name, h));
+    }
+    if let Some(machine) = machine {
+        out.heading("Whole machine by formulas (all: `ertel estimate`)");
+        write_summary(&mut out, machine);
     }
     out.text()
 }

@@ -7,22 +7,35 @@ use serde_json::{Value, json};
 use super::FORMAT_VERSION;
 use super::figure::{percent_or_power, power};
 use super::lines::Lines;
+use super::machine::{estimate_units, estimate_values, write_estimate};
 use super::report::{write_case, write_contact};
 use super::result_json::units;
 use crate::case::CaseEcho;
 use crate::estimate::{CaseEstimate, NEGLIGIBLE_INERTIA};
+use crate::machine::MachineEstimate;
 use crate::reference::biboulet_houpert::SOURCE;
 use crate::solution::FormulaFilm;
+use crate::warning::Warning;
 use crate::words::{digits, length};
 
 /// Value of the key `format` in the JSON document.
 pub const ESTIMATE_FORMAT: &str = "ertel-estimate";
 
-/// The estimates as text: the case in SI, Hertz contact, groups, regime, film formulas, and their consequences.
-pub fn estimate_report(case: &CaseEcho, estimate: &CaseEstimate) -> String {
+/// The estimates as text: the case in SI, figures and contacts of a whole machine, then of its most loaded contact or of the only one Hertz contact, groups, regime,
+/// film formulas, and their consequences.
+pub fn estimate_report(
+    case: &CaseEcho,
+    estimate: &CaseEstimate,
+    machine: Option<&MachineEstimate>,
+) -> String {
     let mut out = Lines::default();
     out.title(&case.title);
     write_case(&mut out, case);
+    if let Some(of) = machine {
+        write_estimate(&mut out, of);
+        out.heading("Most loaded contact");
+        out.row("contact", &of.machine.contacts[of.machine.governing].name);
+    }
     write_contact(
         &mut out,
         (&case.contact, &estimate.hertz),
@@ -43,8 +56,19 @@ pub fn estimate_report(case: &CaseEcho, estimate: &CaseEstimate) -> String {
     write_formulas(&mut out, estimate);
     write_film(&mut out, estimate);
     write_thermal(&mut out, estimate);
-    out.warnings(&estimate.warnings);
+    out.warnings(&warnings(estimate, machine));
     out.text()
+}
+
+/// The warnings of the contact, and of the machine.
+fn warnings(estimate: &CaseEstimate, machine: Option<&MachineEstimate>) -> Vec<Warning> {
+    let of_machine = machine.iter().flat_map(|of| &of.figures.warnings);
+    estimate
+        .warnings
+        .iter()
+        .chain(of_machine)
+        .cloned()
+        .collect()
 }
 
 fn write_regime(out: &mut Lines, estimate: &CaseEstimate) {
@@ -218,7 +242,11 @@ fn write_thermal(out: &mut Lines, estimate: &CaseEstimate) {
 ///
 /// # Errors
 /// Those of the JSON writer.
-pub fn estimate_json(case: &CaseEcho, estimate: &CaseEstimate) -> serde_json::Result<Value> {
+pub fn estimate_json(
+    case: &CaseEcho,
+    estimate: &CaseEstimate,
+    machine: Option<&MachineEstimate>,
+) -> serde_json::Result<Value> {
     let mut units = units(case.contact.kind.is_line());
     for (key, unit) in [
         ("temperature_rise", "K"),
@@ -229,6 +257,9 @@ pub fn estimate_json(case: &CaseEcho, estimate: &CaseEstimate) -> serde_json::Re
         ("temperature_coefficient", "1/K"),
     ] {
         units[key] = unit.into();
+    }
+    if let (Some(keys), Some(of)) = (units.as_object_mut(), machine) {
+        keys.extend(estimate_units(of));
     }
     // Mesh and solver settings are not used.
     let mut si = serde_json::to_value(case)?;
@@ -248,6 +279,13 @@ pub fn estimate_json(case: &CaseEcho, estimate: &CaseEstimate) -> serde_json::Re
         (document.as_object_mut(), serde_json::to_value(estimate)?)
     {
         keys.extend(figures);
+    }
+    if let (Some(keys), Some(of)) = (document.as_object_mut(), machine) {
+        keys.extend(estimate_values(case, of));
+        keys.insert(
+            "warnings".to_owned(),
+            serde_json::to_value(warnings(estimate, machine))?,
+        );
     }
     Ok(document)
 }

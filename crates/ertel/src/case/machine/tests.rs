@@ -353,7 +353,8 @@ fn cam_and_flat_tappet() {
 #[test]
 fn results_list_what_was_computed() {
     let case = read(GEAR).unwrap();
-    let text = crate::output::estimate_report(&case.echo(), &crate::estimate::estimate(&case));
+    let text =
+        crate::output::estimate_report(&case.echo(), &crate::estimate::estimate(&case), None);
     for words in [
         "From the machine\n",
         "R = R_1 R_2/(R_1 + R_2)",

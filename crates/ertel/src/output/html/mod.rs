@@ -237,7 +237,7 @@ pub fn machine_page(
     });
     let results = part(
         |out| {
-            write_figures(out, figures);
+            write_figures(out, figures, &[]);
             write_idle(out, machine);
         },
         "",

@@ -6,7 +6,7 @@ use super::super::curve::point_json;
 use super::super::result_json::{FORMAT_VERSION, units};
 use super::super::rows::rows_json;
 use super::warnings;
-use crate::case::{CaseEcho, RINGS};
+use crate::case::{CaseEcho, MachineContact, RINGS, WholeMachine};
 use crate::machine::MachineFigures;
 use crate::run::NUMERICS;
 use crate::study::MachineSolution;
@@ -28,17 +28,7 @@ pub fn machine_json(
     let warnings = warnings(machine, figures);
     let contacts = (whole.contacts.iter().enumerate())
         .map(|(i, contact)| {
-            let mut value = json!({
-                "contact": i + 1,
-                "name": contact.name,
-                (whole.axis.name()): contact.place,
-                "load": contact.load,
-                "hertz_pressure": contact.hertz_pressure,
-                "solved_as": contact.like.map(|like| like + 1),
-            });
-            if whole.has_sides() {
-                value["ring"] = json!(RINGS[contact.side]);
-            }
+            let mut value = contact_json(whole, i, contact);
             if let Some(point) = &machine.contacts[i] {
                 let mut point = point_json(i, point)?;
                 if let Some(keys) = point.as_object_mut() {
@@ -50,15 +40,13 @@ pub fn machine_json(
             Ok(value)
         })
         .collect::<serde_json::Result<Vec<Value>>>()?;
-    let rows = case.machine.iter().flat_map(|machine| &machine.rows);
-    let rows: Vec<Value> = rows.map(|(name, value)| json!([name, value])).collect();
     Ok(json!({
         "format": MACHINE_FORMAT,
         "format_version": FORMAT_VERSION,
         "ertel_version": env!("CARGO_PKG_VERSION"),
         "numerics_version": NUMERICS,
         "title": case.title,
-        "machine": rows,
+        "machine": rows_of(case),
         "governing_contact": whole.governing + 1,
         "figures": rows_json(&figures.all),
         "n_contacts": whole.contacts.len(),
@@ -73,4 +61,30 @@ pub fn machine_json(
         "case": { "given": case.given, "si": serde_json::to_value(case)? },
         "units": units(whole.is_line),
     }))
+}
+
+/// The rows of the machine in its report.
+pub(in crate::output) fn rows_of(case: &CaseEcho) -> Vec<Value> {
+    let rows = case.machine.iter().flat_map(|machine| &machine.rows);
+    rows.map(|(name, value)| json!([name, value])).collect()
+}
+
+/// A contact by the mechanics of the machine.
+pub(in crate::output) fn contact_json(
+    whole: &WholeMachine,
+    i: usize,
+    contact: &MachineContact,
+) -> Value {
+    let mut value = json!({
+        "contact": i + 1,
+        "name": contact.name,
+        (whole.axis.name()): contact.place,
+        "load": contact.load,
+        "hertz_pressure": contact.hertz_pressure,
+        "solved_as": contact.like.map(|like| like + 1),
+    });
+    if whole.has_sides() {
+        value["ring"] = json!(RINGS[contact.side]);
+    }
+    value
 }

@@ -1,10 +1,12 @@
 //! Results of a machine: `machine.json`, `machine.csv`, pictures, a report, and contact folders.
 
+mod estimate;
 mod json;
 mod picture;
 mod report;
 mod table;
 
+pub(super) use estimate::{estimate_units, estimate_values, write_estimate, write_summary};
 pub use json::{MACHINE_FORMAT, machine_json};
 pub(super) use picture::machine_pictures;
 pub use report::machine_report;

@@ -8,7 +8,7 @@ use super::super::lines::{Lines, Table};
 use super::super::report::write_case;
 use super::super::rows::shown;
 use crate::case::CaseEcho;
-use crate::figures::{Row, Section};
+use crate::figures::{Definition, Row, Section};
 use crate::machine::MachineFigures;
 use crate::mark::{Marks, of_figure};
 use crate::solution::{Estimate, Figure, Solution};
@@ -26,7 +26,7 @@ pub fn machine_report(
     let mut out = Lines::default();
     out.title(&case.title);
     write_case(&mut out, case);
-    write_figures(&mut out, figures);
+    write_figures(&mut out, figures, &[]);
     write_contacts(&mut out, machine);
     out.warnings(&warnings(machine, figures));
     let mut text = out.text();
@@ -48,20 +48,31 @@ pub fn machine_report(
     text
 }
 
-/// Figures of the machine by section.
-pub(in crate::output) fn write_figures(out: &mut Lines, figures: &MachineFigures) {
+/// Figures of the machine by section; those that are `absent` with what they need.
+pub(in crate::output) fn write_figures(
+    out: &mut Lines,
+    figures: &MachineFigures,
+    absent: &[(Definition, &str)],
+) {
     for section in Section::OF_MACHINES {
         let rows = figures
             .all
             .iter()
             .filter(|row| row.figure.section == section);
         let rows: Vec<&Row> = rows.collect();
-        if rows.is_empty() {
+        let absent = absent
+            .iter()
+            .filter(|(figure, _)| figure.section == section);
+        let absent: Vec<&(Definition, &str)> = absent.collect();
+        if rows.is_empty() && absent.is_empty() {
             continue;
         }
         out.heading(section.heading());
         for row in &rows {
             out.row(row.figure.words, shown(row));
+        }
+        for (figure, needs) in absent {
+            out.row(figure.words, needs);
         }
         let marks: Marks = rows.iter().map(|row| row.estimate.marks).sum();
         for mark in marks.iter().filter(|mark| !mark.symbol().is_empty()) {
