@@ -109,7 +109,7 @@ fn rough(gears: &GearMechanics, solved: &MachineSolution) -> Option<Warning> {
 }
 
 /// The coefficient of traction of a contact, and whether it is that of a film that does not separate the flanks.
-fn traction(gears: &GearMechanics, point: &PointSolution) -> Option<Marked> {
+pub(super) fn traction(gears: &GearMechanics, point: &PointSolution) -> Option<Marked> {
     let film = figure_of(point, Figure::FilmMinimum)?.value;
     let is_alone = point.case.asperities.is_none()
         && composite(gears).is_some_and(|rough| film < FULL_FROM * rough);
@@ -118,16 +118,34 @@ fn traction(gears: &GearMechanics, point: &PointSolution) -> Option<Marked> {
 }
 
 /// A solved contact: its coefficient of traction, the resistance to rolling f per length, and the bar of the whole loss over u_m, N/m.
-struct Rubbing {
-    coefficient: Marked,
+pub(super) struct Rubbing {
+    pub(super) coefficient: Marked,
     resistance: Marked,
     total_bar: Marked,
+}
+
+impl Rubbing {
+    /// Friction power per length (W/m) of this contact under the load of another: where a pair of teeth takes over, the load jumps, and µ and f do not.
+    ///
+    /// p = µ w |u_2 − u_1| + f u_m
+    pub(super) fn power(&self, at: &PathPoint) -> Marked {
+        let sliding = self.coefficient.value * at.load_per_length * at.sliding_speed.abs();
+        Marked {
+            value: sliding + self.resistance.value * at.entrainment_speed,
+            error: self.total_bar.error.map(|bar| bar * at.entrainment_speed),
+            marks: self.coefficient.marks,
+        }
+    }
 }
 
 /// Friction of a contact at a point of the path.
 ///
 /// f = (p − µ w |u_2 − u_1|)/u_m
-fn rubbing(gears: &GearMechanics, at: &PathPoint, point: &PointSolution) -> Option<Rubbing> {
+pub(super) fn rubbing(
+    gears: &GearMechanics,
+    at: &PathPoint,
+    point: &PointSolution,
+) -> Option<Rubbing> {
     let coefficient = traction(gears, point)?;
     let power = figure_of(point, Figure::FrictionPower)?;
     let sliding = at.load_per_length * at.sliding_speed.abs();
@@ -346,16 +364,21 @@ fn thermal_body(body: &Body, temperature: f64) -> Option<ThermalBody> {
     })
 }
 
+/// Temperature of the teeth, K, the hotter of both gears where `[thermal]` gives them other temperatures; and whether flanks are solved with heat.
+pub(super) fn bulk(case: &Case, gears: &GearMechanics) -> (f64, bool) {
+    match case.heat().ok().flatten() {
+        Some(heat) => (heat.body_1.temperature.max(heat.body_2.temperature), true),
+        None => {
+            let given = gears.limits.bulk_temperature;
+            (given.unwrap_or(case.lubricant.temperature), false)
+        }
+    }
+}
+
 /// Bulk, flash and contact temperatures, and safety against scuffing.
 fn temperatures(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec<Row> {
-    let heat = case.heat().ok().flatten();
-    let given = gears.limits.bulk_temperature;
-    // The hotter of both gears where `[thermal]` gives them other temperatures.
-    let bulk = match &heat {
-        Some(heat) => heat.body_1.temperature.max(heat.body_2.temperature),
-        None => given.unwrap_or(case.lubricant.temperature),
-    };
-    let of_films = match given {
+    let (bulk, has_heat) = bulk(case, gears);
+    let of_films = match gears.limits.bulk_temperature {
         Some(_) => "films and specific films are those at the bulk temperature of the teeth",
         None => {
             "no `bulk_temperature` is given, so that of the lubricant is used: real teeth are hotter, and films thinner"
@@ -363,7 +386,7 @@ fn temperatures(case: &Case, gears: &GearMechanics, solved: &MachineSolution) ->
     };
     let mut figures = vec![BULK_TEMPERATURE.row(bulk, of_films)];
     let blok = blok_rises(case, gears, solved, bulk);
-    let of_flanks = heat.map(|_| solved_rises(gears, solved, bulk));
+    let of_flanks = has_heat.then(|| solved_rises(gears, solved, bulk));
     let is_solved = of_flanks.is_some();
     let rises = of_flanks.as_ref().unwrap_or(&blok);
     let Some((position, flash)) = hottest(rises) else {
@@ -393,7 +416,7 @@ fn temperatures(case: &Case, gears: &GearMechanics, solved: &MachineSolution) ->
 }
 
 /// The temperature of a flank that is warmer by a rise than the temperature `bulk` (K); not resolved where no oil would survive.
-fn contact(rise: Marked, bulk: f64) -> Marked {
+pub(super) fn contact(rise: Marked, bulk: f64) -> Marked {
     let hot = rise.above(bulk);
     let melts = hot.value > limits::TEMPERATURE;
     hot.with(Marks::when(melts, Mark::Unresolved))
@@ -408,44 +431,53 @@ fn hottest(rises: &Rises) -> Option<(f64, Marked)> {
     Some((rises[i].0, rise))
 }
 
+/// Thermal constants of the pinion and the wheel at the temperature `bulk` (K), if all are known.
+pub(super) fn teeth(case: &Case, bulk: f64) -> Option<[ThermalBody; 2]> {
+    let [pinion, wheel] = [&case.body_2, &case.body_1].map(|body| thermal_body(body, bulk));
+    Some([pinion?, wheel?])
+}
+
+/// Flash temperature after Blok at a place, of a coefficient of friction.
+pub(super) fn blok_rise(at: &PathPoint, friction: Marked, teeth: [ThermalBody; 2]) -> Marked {
+    let rise = |mu: f64| at.flash(mu, teeth, FlashMethod::AnySpeed).rise;
+    Marked {
+        value: rise(friction.value.abs()),
+        error: friction.error.map(rise),
+        ..friction
+    }
+}
+
 /// Flash temperatures after Blok from the solved friction, of teeth at the temperature `bulk` (K); none where a body lacks its thermal data.
 fn blok_rises(case: &Case, gears: &GearMechanics, solved: &MachineSolution, bulk: f64) -> Rises {
-    let bodies = [&case.body_2, &case.body_1].map(|body| thermal_body(body, bulk));
-    let [Some(pinion), Some(wheel)] = bodies else {
+    let Some(teeth) = teeth(case, bulk) else {
         return Vec::new();
     };
     let of = |(i, point): (usize, &PathPoint)| {
         let friction = traction(gears, solved.of(i)?)?;
-        let rise = |mu: f64| {
-            let flash = point.flash(mu, [pinion, wheel], FlashMethod::AnySpeed);
-            flash.rise
-        };
-        let flash = Marked {
-            value: rise(friction.value.abs()),
-            error: friction.error.map(rise),
-            ..friction
-        };
-        Some((point.position, flash))
+        Some((point.position, blok_rise(point, friction, teeth)))
     };
     gears.path.iter().enumerate().filter_map(of).collect()
 }
 
-/// By how much the hotter of both solved flanks exceeds the temperature `bulk` (K).
+/// By how much the hotter of both solved flanks of a contact exceeds the temperature `bulk` (K).
+pub(super) fn solved_rise(gears: &GearMechanics, own: &PointSolution, bulk: f64) -> Option<Marked> {
+    let flanks = [
+        Figure::TemperatureBody1Maximum,
+        Figure::TemperatureBody2Maximum,
+    ];
+    let flanks = flanks.into_iter().filter_map(|flank| figure_of(own, flank));
+    let hotter = flanks.max_by(|a, b| a.value.total_cmp(&b.value))?;
+    let marks = traction(gears, own).map_or(Marks::default(), |friction| friction.marks);
+    Some(Marked {
+        value: (hotter.value - bulk).max(0.0),
+        ..hotter.with(marks)
+    })
+}
+
+/// The same at all contacts.
 fn solved_rises(gears: &GearMechanics, solved: &MachineSolution, bulk: f64) -> Rises {
     let of = |(i, point): (usize, &PathPoint)| {
-        let own = solved.of(i)?;
-        let flanks = [
-            Figure::TemperatureBody1Maximum,
-            Figure::TemperatureBody2Maximum,
-        ];
-        let flanks = flanks.into_iter().filter_map(|flank| figure_of(own, flank));
-        let hotter = flanks.max_by(|a, b| a.value.total_cmp(&b.value))?;
-        let marks = traction(gears, own).map_or(Marks::default(), |friction| friction.marks);
-        let rise = Marked {
-            value: (hotter.value - bulk).max(0.0),
-            ..hotter.with(marks)
-        };
-        Some((point.position, rise))
+        Some((point.position, solved_rise(gears, solved.of(i)?, bulk)?))
     };
     gears.path.iter().enumerate().filter_map(of).collect()
 }
@@ -463,6 +495,23 @@ fn scuffing_safety(case: &Case, gears: &GearMechanics, rises: &Rises, bulk: f64)
     ))
 }
 
+/// λ_GF and S_λ of a film (m), the roughness Ra of both gears (m) and the permissible specific film.
+fn specific(film: Marked, roughness: [f64; 2], permissible: f64) -> Option<[Marked; 2]> {
+    let found = micropitting(&[film.value], roughness, permissible).ok()?;
+    Some([found.specific_film, found.safety].map(|value| film * (value / film.value)))
+}
+
+/// λ_GF of a contact, where its roughness is known.
+pub(super) fn specific_film_of(
+    case: &Case,
+    gears: &GearMechanics,
+    point: &PointSolution,
+) -> Option<Marked> {
+    let (roughness, _) = roughness(case, gears)?;
+    let film = figure_of(point, Figure::FilmMinimum)?;
+    Some(specific(film, roughness, 1.0)?[0])
+}
+
 /// Specific film and safety against micropitting.
 fn specific_film(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec<Row> {
     let Some((roughness, source)) = roughness(case, gears) else {
@@ -472,12 +521,11 @@ fn specific_film(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -
         return Vec::new();
     };
     let limit = gears.limits.permissible_lambda;
-    let Ok(found) = micropitting(&[thinnest.value], roughness, limit.unwrap_or(1.0)) else {
+    let Some([film, safety]) = specific(thinnest, roughness, limit.unwrap_or(1.0)) else {
         return Vec::new();
     };
-    let scaled = |value: f64| thinnest * (value / thinnest.value);
     let mut figures = vec![SPECIFIC_FILM_MINIMUM.row(
-        scaled(found.specific_film),
+        film,
         match source {
             RoughnessFrom::Gears => {
                 "λ_GF = h/Ra, Ra = (Ra_1 + Ra_2)/2, of the smallest solved film: ISO/TS 6336-22"
@@ -488,7 +536,7 @@ fn specific_film(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -
         },
     )];
     if limit.is_some() {
-        figures.push(MICROPITTING_SAFETY.row(scaled(found.safety), "S_λ = λ_GF/λ_GFP"));
+        figures.push(MICROPITTING_SAFETY.row(safety, "S_λ = λ_GF/λ_GFP"));
     }
     figures
 }

@@ -4,11 +4,13 @@ mod bearing;
 mod cam;
 mod collected;
 mod contacts;
+mod courses;
 mod curve;
 mod gears;
 mod heat;
 mod life;
 mod moments;
+mod path;
 mod rolling;
 mod slip;
 
@@ -31,6 +33,7 @@ use crate::warning::silence;
 
 /// The figures of a machine; sums and extremes over its contacts only where all of them are solved: the thinnest film may be that of a contact which is missing.
 pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
+    let courses = courses::courses(case, solved);
     let unsolved;
     let solved = match solved.n_solved() < solved.n_contacts() {
         true => {
@@ -50,7 +53,11 @@ pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
         Mechanics::Cam(cam) => all.extend(cam::figures(cam, solved)),
     }
     silence(&mut warnings, &case.output.silence);
-    MachineFigures { all, warnings }
+    MachineFigures {
+        all,
+        courses,
+        warnings,
+    }
 }
 
 /// A machine none of whose contacts is solved, with the figures that need no film: loads, ratings, lives, models of friction. `None` of single contacts.
