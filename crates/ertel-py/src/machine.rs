@@ -53,7 +53,7 @@ impl NativeMachine {
 
     /// `machine.csv`.
     fn table(&self) -> String {
-        output::machine_table(&self.machine)
+        output::machine_table(&self.machine, &self.figures.courses)
     }
 
     /// Writes the files that `ertel solve` writes.

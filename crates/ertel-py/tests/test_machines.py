@@ -155,6 +155,16 @@ def test_marks_reach_totals() -> None:
     assert not solved.film_minimum.doubtful and solved.film_minimum.marks == ()
 
 
+def test_courses_and_shaft(machine: ertel.MachineSolution) -> None:
+    loads = machine.courses["element_load"]
+    assert loads.unit == "N" and loads.contact == list(range(len(machine))) and loads.place == [c.place for c in machine.contacts]
+    assert loads.value == pytest.approx([c.load for c in machine.contacts])
+    shaft = machine.shaft
+    assert shaft is not None and len(shaft.displacement) == len(shaft.load) == len(shaft.stiffness) == 5
+    # The stiffness of an elastic bearing is symmetric.
+    assert shaft.stiffness[0][2] == pytest.approx(shaft.stiffness[2][0], rel=1e-6, abs=1.0)
+
+
 def test_tables(machine: ertel.MachineSolution) -> None:
     pytest.importorskip("pandas")
     rows = machine.to_pandas()

@@ -1,5 +1,7 @@
 //! The figures of machines and of whole runs: their registry, and the rows in which results hold them. Those of single contacts are in [`Figure`].
 
+pub mod courses;
+
 use crate::mark::Marked;
 use crate::solution::{Figure, Kind};
 
@@ -31,6 +33,8 @@ pub enum Section {
     Safety,
     /// Rating life.
     Life,
+    /// At each contact of a machine: in tables and pictures, not in the report.
+    Contacts,
     /// Of a run: extremes, means and final values of figures that have error bars.
     Instants,
     /// Of a run: figures without error bars.
@@ -57,6 +61,7 @@ impl Section {
             Section::Temperature => "Temperature",
             Section::Safety => "Safety",
             Section::Life => "Life",
+            Section::Contacts => "Contacts",
             Section::Instants | Section::Run => "Results",
         }
     }
@@ -220,6 +225,45 @@ definitions! {
         FRICTION_TORQUE, "friction_torque", "mean friction torque", Moment, Friction;
     }
 
+    /// Figures along the path of contact of a pair of gears.
+    path {
+        ROLL_DISTANCE, "roll_distance", "distance along the line of action from the pinion's base circle", Length, Contacts;
+        ROLL_ANGLE, "roll_angle", "roll angle of the pinion", Angle, Contacts;
+        LOAD_SHARE, "load_share", "load share X", Coefficient, Contacts;
+        LOAD, "load", "load per length of contact line", Force, Contacts;
+        HERTZ_PRESSURE, "hertz_pressure", "Hertz pressure", Stress, Contacts;
+        SPECIFIC_SLIDING_PINION, "specific_sliding_pinion", "specific sliding ζ of the pinion", Coefficient, Contacts;
+        SPECIFIC_SLIDING_WHEEL, "specific_sliding_wheel", "specific sliding ζ of the wheel", Coefficient, Contacts;
+        FRICTION_COEFFICIENT, "friction_coefficient", "coefficient of friction, its size", Coefficient, Contacts;
+        FRICTION_POWER, "friction_power", "friction power", Power, Contacts;
+        FLASH_TEMPERATURE, "flash_temperature", "flash temperature (rise)", Rise, Contacts;
+        CONTACT_TEMPERATURE, "contact_temperature", "contact temperature", Temperature, Contacts;
+        FLASH_TEMPERATURE_BLOK, "flash_temperature_blok", "flash temperature after Blok, to compare", Rise, Contacts;
+        SPECIFIC_FILM, "specific_film", "specific film λ_GF", Coefficient, Contacts;
+    }
+
+    /// Figures of the elements of a bearing at both rings.
+    element {
+        ELEMENT_LOAD, "element_load", "load of the element on the ring", Force, Contacts;
+        CONTACT_ANGLE, "contact_angle", "contact angle", Angle, Contacts;
+        SPIN_SPEED, "spin_speed", "spin of the element against the ring", AngularSpeed, Contacts;
+        ELEMENT_SPEED, "element_speed", "speed of the element about its axis, seen from the cage", AngularSpeed, Contacts;
+        ORBIT_SPEED, "orbit_speed", "speed of the element's orbit", AngularSpeed, Contacts;
+        ATTITUDE, "attitude", "inclination of the element's axis to that of the bearing", Angle, Contacts;
+        CENTRIFUGAL_FORCE, "centrifugal_force", "centrifugal force of the element", Force, Contacts;
+        GYROSCOPIC_MOMENT, "gyroscopic_moment", "gyroscopic moment of the element", Moment, Contacts;
+        RIB_LOAD, "rib_load", "load of the element on the rib", Force, Contacts;
+    }
+
+    /// Figures of a cam over a turn.
+    turn {
+        LIFT, "lift", "lift of the follower", Length, Contacts;
+        FOLLOWER_FORCE, "follower_force", "force along the motion of the follower", Force, Contacts;
+        PRESSURE_ANGLE, "pressure_angle", "pressure angle", Angle, Contacts;
+        ENTRAINMENT_SPEED, "entrainment_speed", "entrainment speed, negative where it runs against the turning of the cam", Speed, Contacts;
+        SLIDING_SPEED, "sliding_speed", "sliding speed of the cam against the follower", Speed, Contacts;
+    }
+
     /// Figures of whole runs in time.
     run {
         FILM_CENTRAL_LOWEST, "film_central_lowest", "lowest central film thickness", Length, Instants;
@@ -269,6 +313,15 @@ mod tests {
                 assert_eq!((other.kind, other.section), same, "{}", figure.name);
             }
             assert!(!figure.is_of_run());
+        }
+        for group in [path::ALL, element::ALL, turn::ALL] {
+            for (i, figure) in group.iter().enumerate() {
+                let is_named = |other: &&Definition| other.name == figure.name;
+                assert!(!group[..i].iter().any(|other| is_named(&other)));
+                assert_eq!(figure.section, Section::Contacts);
+                let of_machine = all.iter().find(is_named);
+                assert!(of_machine.is_none_or(|other| other.kind == figure.kind));
+            }
         }
         for figure in run::ALL {
             let contact = Figure::ALL.into_iter().any(|of| of.name() == figure.name);

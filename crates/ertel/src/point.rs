@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::case::{CaseEcho, WholeMachine};
+use crate::figures::courses::Courses;
 use crate::figures::{Row, find};
 use crate::run::over_time::over_time;
 use crate::run::transient::TransientSolution;
@@ -306,11 +307,13 @@ pub(crate) fn distinct(machine: &WholeMachine) -> Vec<usize> {
     own.map(|(i, _)| i).collect()
 }
 
-/// The figures of a machine, and warnings about them.
+/// The figures of a machine, those of its contacts, and warnings about them.
 #[derive(Clone, Debug, Default)]
 pub struct MachineFigures {
     /// The figures in their order.
     pub all: Vec<Row>,
+    /// Figures at each contact.
+    pub courses: Courses,
     /// Warnings.
     pub warnings: Vec<Warning>,
 }

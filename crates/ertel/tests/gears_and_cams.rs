@@ -2,6 +2,7 @@
 
 use approx::assert_relative_eq;
 use ertel::case::{Case, Mechanics};
+use ertel::figures::turn;
 use ertel::machine::{MachineFigures, estimate};
 use ertel::solution::Figure;
 use ertel::study::MachineSolution;
@@ -145,7 +146,8 @@ fn a_short_path_of_gears() {
         let heat = mu.abs() * p.load_per_length * (p.u_2 - p.u_1).abs();
         1.11 * heat / ((2.0 * p.half_width).sqrt() * effusivity * (p.u_1.sqrt() + p.u_2.sqrt()))
     });
-    let flash = flashes.fold(0.0, f64::max);
+    let flashes: Vec<f64> = flashes.collect();
+    let flash = flashes.iter().copied().fold(0.0, f64::max);
     // The norm's formula is that of infinite Péclet numbers.
     assert_figures(&found, &[("flash_temperature", flash, 0.05)]);
     let hottest = value(&found, "contact_temperature");
@@ -174,6 +176,62 @@ fn a_short_path_of_gears() {
         .map(|p| p.hertz_pressure)
         .fold(0.0, f64::max);
     assert_eq!(value(&found, "hertz_pressure_maximum"), highest);
+
+    // Along the path: A, B with both loads, C, D with both loads, E.
+    let course = |name: &str| -> Vec<Option<f64>> {
+        let all = &found.courses.all;
+        let course = all.iter().find(|course| course.figure.name == name);
+        let values = &course.unwrap_or_else(|| panic!("no {name}")).values;
+        values.iter().map(|v| v.map(|v| v.value)).collect()
+    };
+    let own = [0, 2, 3, 4, 6];
+    let (rise, hot) = (course("flash_temperature"), course("contact_temperature"));
+    let (film, power_of) = (course("specific_film"), course("friction_power"));
+    assert_eq!(rise.len(), 7);
+    for (i, place) in own.into_iter().enumerate() {
+        let by_norm = flashes[i];
+        near(rise[place].unwrap() + 1e-6, by_norm + 1e-6, 0.1);
+        near(hot[place].unwrap(), 373.15 + rise[place].unwrap(), 1e-9);
+        let lambda = figure(&solved, i, Figure::FilmMinimum) / 0.4e-6;
+        assert_relative_eq!(film[place].unwrap(), lambda, max_relative = 1e-12);
+        assert_relative_eq!(power_of[place].unwrap(), power[i].1, max_relative = 1e-12);
+    }
+    assert!(rise[3].unwrap() < 1e-9, "{rise:?}");
+    let largest = rise.iter().map(|r| r.unwrap()).fold(0.0, f64::max);
+    assert_eq!(largest, value(&found, "flash_temperature"));
+    // Beyond B and D with 2/3 of the load and the same friction: Q and 1/√a of the formula by hand, (2/3)^(3/4); no film is solved there.
+    for (beyond, own) in [(1, 2), (5, 4)] {
+        let ratio = rise[beyond].unwrap() / rise[own].unwrap();
+        assert_relative_eq!(ratio, (2.0_f64 / 3.0).powf(0.75), max_relative = 2e-2);
+        assert_eq!(film[beyond], None);
+    }
+    let table = ertel::output::machine_table(&solved, &found.courses);
+    assert_eq!(table.lines().count(), 8);
+    let head = table.lines().next().unwrap();
+    for title in [
+        "roll_angle_rad",
+        "load_share",
+        "specific_sliding_pinion",
+        "friction_coefficient",
+        "flash_temperature_K",
+        "flash_temperature_error_K",
+        "contact_temperature_K",
+        "specific_film",
+    ] {
+        assert!(head.split(',').any(|own| own == title), "{title} in {head}");
+    }
+    let once = head
+        .split(',')
+        .filter(|own| *own == "friction_power_W_per_m");
+    assert_eq!(once.count(), 1);
+    let document = ertel::output::machine_json(&case.echo(), &solved, &found).unwrap();
+    let courses = &document["courses"];
+    assert_eq!(courses["label"][1], "B");
+    assert_eq!(courses["beyond"][1], "before");
+    assert_eq!(courses["beyond"][5], "behind");
+    assert!(courses["figures"]["specific_film"]["value"][1].is_null());
+    let of_json = courses["figures"]["flash_temperature"]["value"][1].as_f64();
+    assert_eq!(of_json, rise[1]);
 }
 
 /// Closed forms of C14: contact ratio by the lengths of its path; Schlenk's friction; flash temperatures by the formula of ISO/TS 6336-20 with that friction; minimum films after
@@ -368,4 +426,21 @@ fn a_turn_of_a_cam() {
     assert_figures(&found, &[("film_minimum", thinnest, 1e-12)]);
     // u_m = (ω/2)(r_b − e cos θ) is least at 0°, the nose.
     assert_eq!(value(&found, "film_minimum_angle"), 0.0);
+    // Over the turn: F = 500 N, u_m as above, s of an eccentric disc e cos θ and no pressure angle under a flat follower.
+    let course = |figure| {
+        let values = &found.courses.find(figure).unwrap().values;
+        values.iter().map(|v| v.unwrap().value).collect::<Vec<_>>()
+    };
+    for (i, contact) in contacts.iter().enumerate() {
+        let cosine = contact.place.cos();
+        let entrainment = 0.5 * omega * (18e-3 - 4e-3 * cosine);
+        near(
+            course(turn::ENTRAINMENT_SPEED)[i].abs(),
+            entrainment.abs(),
+            1e-9,
+        );
+        near(course(turn::FOLLOWER_FORCE)[i], 500.0, 1e-9);
+        near(course(turn::LIFT)[i] + 1.0, 1.0 + 4e-3 * cosine, 1e-12);
+        assert!(course(turn::PRESSURE_ANGLE)[i].abs() < 1e-12);
+    }
 }

@@ -3,12 +3,14 @@
 use std::sync::LazyLock;
 
 use approx::assert_relative_eq;
+use ertel::case::Mechanics;
 use ertel::engine::{NoObserver, Observer};
 use ertel::machine::{estimate, figures};
 use ertel::output;
 use ertel::run;
 use ertel::solution::Figure;
 use ertel::study::{CurveObserver, MachineSolution, solve_curve, solve_in_balance, solve_machine};
+use ertel_machines::bearing::load::{Given, Loads, Params};
 
 use crate::common::text::{GEARS, read, with};
 use crate::common::{assert_figures, near, value};
@@ -80,7 +82,37 @@ fn a_bearing_under_thrust() {
     assert_eq!(json["n_solved"], 2);
     assert_eq!(json["contacts"][17]["solved_as"], 2);
     assert_eq!(json["figures"]["friction_torque"]["unit"], "N m");
-    let table = output::machine_table(solved);
+    // Nine balls under 500 N along the bearing: each Q sin α is a ninth of it.
+    let course = |name: &str| &json["courses"]["figures"][name]["value"];
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    for i in 0..18 {
+        let of = |name: &str| number(&course(name)[i]);
+        let axial = of("element_load") * of("contact_angle").sin();
+        assert_relative_eq!(axial, 500.0 / 9.0, max_relative = 1e-2);
+    }
+    // The slope of the axial force: a shift that is larger by 10 nm.
+    let shaft = &json["shaft"];
+    assert_eq!(shaft["coordinates"][2], "z");
+    assert_relative_eq!(number(&shaft["load"][2]), 500.0, max_relative = 1e-6);
+    let Mechanics::Bearing(bearing) = &solved.machine.mechanics else {
+        panic!("a bearing")
+    };
+    let step = 1e-8;
+    let pushed = |by: f64| {
+        let loads = Loads {
+            axial: Given::Shift(bearing.distribution.shift[2] + by),
+            ..Loads::forces(0.0, 0.0)
+        };
+        let found = (bearing.bearing).solve(&loads, bearing.speeds, &Params::default());
+        found.unwrap().force[2]
+    };
+    let slope = (pushed(step) - pushed(-step)) / (2.0 * step);
+    assert_relative_eq!(
+        number(&shaft["stiffness"][2][2]),
+        slope,
+        max_relative = 1e-4
+    );
+    let table = output::machine_table(solved, &found.courses);
     assert_eq!(table.lines().count(), 19);
     let widths: Vec<usize> = table
         .lines()

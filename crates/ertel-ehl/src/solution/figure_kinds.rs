@@ -29,6 +29,10 @@ pub enum Kind {
     Rise,
     /// An angle, rad.
     Angle,
+    /// A speed, m/s.
+    Speed,
+    /// An angular speed, rad/s.
+    AngularSpeed,
     /// A time, s.
     Duration,
     /// A number of turns in millions.
@@ -49,6 +53,8 @@ impl Kind {
             (Kind::Power, true) => "W/m",
             (Kind::Temperature | Kind::Rise, _) => "K",
             (Kind::Angle, _) => "rad",
+            (Kind::Speed, _) => "m/s",
+            (Kind::AngularSpeed, _) => "rad/s",
             (Kind::Duration, _) => "s",
             (Kind::Revolutions, _) => "million revolutions",
         }

@@ -254,9 +254,13 @@ impl Figure {
     /// Size below which a figure is shown as zero, SI.
     pub fn zero_below(self, sizes: &Sizes) -> f64 {
         let size = match self.kind() {
-            Kind::Length | Kind::Temperature | Kind::Rise | Kind::Duration | Kind::Revolutions => {
-                0.0
-            }
+            Kind::Length
+            | Kind::Temperature
+            | Kind::Rise
+            | Kind::AngularSpeed
+            | Kind::Duration
+            | Kind::Revolutions => 0.0,
+            Kind::Speed => sizes.speed.abs(),
             Kind::PeakPressure | Kind::Stress => sizes.pressure,
             Kind::Moment => sizes.load * sizes.length,
             Kind::Position | Kind::Offset => sizes.length,

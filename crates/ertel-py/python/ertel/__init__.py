@@ -32,7 +32,7 @@ from ._data import (
 )
 from ._ertel import CaseError, ConvergenceError, OutputError, __version__
 from ._laws import ErtelWarning, TabulatedLaw
-from ._machine import MachineContact, MachineFigure, MachineSolution
+from ._machine import MachineContact, MachineCourse, MachineFigure, MachineSolution, Shaft
 from ._machines import Bearing, Cam, GearPair
 from ._maps import write_map
 from ._quantity import Quantity
@@ -61,12 +61,14 @@ __all__ = [
     "GearPair",
     "Instant",
     "MachineContact",
+    "MachineCourse",
     "MachineFigure",
     "MachineSolution",
     "MonteCarlo",
     "OutputError",
     "Quantity",
     "Result",
+    "Shaft",
     "Study",
     "StudySummary",
     "TabulatedLaw",

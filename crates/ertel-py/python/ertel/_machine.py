@@ -102,6 +102,59 @@ class MachineContact:
         raise AttributeError(f"a contact of a machine has no attribute `{name}`")
 
 
+@dataclass(frozen=True)
+class MachineCourse:
+    """A figure at each contact of a machine: along a path of contact, round a bearing, over the turn of a cam. SI.
+
+    Attributes
+    ----------
+    place : list of float
+        The coordinate, as of :attr:`MachineContact.place`; where the load of a pair of teeth jumps, twice the same.
+    contact : list of int
+        Place in :attr:`MachineSolution.contacts`.
+    value : list of float or None
+        Values; None where there is none, as of films on the other side of a jump.
+    error : list of float or None
+        Half-widths of the bars.
+    unit : str
+        SI unit, empty for a pure number.
+    words : str
+        Description.
+    label : list of str or None
+        ``"A"`` to ``"E"`` on a path of contact.
+    marks : tuple of str
+        Marks of all values, as of :attr:`MachineFigure.marks`.
+    """
+
+    place: list[float]
+    contact: list[int]
+    value: list[float | None]
+    error: list[float | None]
+    unit: str
+    words: str
+    label: list[str | None]
+    marks: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Shaft:
+    """The inner ring of a bearing against the outer one. x is along the radial load, z along the bearing.
+
+    Attributes
+    ----------
+    displacement : list of float
+        Shifts along x, y and z (m) and tilts about x and y (rad).
+    load : list of float
+        Forces (N) and moments (N m) in the same order.
+    stiffness : list of list of float
+        Change of the load of the row with the displacement of the column, N/m, N and N m.
+    """
+
+    displacement: list[float]
+    load: list[float]
+    stiffness: list[list[float]]
+
+
 class MachineSolution(Warned, Tabulated):
     """The solution of a whole machine. Numbers in SI.
 
@@ -116,12 +169,19 @@ class MachineSolution(Warned, Tabulated):
         Figures of the machine by their names.
     contacts : list of MachineContact
         All contacts, unloaded ones among them; of a bearing those of each element with both rings.
+    courses : dict of str to MachineCourse
+        Figures at each contact by their names: load share, flash temperature and others along a path of contact; load, contact angle and spin of the
+        elements of a bearing; force, pressure angle and entrainment speed over the turn of a cam. Empty for results of older versions.
+    shaft : Shaft or None
+        Displacement, load and stiffness of a bearing; None for other machines.
     """
 
     _native: _ertel.NativeMachine | None
     _table_file = "machine.csv"
     figures: dict[str, MachineFigure]
     contacts: list[MachineContact]
+    courses: dict[str, MachineCourse]
+    shaft: Shaft | None
 
     def __init__(self, case: Case, native: _ertel.NativeMachine) -> None:
         self._set_origin(case)
@@ -155,6 +215,9 @@ class MachineSolution(Warned, Tabulated):
             for name, entry in content["figures"].items()
         }
         self.contacts = _contacts(content["contacts"], self.place_name)
+        self.courses = _courses(content.get("courses"), self.place_name)
+        shaft = content.get("shaft")
+        self.shaft = shaft and Shaft(shaft["displacement"], shaft["load"], shaft["stiffness"])
 
     @property
     def failures(self) -> list[tuple[int, str]]:
@@ -224,6 +287,26 @@ class MachineSolution(Warned, Tabulated):
 
 
 _PLACES = ("angle", "position", "cam_angle")
+
+
+def _courses(entries: dict[str, Any] | None, place: str) -> dict[str, MachineCourse]:
+    if entries is None:
+        return {}
+    contact = [number - 1 for number in entries["contact"]]
+    label = entries.get("label", [None] * len(contact))
+    return {
+        name: MachineCourse(
+            place=entries[place],
+            contact=contact,
+            value=course["value"],
+            error=course["error"],
+            unit=course["unit"],
+            words=course["words"],
+            label=label,
+            marks=tuple(course["marks"]),
+        )
+        for name, course in entries["figures"].items()
+    }
 
 
 def _contacts(entries: list[dict[str, Any]], place: str) -> list[MachineContact]:

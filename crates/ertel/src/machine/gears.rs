@@ -11,7 +11,7 @@
 //! takes over. The error between the contacts is bounded by the same sums over half of them.
 
 mod roughness;
-mod safety;
+pub(super) mod safety;
 
 use ertel_machines::gear::PathPoint;
 use ertel_machines::gear::friction::schlenk;
@@ -88,10 +88,8 @@ pub(super) fn along(
     films: &Films,
 ) -> [Values; 2] {
     let friction = estimated_friction(case, machine, gears);
-    let specific = films.minimum.iter().map(|film| {
-        let film = (*film)?;
-        Some(Marked::exact(safety::specific(case, gears, film.value)?))
-    });
+    let specific = films.minimum.iter();
+    let specific = specific.map(|film| safety::specific(case, gears, (*film)?));
     [
         safety::blok_rises(case, gears, &friction),
         specific.collect(),
@@ -145,7 +143,7 @@ fn rough(gears: &GearMechanics, films: &Films) -> Option<Warning> {
 }
 
 /// The coefficient of traction of a contact, and whether it is that of a film that does not separate the flanks.
-fn traction(gears: &GearMechanics, point: &PointSolution) -> Option<Marked> {
+pub(super) fn traction(gears: &GearMechanics, point: &PointSolution) -> Option<Marked> {
     let film = figure_of(point, Figure::FilmMinimum)?.value;
     let is_alone = point.case.asperities.is_none()
         && composite(gears).is_some_and(|rough| film < FULL_FROM * rough);
@@ -154,7 +152,7 @@ fn traction(gears: &GearMechanics, point: &PointSolution) -> Option<Marked> {
 }
 
 /// Temperature of the hotter of both solved flanks, K, with the marks of its friction.
-fn hotter_flank(gears: &GearMechanics, point: &PointSolution) -> Option<Marked> {
+pub(super) fn hotter_flank(gears: &GearMechanics, point: &PointSolution) -> Option<Marked> {
     let flanks = [
         Figure::TemperatureBody1Maximum,
         Figure::TemperatureBody2Maximum,
@@ -168,16 +166,34 @@ fn hotter_flank(gears: &GearMechanics, point: &PointSolution) -> Option<Marked> 
 }
 
 /// A solved contact: its coefficient of traction, the resistance to rolling f per length, and the bar of the whole loss over u_m, N/m.
-struct Rubbing {
-    coefficient: Marked,
+pub(super) struct Rubbing {
+    pub(super) coefficient: Marked,
     resistance: Marked,
     total_bar: Marked,
+}
+
+impl Rubbing {
+    /// Friction power per length (W/m) of this contact under the load of another: where a pair of teeth takes over, the load jumps, and µ and f do not.
+    ///
+    /// p = µ w |u_2 − u_1| + f u_m
+    pub(super) fn power(&self, at: &PathPoint) -> Marked {
+        let sliding = self.coefficient.value * at.load_per_length * at.sliding_speed.abs();
+        Marked {
+            value: sliding + self.resistance.value * at.entrainment_speed,
+            error: self.total_bar.error.map(|bar| bar * at.entrainment_speed),
+            marks: self.coefficient.marks,
+        }
+    }
 }
 
 /// Friction of a contact at a point of the path.
 ///
 /// f = (p − µ w |u_2 − u_1|)/u_m
-fn rubbing(gears: &GearMechanics, at: &PathPoint, point: &PointSolution) -> Option<Rubbing> {
+pub(super) fn rubbing(
+    gears: &GearMechanics,
+    at: &PathPoint,
+    point: &PointSolution,
+) -> Option<Rubbing> {
     let coefficient = traction(gears, point)?;
     let power = figure_of(point, Figure::FrictionPower)?;
     let sliding = at.load_per_length * at.sliding_speed.abs();

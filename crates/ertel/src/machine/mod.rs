@@ -4,6 +4,7 @@ mod bearing;
 mod cam;
 mod collected;
 mod contacts;
+mod courses;
 mod curve;
 mod estimate;
 mod films;
@@ -11,6 +12,7 @@ mod gears;
 mod heat;
 mod life;
 mod moments;
+mod path;
 mod rolling;
 mod slip;
 
@@ -23,6 +25,7 @@ use self::curve::Curve;
 use self::films::Films;
 use crate::case::{Case, Mechanics, WholeMachine};
 use crate::figures::Row;
+use crate::figures::courses::Courses;
 use crate::figures::machine::{
     ASPERITY_LOAD_SHARE_MAXIMUM, FILM_CENTRAL, FILM_MINIMUM, LAMBDA_MINIMUM,
     ORTHOGONAL_SHEAR_MAXIMUM, VON_MISES_MAXIMUM,
@@ -35,6 +38,7 @@ use crate::warning::silence;
 
 /// The figures of a machine; sums and extremes over its contacts only where all of them are solved: the thinnest film may be that of a contact which is missing.
 pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
+    let courses = courses::courses(case, solved);
     let unsolved;
     let solved = match solved.n_solved() < solved.n_contacts() {
         true => {
@@ -58,7 +62,11 @@ pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
         Mechanics::Cam(cam) => all.extend(cam::figures(cam, solved, &films)),
     }
     silence(&mut warnings, &case.output.silence);
-    MachineFigures { all, warnings }
+    MachineFigures {
+        all,
+        courses,
+        warnings,
+    }
 }
 
 /// What is known of a whole machine before its contacts are solved; `None` of single contacts.
@@ -83,7 +91,11 @@ pub fn estimate(case: &Case) -> Option<MachineEstimate> {
     Some(MachineEstimate {
         absent: estimate::absent(case, &machine.mechanics, &all),
         columns: [columns, estimate::of_films(&films)].concat(),
-        figures: MachineFigures { all, warnings },
+        figures: MachineFigures {
+            all,
+            courses: Courses::default(),
+            warnings,
+        },
         machine,
     })
 }

@@ -271,6 +271,8 @@ pub fn unit_of_size(kind: Kind, size: f64) -> (f64, &'static str) {
         | Kind::Power
         | Kind::Rise
         | Kind::Angle
+        | Kind::Speed
+        | Kind::AngularSpeed
         | Kind::Duration
         | Kind::Revolutions => (1.0, kind.unit(false)),
     }

@@ -61,6 +61,8 @@ pub(super) fn value(solution: &Solution, figure: Figure, at: &Located) -> String
         | Kind::Power
         | Kind::Rise
         | Kind::Angle
+        | Kind::Speed
+        | Kind::AngularSpeed
         | Kind::Duration
         | Kind::Revolutions => in_unit(e, 1.0, unit),
         Kind::Moment => match e.value.abs().max(e.error.unwrap_or(0.0)) < 1.0 {

@@ -22,7 +22,7 @@ pub const REPORT_PAGE: &str = "report.html";
 pub(super) const FIELDS: [&str; 2] = ["fields-", ".vtu"];
 
 /// Files of a result that are no pictures; a folder with any other file is not replaced.
-const FILES: [&str; 20] = [
+const FILES: [&str; 21] = [
     "result.json",
     REPORT_PAGE,
     "curve.json",
@@ -38,6 +38,7 @@ const FILES: [&str; 20] = [
     "stress.vtu",
     "temperature.vtu",
     "cross-check.csv",
+    "shaft.csv",
     "transient.json",
     "transient.csv",
     "profiles.csv",
@@ -54,7 +55,7 @@ const FORMER: [&str; 4] = [
 ];
 
 /// Pictures of a result without suffix, in addition to those of [`DRAWN`].
-const PICTURES: [&str; 16] = [
+const PICTURES: [&str; 17] = [
     "stribeck",
     "stress",
     "centreline",
@@ -71,6 +72,7 @@ const PICTURES: [&str; 16] = [
     "film-map",
     "around",
     "path",
+    "flanks",
 ];
 /// Subfolder with the point folders of a curve.
 pub(super) const POINTS: &str = "points";

@@ -1,6 +1,6 @@
 //! The tables of the reference pages are those of the keys.
 
-use ertel::figures::{bearing, cam, gears, machine};
+use ertel::figures::{bearing, cam, element, gears, machine, path, turn};
 use ertel::solution::Figure;
 use ertel::warning::{Severity, WarningKind};
 use ertel_input::keys::{self, Row, table, table_of_laws};
@@ -34,22 +34,29 @@ fn the_table_of_figures_is_the_registry() {
     generated("docs/reference/results.md", "figures", &text);
 }
 
-/// Every figure of a machine is a row of the table, and no other is.
+/// Every figure of a machine is in the table, and no other is; likewise those at each contact.
 #[test]
-fn the_table_of_machines_has_every_figure() {
-    let groups = [machine::ALL, bearing::ALL, gears::ALL, cam::ALL];
-    let names = groups.concat().into_iter().map(|f| f.name.to_owned());
-    let names: std::collections::BTreeSet<String> = names.collect();
+fn the_tables_of_machines_have_every_figure() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
     let page = std::fs::read_to_string(root.join("../../docs/reference/results.md")).unwrap();
-    let (_, table) = page.split_once("### Figures of machines").unwrap();
-    let (table, _) = table.split_once("\n## ").unwrap();
-    let rows = table.lines().filter_map(|line| line.strip_prefix("| `"));
-    let listed: std::collections::BTreeSet<String> = rows
-        .map(|row| row.split('`').next().unwrap().to_owned())
-        .collect();
-    assert!(names.len() > 40, "{names:?}");
-    assert_eq!(listed, names);
+    let of_machines = [machine::ALL, bearing::ALL, gears::ALL, cam::ALL].concat();
+    let of_contacts = [path::ALL, element::ALL, turn::ALL].concat();
+    for (heading, figures) in [
+        ("### Figures of machines", of_machines),
+        ("### Figures at each contact", of_contacts),
+    ] {
+        let names = figures.into_iter().map(|f| f.name.to_owned());
+        let names: std::collections::BTreeSet<String> = names.collect();
+        let (_, table) = page.split_once(heading).unwrap();
+        let (table, _) = table.split_once("\n##").unwrap();
+        let rows = table.lines().filter(|line| line.starts_with("| `"));
+        let first = rows.filter_map(|row| row.split('|').nth(1));
+        let listed: std::collections::BTreeSet<String> = first
+            .flat_map(|cell| cell.split('`').skip(1).step_by(2).map(str::to_owned))
+            .collect();
+        assert!(names.len() > 20, "{names:?}");
+        assert_eq!(listed, names);
+    }
 }
 
 /// Estimated properties of each kind of base oil, with the range.

@@ -11,8 +11,10 @@ use serde_json::{Value, json};
 use super::record::Record;
 
 /// Keys that differ from run to run or repeat the case.
-const NOT_RECORDED: [&str; 8] = [
+const NOT_RECORDED: [&str; 10] = [
     "case",
+    "courses",
+    "shaft",
     "ertel_version",
     "numerics_version",
     "peak_memory",

@@ -263,6 +263,12 @@ pub struct Distribution {
 }
 
 impl Distribution {
+    /// Forces (N) and moments (N·m) on the inner ring, in the order of [`Distribution::stiffness`].
+    pub fn reaction(&self) -> [f64; 5] {
+        let ([x, y, z], [a, b]) = (self.force, self.moment);
+        [x, y, z, a, b]
+    }
+
     /// Loads of all elements on a ring, N.
     pub fn loads(&self, ring: Ring) -> Vec<f64> {
         let contacts = self.elements.iter().map(|e| &e.contacts[ring.index()]);

@@ -216,17 +216,13 @@ fn stiffness_of_the_ring() {
                 let bearing = Bearing::steel(geometry);
                 bearing.solve(&loads, speeds, &Params::default()).unwrap()
             };
-            let forces = |d: &Distribution| {
-                let ([x, y, z], [a, b]) = (d.force, d.moment);
-                [x, y, z, a, b]
-            };
             let found = at(held);
             for j in 0..5 {
                 let step = if j < 3 { 1e-9 } else { 1e-7 };
                 let shifted = |sign: f64| {
                     let mut shift = held;
                     shift[j] += sign * step;
-                    forces(&at(shift))
+                    at(shift).reaction()
                 };
                 let (low, high) = (shifted(-1.0), shifted(1.0));
                 for i in 0..5 {

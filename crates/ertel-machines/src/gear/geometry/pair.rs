@@ -179,6 +179,13 @@ impl GearPair {
         ]
     }
 
+    /// Roll angle (rad) of the pinion at the place s (m): ξ = ρ_1/r_b1, from where the line of action touches its base circle.
+    ///
+    /// Source: ISO 21771:2007, rolling angle of the involute.
+    pub fn roll_angle(&self, s: f64) -> f64 {
+        self.curvature_radii(s)[0] / self.base_radii[0]
+    }
+
     /// Reduced radius (m) across the contact line at the place s (m): R = 1/[(1/ρ_1 + 1/ρ_2) cos β_b].
     pub fn reduced_radius(&self, s: f64) -> f64 {
         let [pinion, wheel] = self.curvature_radii(s);

@@ -93,6 +93,14 @@ impl PathPoint {
         Contact::line(self.reduced_radius, self.load_per_length).between(curvatures)
     }
 
+    /// Specific sliding of the pinion and the wheel: ζ = (u_own − u_other)/u_own; infinite where a flank has no speed.
+    ///
+    /// Source: ISO 21771:2007, specific sliding.
+    pub fn specific_sliding(&self) -> [f64; 2] {
+        let [pinion, wheel] = [self.u_2, self.u_1];
+        [1.0 - wheel / pinion, 1.0 - pinion / wheel]
+    }
+
     /// The motion of the surfaces in it.
     pub fn motion(&self) -> Motion {
         Motion::straight(self.entrainment_speed, self.slide_to_roll_ratio)

@@ -51,6 +51,29 @@ fn fzg_contacts_of_a_separate_program() {
     }
 }
 
+/// FZG C by hand: ρ_1 = 4.472298 mm at A and 23.569389 mm at E, ρ_1 + ρ_2 = a_w sin α_wt; ζ_1 = 1 − ρ_2/(1.5 ρ_1), ζ_2 = 1 − 1.5 ρ_1/ρ_2, ξ = ρ_1/r_b1, and tan α_wt at
+/// the pitch point, where nothing slides.
+#[test]
+fn specific_sliding_and_roll_angles() {
+    let pair = GearPair::new(&fzg("FZG C")).expect("a pair");
+    let operation = steel_operation(135.5, 1500.0);
+    let path = pair
+        .path(&operation, &PathParams::default())
+        .expect("a path");
+    for (label, sliding, roll) in [
+        (PathLabel::A, [-3.539487064, 0.779710794], 0.132203335),
+        (PathLabel::C, [0.0, 0.0], 0.412962531),
+        (PathLabel::E, [0.678797591, -2.113301684], 0.696722776),
+    ] {
+        let point = labelled(&path, label);
+        let found = point.specific_sliding();
+        for (found, right) in found.into_iter().zip(sliding) {
+            assert_relative_eq!(found, right, max_relative = 1e-8, epsilon = 1e-12);
+        }
+        assert_relative_eq!(pair.roll_angle(point.position), roll, max_relative = 1e-8);
+    }
+}
+
 /// A published report (GEARpie, MIT): 200 N·m on the pinion of type C14 of the width 14 mm: 5912.1 N, 1347.3 MPa and a half-width of
 /// 199.567 µm at the pitch point.
 #[test]

@@ -39,8 +39,14 @@ fn thermal_body(body: &Body, temperature: f64) -> Option<ThermalBody> {
     })
 }
 
+/// Thermal constants of the pinion and the wheel at the temperature `bulk` (K), if all are known.
+pub(in crate::machine) fn teeth(case: &Case, bulk: f64) -> Option<[ThermalBody; 2]> {
+    let [pinion, wheel] = [&case.body_2, &case.body_1].map(|body| thermal_body(body, bulk));
+    Some([pinion?, wheel?])
+}
+
 /// Bulk temperature of the teeth, K: the hotter of both gears where `[thermal]` gives them other temperatures.
-pub(super) fn bulk_temperature(case: &Case, gears: &GearMechanics) -> f64 {
+pub(in crate::machine) fn bulk_temperature(case: &Case, gears: &GearMechanics) -> f64 {
     match case.heat().ok().flatten() {
         Some(heat) => heat.body_1.temperature.max(heat.body_2.temperature),
         None => (gears.limits.bulk_temperature).unwrap_or(case.lubricant.temperature),
@@ -58,7 +64,10 @@ pub(super) fn temperatures(case: &Case, gears: &GearMechanics, flanks: &Flanks<'
     };
     let mut figures = vec![BULK_TEMPERATURE.row(bulk, of_films)];
     let blok = blok_rises(case, gears, &flanks.friction);
-    let of_flanks = (flanks.hottest.as_ref()).map(|hottest| solved_rises(hottest, bulk));
+    let of_flanks = (flanks.hottest.as_ref()).map(|hottest| {
+        let rise = |hotter: Marked| rise_above(hotter, bulk);
+        hottest.iter().map(|hotter| hotter.map(rise)).collect()
+    });
     let is_solved = of_flanks.is_some();
     let rises = of_flanks.as_ref().unwrap_or(&blok);
     let Some((position, flash)) = hottest(gears, rises) else {
@@ -95,7 +104,7 @@ pub(super) fn temperatures(case: &Case, gears: &GearMechanics, flanks: &Flanks<'
 }
 
 /// The temperature of a flank that is warmer by a rise than the temperature `bulk` (K); not resolved where no oil would survive.
-fn contact(rise: Marked, bulk: f64) -> Marked {
+pub(in crate::machine) fn contact(rise: Marked, bulk: f64) -> Marked {
     let hot = rise.above(bulk);
     let melts = hot.value > limits::TEMPERATURE;
     hot.with(Marks::when(melts, Mark::Unresolved))
@@ -110,34 +119,35 @@ fn hottest(gears: &GearMechanics, rises: &Values) -> Option<(f64, Marked)> {
     Some((rises[i].0, rise))
 }
 
+/// Flash temperature after Blok at a place, of a coefficient of friction.
+pub(in crate::machine) fn blok_rise(
+    at: &PathPoint,
+    friction: Marked,
+    teeth: [ThermalBody; 2],
+) -> Marked {
+    let rise = |mu: f64| at.flash(mu, teeth, FlashMethod::AnySpeed).rise;
+    Marked {
+        value: rise(friction.value.abs()),
+        error: friction.error.map(rise),
+        ..friction
+    }
+}
+
 /// Flash temperatures after Blok from the friction of the contacts, of teeth at their bulk temperature; none where a body lacks its thermal data.
 pub(super) fn blok_rises(case: &Case, gears: &GearMechanics, friction: &Values) -> Values {
-    let bulk = bulk_temperature(case, gears);
-    let bodies = [&case.body_2, &case.body_1].map(|body| thermal_body(body, bulk));
+    let teeth = teeth(case, bulk_temperature(case, gears));
     let of = |(point, friction): (&PathPoint, &Option<Marked>)| {
-        let ([Some(pinion), Some(wheel)], Some(friction)) = (bodies, *friction) else {
-            return None;
-        };
-        let rise = |mu: f64| {
-            let flash = point.flash(mu, [pinion, wheel], FlashMethod::AnySpeed);
-            flash.rise
-        };
-        Some(Marked {
-            value: rise(friction.value.abs()),
-            error: friction.error.map(rise),
-            ..friction
-        })
+        Some(blok_rise(point, (*friction)?, teeth?))
     };
     gears.path.iter().zip(friction).map(of).collect()
 }
 
-/// By how much the hotter of both solved flanks exceeds the temperature `bulk` (K).
-fn solved_rises(hottest: &Values, bulk: f64) -> Values {
-    let rise = |hotter: Marked| Marked {
+/// By how much the temperature of the hotter flank exceeds the temperature `bulk` (K).
+pub(in crate::machine) fn rise_above(hotter: Marked, bulk: f64) -> Marked {
+    Marked {
         value: (hotter.value - bulk).max(0.0),
         ..hotter
-    };
-    hottest.iter().map(|hotter| hotter.map(rise)).collect()
+    }
 }
 
 /// S_B where the file gives the scuffing temperature; without heat, or an oil as hot as the limit, there is no safety to give.
@@ -161,9 +171,14 @@ pub(super) fn thinnest_film(gears: &GearMechanics, films: &Films) -> Option<Mark
 }
 
 /// λ_GF of a film, m, by the roughness Ra of both flanks; `None` without a roughness.
-pub(super) fn specific(case: &Case, gears: &GearMechanics, film: f64) -> Option<f64> {
+pub(in crate::machine) fn specific(
+    case: &Case,
+    gears: &GearMechanics,
+    film: Marked,
+) -> Option<Marked> {
     let (roughness, _) = roughness(case, gears)?;
-    Some(micropitting(&[film], roughness, 1.0).ok()?.specific_film)
+    let found = micropitting(&[film.value], roughness, 1.0).ok()?;
+    Some(film * (found.specific_film / film.value))
 }
 
 /// Smallest specific film and safety against micropitting.

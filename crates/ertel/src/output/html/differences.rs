@@ -134,18 +134,22 @@ fn rows(first: &Rows, other: &Rows) -> Option<(Table, usize, bool)> {
     }
     let is_between = Cell::new(false);
     let mut compared = Vec::new();
-    for row in &first.body {
-        let Some(found) = place(row, &axes, other) else {
+    for (i, row) in first.body.iter().enumerate() {
+        // Rows at one place, the sides of a jump, are compared in their order.
+        let is_here = |body: &&Vec<String>| axes.iter().all(|[i, _]| is_same(&row[*i], &body[*i]));
+        let nth = first.body[..i].iter().filter(is_here).count();
+        if place((row, nth), &axes, other, |_| true).is_none() {
             continue;
-        };
-        let at = |j: usize| match found {
-            Place::At(k) => number(&other.body[k][j]),
-            Place::Between(k, l, share) => {
-                is_between.set(true);
-                let [low, high] = [k, l].map(|k| number(&other.body[k][j]));
-                Some(low? * (1.0 - share) + high? * share)
-            }
-        };
+        }
+        let at =
+            |j: usize| match place((row, nth), &axes, other, |body| number(&body[j]).is_some())? {
+                Place::At(k) => number(&other.body[k][j]),
+                Place::Between(k, l, share) => {
+                    is_between.set(true);
+                    let [low, high] = [k, l].map(|k| number(&other.body[k][j]));
+                    Some(low? * (1.0 - share) + high? * share)
+                }
+            };
         let mut cells: Vec<String> = (axes.iter())
             .map(|[i, _]| match number(&row[*i]) {
                 Some(value) => shown(value, &words(&first.head[*i]).1),
@@ -187,20 +191,33 @@ enum Place {
     Between(usize, usize, f64),
 }
 
-/// The row at the same place; with a single numeric axis also between two rows.
-fn place(row: &[String], axes: &[[usize; 2]], other: &Rows) -> Option<Place> {
-    let is_same = |own: &str, there: &str| match number(own).zip(number(there)) {
+/// Whether two cells name the same place.
+fn is_same(own: &str, there: &str) -> bool {
+    match number(own).zip(number(there)) {
         Some((a, b)) => (a - b).abs() <= SAME * a.abs().max(b.abs()),
         None => own == there,
-    };
-    let is_here = |body: &Vec<String>| axes.iter().all(|[i, j]| is_same(&row[*i], &body[*j]));
-    if let Some(k) = other.body.iter().position(is_here) {
+    }
+}
+
+/// Of the rows of the other result that `keeps`, the n-th at the same place or the last one there; with a single numeric axis also between two rows.
+fn place(
+    (row, nth): (&[String], usize),
+    axes: &[[usize; 2]],
+    other: &Rows,
+    keeps: impl Fn(&[String]) -> bool,
+) -> Option<Place> {
+    let kept = || (other.body.iter().enumerate()).filter(|(_, body)| keeps(body));
+    let is_here = |body: &[String]| axes.iter().all(|[i, j]| is_same(&row[*i], &body[*j]));
+    if let Some((k, _)) = kept()
+        .filter(|(_, body)| is_here(body))
+        .take(nth + 1)
+        .last()
+    {
         return Some(Place::At(k));
     }
     let [[i, j]] = axes else { return None };
     let at = number(&row[*i])?;
-    let places =
-        (other.body.iter().enumerate()).filter_map(|(k, body)| Some((k, number(&body[*j])?)));
+    let places = kept().filter_map(|(k, body)| Some((k, number(&body[*j])?)));
     let places: Vec<(usize, f64)> = places.collect();
     let below = places
         .iter()
@@ -287,6 +304,28 @@ mod tests {
 
     fn of(name: &str, csv: &str, n_axes: usize) -> Value {
         json!({ "name": name, "csv": csv, "n_axes": n_axes, "figures": null })
+    }
+
+    /// The sides of a jump are compared with each other, films only where they are.
+    #[test]
+    fn both_sides_of_a_jump() {
+        let csv = |films: [&str; 3], power: [f64; 3]| {
+            let mut text = "contact,position_m,film_central_m,friction_power_W_per_m\n".to_owned();
+            for (i, place) in [0, 1, 1].into_iter().enumerate() {
+                text += &format!("{},{place},{},{}\n", place + 1, films[i], power[i]);
+            }
+            text
+        };
+        let first = of("one", &csv(["1e-7", "", "1e-7"], [1.0, 2.0, 4.0]), 1);
+        let other = of("other", &csv(["1e-7", "", "2e-7"], [1.0, 3.0, 8.0]), 1);
+        let found = &differences(&[first, other])[0];
+        let cells: Vec<[&str; 2]> = (found.rows.iter())
+            .map(|row| [row[1].as_str(), row[2].as_str()])
+            .collect();
+        assert_eq!(
+            cells,
+            [["0", "0"], ["-", "+50.00 %"], ["+100.00 %", "+100.00 %"]]
+        );
     }
 
     /// Pages are read from files: a table may state more axes than it has columns.

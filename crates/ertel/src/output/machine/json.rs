@@ -5,9 +5,14 @@ use serde_json::{Value, json};
 use super::super::curve::point_json;
 use super::super::result_json::{FORMAT_VERSION, units};
 use super::super::rows::rows_json;
+use super::table::COORDINATES;
 use super::warnings;
-use crate::case::{CaseEcho, MachineContact, RINGS, WholeMachine};
+use crate::case::{
+    BearingMechanics, CaseEcho, MachineAxis, MachineContact, Mechanics, RINGS, WholeMachine,
+};
+use crate::figures::courses::{Course, Courses};
 use crate::machine::MachineFigures;
+use crate::mark::{Mark, Marks};
 use crate::run::NUMERICS;
 use crate::study::MachineSolution;
 use crate::warning::{codes, silenced, texts};
@@ -40,7 +45,7 @@ pub fn machine_json(
             Ok(value)
         })
         .collect::<serde_json::Result<Vec<Value>>>()?;
-    Ok(json!({
+    let mut document = json!({
         "format": MACHINE_FORMAT,
         "format_version": FORMAT_VERSION,
         "ertel_version": env!("CARGO_PKG_VERSION"),
@@ -58,9 +63,56 @@ pub fn machine_json(
         "warning_codes": codes(&warnings),
         "silenced": silenced(&warnings),
         "contacts": contacts,
+        "courses": courses_json(whole.axis, &figures.courses),
         "case": { "given": case.given, "si": serde_json::to_value(case)? },
         "units": units(whole.is_line),
-    }))
+    });
+    if let Mechanics::Bearing(bearing) = &whole.mechanics {
+        document["shaft"] = shaft_json(bearing);
+    }
+    Ok(document)
+}
+
+/// Figures at each contact as arrays, and their places; two at a jump of the load.
+fn courses_json(axis: MachineAxis, courses: &Courses) -> Value {
+    let places = &courses.places;
+    let mut document = json!({
+        "contact": places.iter().map(|place| place.contact + 1).collect::<Vec<_>>(),
+        (axis.name()): places.iter().map(|place| place.at).collect::<Vec<_>>(),
+    });
+    if axis == MachineAxis::LineOfAction {
+        document["label"] = places.iter().map(|place| place.label.clone()).collect();
+        let beyond = places
+            .iter()
+            .map(|place| place.beyond.map(|side| side.name()));
+        document["beyond"] = beyond.collect();
+    }
+    let of = |course: &Course| {
+        let values = || course.values.iter();
+        let marks: Marks = values().flatten().map(|value| value.marks).sum();
+        let known = || values().map(|value| value.filter(|v| !v.marks.has(Mark::Unresolved)));
+        let value = json!({
+            "value": known().map(|value| Some(value?.value)).collect::<Vec<_>>(),
+            "error": known().map(|value| value?.error).collect::<Vec<_>>(),
+            "marks": marks.iter().map(Mark::name).collect::<Vec<_>>(),
+            "unit": course.unit,
+            "words": course.figure.words,
+        });
+        (course.figure.name.to_owned(), value)
+    };
+    document["figures"] = Value::Object(courses.all.iter().map(of).collect());
+    document
+}
+
+/// Shifts, loads and stiffness of the inner ring of a bearing.
+fn shaft_json(bearing: &BearingMechanics) -> Value {
+    let found = &bearing.distribution;
+    json!({
+        "coordinates": COORDINATES,
+        "displacement": bearing.displacement(),
+        "load": found.reaction(),
+        "stiffness": found.stiffness,
+    })
 }
 
 /// The rows of the machine in its report.

@@ -1,10 +1,12 @@
 //! Results of a machine: `machine.json`, `machine.csv`, pictures, a report, and contact folders.
 
+mod along;
 mod estimate;
 mod json;
 mod picture;
 mod report;
 mod table;
+mod values;
 
 pub(super) use estimate::{estimate_units, estimate_values, write_estimate, write_summary};
 pub use json::{MACHINE_FORMAT, machine_json};
@@ -12,6 +14,7 @@ pub(super) use picture::machine_pictures;
 pub use report::machine_report;
 pub(super) use report::{warnings, write_figures, write_idle};
 pub use table::machine_table;
+use table::shaft_table;
 pub(super) use table::table_of_pressed;
 
 use std::path::Path;
@@ -20,7 +23,7 @@ use super::folder::{NewFolder, Part};
 use super::html::machine_page;
 use super::target::REPORT_PAGE;
 use super::{OutputError, finite, write_files, write_picture};
-use crate::case::CaseEcho;
+use crate::case::{CaseEcho, Mechanics};
 use crate::figures::Row;
 use crate::machine::MachineFigures;
 use crate::mark::Marked;
@@ -87,13 +90,16 @@ pub(super) fn write_files_of_machine(
     params: &OutputParams,
 ) -> Result<(), OutputError> {
     root.json("machine.json", machine_json(case, machine, figures))?;
-    root.bytes("machine.csv", machine_table(machine))?;
+    root.bytes("machine.csv", machine_table(machine, &figures.courses))?;
+    if let Mechanics::Bearing(bearing) = &machine.machine.mechanics {
+        root.bytes("shaft.csv", shaft_table(bearing))?;
+    }
     root.bytes("report.txt", machine_report(case, machine, figures, None))?;
     root.bytes(REPORT_PAGE, machine_page(case, machine, figures))?;
     if let Some(text) = &case.case_file {
         root.bytes("case.toml", text)?;
     }
-    for picture in machine_pictures(&case.title, machine) {
+    for picture in machine_pictures(&case.title, machine, &figures.courses) {
         write_picture(root, &picture, params.pictures)?;
     }
     Ok(())

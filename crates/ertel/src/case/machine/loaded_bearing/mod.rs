@@ -66,6 +66,29 @@ impl BearingMechanics {
     pub fn series(&self) -> Option<Series> {
         self.entry.as_ref().map(|entry| entry.designation.series)
     }
+
+    /// δ_x, δ_y, δ_z of the inner ring (m), θ_x, θ_y (rad); δ_z from where [`axial_shift`] counts it.
+    pub fn displacement(&self) -> [f64; 5] {
+        let found = &self.distribution;
+        let ([x, y, _], [a, b]) = (found.shift, found.tilt);
+        let (z, _) = axial_shift(&self.bearing.geometry, self.series(), found);
+        [x, y, z, a, b]
+    }
+}
+
+/// δ_z of the inner ring, m, and where it is counted from: of balls between shoulders on both sides the middle of the play, else where the elements touch.
+fn axial_shift(
+    geometry: &Geometry,
+    series: Option<Series>,
+    found: &Distribution,
+) -> (f64, &'static str) {
+    let [_, _, z] = found.shift;
+    match geometry {
+        Geometry::Ball(ball) if !ratings::is_one_sided(geometry, series) => {
+            (z + 0.5 * ball.axial_play(), " from the middle of the play")
+        }
+        _ => (z, ""),
+    }
 }
 
 /// How contacts of a bearing are solved.
@@ -464,16 +487,8 @@ fn add_rows(
     found: &Distribution,
     (governing, word): (Place, &str),
 ) {
-    let geometry = &inside.geometry;
-    let is_one_sided = ratings::is_one_sided(geometry, inside.series());
-    let [x, y, z] = found.shift;
-    let (z, from) = match geometry {
-        // With both shoulders the shift is measured from the middle of the play, not from contact with one of them.
-        Geometry::Ball(ball) if !is_one_sided => {
-            (z + 0.5 * ball.axial_play(), " from the middle of the play")
-        }
-        _ => (z, ""),
-    };
+    let [x, y, _] = found.shift;
+    let (z, from) = axial_shift(&inside.geometry, inside.series(), found);
     // Shifts below a picometre are rounding.
     let [x, y, z] =
         [x, y, z].map(|shift| digits(1e6 * if shift.abs() < 1e-12 { 0.0 } else { shift }, 4));

@@ -22,7 +22,7 @@ const SUFFIXES = [["_kg_per_m3", "kg/m^3"], ["_m_per_s", "m/s"], ["_N_per_m", "N
 const OVER_TIME = ["film_central_lowest_m", "film_minimum_lowest_m", "amplitude_ratio_last", "traction_coefficient_highest", "traction_coefficient_mean", "pressure_maximum_highest_Pa", "film_temperature_maximum_highest_K"];
 const PLAIN = [...OVER_TIME, "film_central_m", "film_minimum_m", "pressure_central_Pa", "traction_coefficient", "friction_total", "lambda_minimum", "film_temperature_maximum_K", "friction_torque_N_m", "friction_power_W", "friction_power_W_per_m", "mesh_loss", "scuffing_safety", "micropitting_safety", "static_safety_factor", "modified_rating_life_million_revolutions", "converged"];
 // Figures shown first for the contacts of a machine.
-const OF_MACHINES = ["name", "load_N", "load_N_per_m", "hertz_pressure_Pa", "entrainment_speed_m_per_s", "slide_to_roll_ratio", "film_central_m", "film_minimum_m", "lambda_minimum", "traction_coefficient", "friction_total", "friction_power_W", "friction_power_W_per_m", "film_temperature_maximum_K"];
+const OF_MACHINES = ["name", "load_N", "load_N_per_m", "hertz_pressure_Pa", "load_share", "contact_angle_rad", "spin_speed_rad_per_s", "entrainment_speed_m_per_s", "slide_to_roll_ratio", "film_central_m", "film_minimum_m", "lambda_minimum", "specific_film", "flash_temperature_K", "contact_temperature_K", "traction_coefficient", "friction_total", "friction_power_W", "friction_power_W_per_m", "film_temperature_maximum_K"];
 
 // Figures drawn first for whole machines.
 const OF_WHOLE_MACHINES = ["friction_torque_N_m", "mesh_loss", "friction_power_W"];
