@@ -159,9 +159,8 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
-    use crate::case::Case;
+    use crate::case::Mechanics;
     use crate::figures::Definition;
-    use crate::machine::unsolved;
 
     fn courses_of(sharing: &str) -> (Case, Courses) {
         let text = format!(
@@ -184,8 +183,17 @@ viscosity = {{ law = "barus", mu_0 = "17 mPa.s", alpha = "20 1/GPa" }}
 "#
         );
         let case = Case::from_text("gears.toml", &text, std::path::Path::new("")).unwrap();
-        let (_, figures) = unsolved(&case).unwrap();
-        (case, figures.courses)
+        let machine = case.whole.clone().unwrap();
+        let Mechanics::Gears(gears) = &machine.mechanics else {
+            panic!("gears")
+        };
+        let solved = MachineSolution {
+            contacts: vec![None; machine.contacts.len()],
+            machine: machine.clone(),
+            wall_seconds: 0.0,
+        };
+        let courses = courses(&case, gears, &solved);
+        (case, courses)
     }
 
     fn values(courses: &Courses, figure: Definition) -> Vec<f64> {
@@ -203,7 +211,7 @@ viscosity = {{ law = "barus", mu_0 = "17 mPa.s", alpha = "20 1/GPa" }}
         ] {
             let (case, courses) = courses_of(sharing);
             let machine = case.whole.as_ref().unwrap();
-            let crate::case::Mechanics::Gears(gears) = &machine.mechanics else {
+            let Mechanics::Gears(gears) = &machine.mechanics else {
                 panic!("gears")
             };
             let pair = &gears.pair;

@@ -132,6 +132,7 @@ impl Row for Balls<'_> {
             position,
             contacts,
             cage_speed: motion.cage,
+            own_speed: motion.element,
             attitude: motion.attitude,
             centrifugal_force: state.centrifugal_force,
             gyroscopic_moment: state.gyroscopic_moment,

@@ -233,6 +233,8 @@ pub struct Element {
     pub contacts: [RingContact; 2],
     /// Speed of its orbit ω_m, rad/s, of a cage that would follow this element.
     pub cage_speed: f64,
+    /// Speed about its axis, seen from the cage, rad/s.
+    pub own_speed: f64,
     /// Inclination β of its axis to that of the bearing, rad.
     pub attitude: f64,
     /// Centrifugal force, N.

@@ -219,6 +219,7 @@ impl Row for Rollers {
             rib_load: both * self.half_angle.sin() + self.centrifugal * self.axis_angle.sin(),
             contacts,
             cage_speed: self.motion.cage,
+            own_speed: self.motion.element,
             attitude: self.axis_angle,
             centrifugal_force: self.centrifugal,
             gyroscopic_moment: 0.0,
