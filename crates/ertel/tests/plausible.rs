@@ -72,8 +72,8 @@ fn a_law_without_limit_is_named() {
     let sliding = ROLLER.replace("0.05", "1.5");
     let found = solved(&format!("{sliding}{eyring}"));
     let words = warning(&found, WarningKind::Friction).unwrap();
-    contains(&words, "[thermal]");
-    contains(&words, "limit)");
+    contains(words, "[thermal]");
+    contains(words, "limit)");
     assert!(!words.contains("[lubricant] shear_thinning)"), "{words}");
 }
 
@@ -90,7 +90,7 @@ fn films_that_are_not_small() {
     assert_eq!(warning(&film("2 m/s"), WarningKind::ThickFilm), None);
     let thick = film("200 m/s");
     let words = warning(&thick, WarningKind::ThickFilm).unwrap();
-    contains(&words, "of the radius, too thick for Reynolds' equation");
+    contains(words, "of the radius, too thick for Reynolds' equation");
 }
 
 /// Slip through an oil whose viscosity grows without limit up to 1.1 GPa: friction above that of dry metal marks all figures derived from it; films stay valid.
@@ -124,7 +124,7 @@ fn unresolved_figures_are_named() {
     assert!(figures.contains(&Figure::FilmCentral) && figures.contains(&Figure::FilmMinimum));
     assert!(warning(&starved, WarningKind::InletEdge).is_some());
     let words = warning(&starved, WarningKind::CentralFilmError).unwrap();
-    contains(&words, "the edges of the contact area are near");
+    contains(words, "the edges of the contact area are near");
 }
 
 /// Surfaces at 0 and 60 m/s, with skins of 60 µm that form within a cell at the far inlet edge, and at 2 m/s: heat is balanced, and nothing is reported.
