@@ -132,7 +132,7 @@ fn a_bearing_under_thrust() {
     assert!(report.contains("solve again at"), "{report}");
 }
 
-/// What an estimate gives without a solve is to the last bit what the solved machine gives, except for the films; the films of formulas are within a quarter of them.
+/// Figures of an estimate are those of the solved machine to the last bit, except for the films; films of formulas are within a quarter of the solved ones.
 #[test]
 fn an_estimate_agrees_with_the_solved_machine() {
     let case = read(THRUST);

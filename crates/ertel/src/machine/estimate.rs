@@ -1,4 +1,4 @@
-//! What closed forms say of a whole machine: the columns of its contacts, and the figures that they lack.
+//! Closed forms of a whole machine: the columns of its contacts, and the figures that need more.
 
 use std::sync::Arc;
 
@@ -128,7 +128,7 @@ pub(super) fn of_films(films: &Films) -> Vec<ContactColumn> {
     ]
 }
 
-/// What a figure needs that follows from solved films alone.
+/// The need of figures that follow from solved films alone.
 const SOLVE: &str = "needs a solve";
 
 /// The figures of a machine that its estimate lacks, with what each of them needs.

@@ -69,7 +69,7 @@ pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
     }
 }
 
-/// What is known of a whole machine before its contacts are solved; `None` of single contacts.
+/// Closed forms of a whole machine, before its contacts are solved; `None` of single contacts.
 pub fn estimate(case: &Case) -> Option<MachineEstimate> {
     let machine = case.whole.clone()?;
     let films = Films::by_formulas(case, &machine);

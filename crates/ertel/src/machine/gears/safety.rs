@@ -17,7 +17,7 @@ use crate::figures::gears::{
 use crate::mark::{Mark, Marked, Marks};
 use crate::solution::limits;
 
-/// What is known of the contacts of a path, each value by its place in the path.
+/// Values of the contacts of a path, in its order.
 pub(super) struct Flanks<'a> {
     /// Films.
     pub films: &'a Films,

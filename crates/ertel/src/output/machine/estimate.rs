@@ -66,7 +66,7 @@ pub(in crate::output) fn write_estimate(out: &mut Lines, estimate: &MachineEstim
         let contact = &whole.contacts[i];
         let first = [
             Some(name(contact, whole.count(i))),
-            of_place.map(|_| format!("{} mm", digits(1e3 * contact.place, 4))),
+            of_place.map(|_| format!("{} mm", digits(1e3 * contact.place, 3))),
             load.map(|_| force(contact.load, whole.is_line, 4)),
             Some(pressure(contact.hertz_pressure)),
         ];
@@ -127,7 +127,7 @@ fn cell(value: Option<f64>, unit: &str) -> String {
         "m" => length(value),
         "rad" => format!("{}°", digits(value.to_degrees(), 4)),
         "" => digits(value, 3),
-        unit => format!("{} {unit}", digits(value, 4)),
+        unit => format!("{} {unit}", digits(value, 3)),
     }
 }
 
