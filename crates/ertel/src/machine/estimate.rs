@@ -101,11 +101,11 @@ pub(super) fn over_turn(mechanics: &CamMechanics) -> Vec<ContactColumn> {
             points().map(|at| Some(at.force)),
         ),
         column(
-            ("pressure_angle", Some("pressure angle"), "rad"),
+            ("pressure_angle", Some("angle φ"), "rad"),
             points().map(|at| Some(at.pressure_angle)),
         ),
         column(
-            ("entrainment_speed", Some("entrainment"), "m/s"),
+            ("entrainment_speed", Some("u_m"), "m/s"),
             points().map(|at| Some(at.entrainment_speed)),
         ),
     ]

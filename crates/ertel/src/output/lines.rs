@@ -144,14 +144,20 @@ impl Block {
     }
 }
 
+/// Characters across a page.
+const PAGE: usize = 80;
+
 impl Table {
-    /// A table whose columns are as wide as their cells.
+    /// A table whose columns are as wide as their cells, closer together where it is wider than a page.
     pub fn fitted(head: Vec<String>, rows: Vec<Vec<String>>) -> Table {
         let width = |j: usize| {
             let cells = rows.iter().map(|row: &Vec<String>| row[j].chars().count());
             cells.chain([head[j].chars().count()]).max().unwrap_or(0)
         };
-        let widths = (0..head.len()).map(|j| (width(j), 2)).collect();
+        let widths: Vec<usize> = (0..head.len()).map(width).collect();
+        let wide = 2 + widths.iter().sum::<usize>() + 2 * widths.len().saturating_sub(1);
+        let gap = if wide > PAGE { 1 } else { 2 };
+        let widths = widths.into_iter().map(|width| (width, gap)).collect();
         Table { head, rows, widths }
     }
 
