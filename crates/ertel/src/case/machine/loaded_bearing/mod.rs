@@ -67,7 +67,7 @@ impl BearingMechanics {
         self.entry.as_ref().map(|entry| entry.designation.series)
     }
 
-    /// δ_x, δ_y, δ_z of the inner ring (m), θ_x, θ_y (rad); δ_z from where [`axial_shift`] counts it.
+    /// δ_x, δ_y, δ_z of the inner ring (m), θ_x, θ_y (rad); δ_z of balls between shoulders on both sides from the middle of the play, else from where the elements touch.
     pub fn displacement(&self) -> [f64; 5] {
         let found = &self.distribution;
         let ([x, y, _], [a, b]) = (found.shift, found.tilt);
