@@ -21,6 +21,7 @@ _SECTIONS = (
     "solver",
     "output",
     "transient",
+    "stress",
     "surface",
     "curve",
     "compare",
