@@ -85,7 +85,7 @@ for (const [name, kind, settings] of [["ball-on-disc", "circular", []], ["ball-i
       await reads(page, "film_central", "film_thickness", summary.film_central.value, 1e-6);
       // The page draws finite volumes by lines between nodes, and the figure is the vertex of parabolas through them.
       const { value, error } = summary.film_minimum;
-      await reads(page, "film_minimum", "film_thickness", value, result.stats.method === "finite-volumes" ? error / value : 1e-6);
+      await reads(page, "film_minimum", "film_thickness", value, result.stats.method === "finite-volumes" ? Math.max(error / value, 5e-3) : 1e-6);
       // On the flank of the pressure ridge a coordinate in single precision counts for more.
       await reads(page, "pressure_maximum", "pressure", summary.pressure_maximum.value, 1e-4);
       assert.deepEqual(page.troubles, []);
