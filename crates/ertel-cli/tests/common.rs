@@ -1,6 +1,6 @@
 //! Shared parts of the tests of the command.
 
-#[path = "../../ertel/tests/common/contains.rs"]
+#[path = "../../ertel-quantity/tests/common/contains.rs"]
 mod contains;
 
 use std::collections::HashMap;

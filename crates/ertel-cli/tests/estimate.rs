@@ -224,18 +224,19 @@ fn json_of_whole_machines() {
     assert_eq!(bearing["governing_contact"], 1);
     let film = number(&bearing, "/contacts/0/film_central");
     assert_eq!(film, number(&bearing, "/film/film_central"));
-    assert_eq!(number(&bearing, "/contacts/0/contact_angle"), 0.0);
+    let angles = "/contact_figures/figures/contact_angle";
+    assert_eq!(number(&bearing, &format!("{angles}/value/0")), 0.0);
     assert_eq!(bearing["contacts"].as_array().unwrap().len(), 18);
-    assert_eq!(bearing["units"]["contact_angle"], "rad");
+    assert_eq!(bearing.pointer(angles).unwrap()["unit"], "rad");
     assert_eq!(bearing["units"]["load"], "N");
 
     let gear = document("gear");
-    let mut contacts = gear["contacts"].as_array().unwrap().iter();
-    let pitch_point = contacts
-        .find(|contact| contact["name"].as_str().unwrap().starts_with("C,"))
-        .unwrap();
-    assert_eq!(number(pitch_point, "/sliding_speed"), 0.0);
-    assert_eq!(number(pitch_point, "/flash_temperature"), 0.0);
+    let labels = gear["contact_figures"]["label"].as_array().unwrap();
+    let pitch_point = labels.iter().position(|label| *label == "C").unwrap();
+    for name in ["sliding_speed", "flash_temperature"] {
+        let path = format!("/contact_figures/figures/{name}/value/{pitch_point}");
+        assert_eq!(number(&gear, &path), 0.0);
+    }
     assert_eq!(gear["units"]["load"], "N/m");
 
     let cam = document("cam");

@@ -36,5 +36,5 @@ pub mod warning;
 pub mod words;
 
 #[cfg(test)]
-#[path = "../../ertel/tests/common/near.rs"]
+#[path = "../../ertel-quantity/tests/common/near.rs"]
 mod near;

@@ -8,5 +8,5 @@ pub mod cam;
 pub mod gear;
 
 #[cfg(test)]
-#[path = "../../ertel/tests/common/near.rs"]
+#[path = "../../ertel-quantity/tests/common/near.rs"]
 mod near;

@@ -53,7 +53,7 @@ impl NativeMachine {
 
     /// `machine.csv`.
     fn table(&self) -> String {
-        output::machine_table(&self.machine, &self.figures.courses)
+        output::machine_table(&self.machine, &self.figures.at_contacts)
     }
 
     /// Writes the files that `ertel solve` writes.

@@ -156,7 +156,7 @@ def test_marks_reach_totals() -> None:
 
 
 def test_courses_and_shaft(machine: ertel.MachineSolution) -> None:
-    loads = machine.courses["element_load"]
+    loads = machine.contact_figures["element_load"]
     assert loads.unit == "N" and loads.contact == list(range(len(machine))) and loads.place == [c.place for c in machine.contacts]
     assert loads.value == pytest.approx([c.load for c in machine.contacts])
     shaft = machine.shaft

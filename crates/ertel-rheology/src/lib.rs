@@ -49,5 +49,5 @@ pub use solid::Solid;
 pub use viscosity::ViscosityLaw;
 
 #[cfg(test)]
-#[path = "../../ertel/tests/common/near.rs"]
+#[path = "../../ertel-quantity/tests/common/near.rs"]
 mod near;

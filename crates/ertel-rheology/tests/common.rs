@@ -1,6 +1,6 @@
 //! Laws of oils that several tests use.
 
-#[path = "../../ertel/tests/common/near.rs"]
+#[path = "../../ertel-quantity/tests/common/near.rs"]
 mod near;
 
 use ertel_rheology::density::{BulkModulusSoftening, Murnaghan, TaitVolume};

@@ -1,6 +1,6 @@
 //! The figures of machines and of whole runs: their registry, and the rows in which results hold them. Those of single contacts are in [`Figure`].
 
-pub mod courses;
+pub mod at_contacts;
 
 use crate::mark::Marked;
 use crate::solution::{Figure, Kind};
@@ -232,6 +232,7 @@ definitions! {
         LOAD_SHARE, "load_share", "load share X", Coefficient, Contacts;
         LOAD, "load", "load per length of contact line", Force, Contacts;
         HERTZ_PRESSURE, "hertz_pressure", "Hertz pressure", Stress, Contacts;
+        SLIDING_SPEED, "sliding_speed", "sliding speed of the pinion's flank against the wheel's", Speed, Contacts;
         SPECIFIC_SLIDING_PINION, "specific_sliding_pinion", "specific sliding ζ of the pinion", Coefficient, Contacts;
         SPECIFIC_SLIDING_WHEEL, "specific_sliding_wheel", "specific sliding ζ of the wheel", Coefficient, Contacts;
         FRICTION_COEFFICIENT, "friction_coefficient", "coefficient of friction, its size", Coefficient, Contacts;

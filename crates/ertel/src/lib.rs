@@ -65,8 +65,8 @@ pub mod study;
 pub mod sweep;
 
 #[cfg(test)]
-#[path = "../tests/common/contains.rs"]
+#[path = "../../ertel-quantity/tests/common/contains.rs"]
 mod contains;
 #[cfg(test)]
-#[path = "../tests/common/near.rs"]
+#[path = "../../ertel-quantity/tests/common/near.rs"]
 mod near;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::case::{CaseEcho, WholeMachine};
-use crate::figures::courses::Courses;
+use crate::figures::at_contacts::ContactFigures;
 use crate::figures::{Row, find};
 use crate::run::over_time::over_time;
 use crate::run::transient::TransientSolution;
@@ -313,7 +313,7 @@ pub struct MachineFigures {
     /// The figures in their order.
     pub all: Vec<Row>,
     /// Figures at each contact.
-    pub courses: Courses,
+    pub at_contacts: ContactFigures,
     /// Warnings.
     pub warnings: Vec<Warning>,
 }

@@ -2,7 +2,7 @@
 
 use approx::assert_relative_eq;
 use ertel::case::{Case, Mechanics};
-use ertel::figures::turn;
+use ertel::figures::{Definition, path, turn};
 use ertel::machine::{MachineFigures, estimate};
 use ertel::solution::Figure;
 use ertel::study::MachineSolution;
@@ -38,6 +38,12 @@ fn figure(solved: &MachineSolution, contact: usize, figure: Figure) -> f64 {
         .figure(figure)
         .unwrap()
         .value
+}
+
+/// A figure at every contact, all of which have one.
+fn contact_figure(figures: &MachineFigures, of: Definition) -> Vec<f64> {
+    let entry = figures.at_contacts.find(of).unwrap();
+    entry.values.iter().map(|v| v.unwrap().value).collect()
 }
 
 /// The bars of a few contacts cover the values from many: they include the distance of the contacts.
@@ -178,15 +184,15 @@ fn a_short_path_of_gears() {
     assert_eq!(value(&found, "hertz_pressure_maximum"), highest);
 
     // Along the path: A, B with both loads, C, D with both loads, E.
-    let course = |name: &str| -> Vec<Option<f64>> {
-        let all = &found.courses.all;
-        let course = all.iter().find(|course| course.figure.name == name);
-        let values = &course.unwrap_or_else(|| panic!("no {name}")).values;
+    let entry = |name: &str| -> Vec<Option<f64>> {
+        let all = &found.at_contacts.all;
+        let entry = all.iter().find(|entry| entry.figure.name == name);
+        let values = &entry.unwrap_or_else(|| panic!("no {name}")).values;
         values.iter().map(|v| v.map(|v| v.value)).collect()
     };
     let own = [0, 2, 3, 4, 6];
-    let (rise, hot) = (course("flash_temperature"), course("contact_temperature"));
-    let (film, power_of) = (course("specific_film"), course("friction_power"));
+    let (rise, hot) = (entry("flash_temperature"), entry("contact_temperature"));
+    let (film, power_of) = (entry("specific_film"), entry("friction_power"));
     assert_eq!(rise.len(), 7);
     for (i, place) in own.into_iter().enumerate() {
         let by_norm = flashes[i];
@@ -205,7 +211,7 @@ fn a_short_path_of_gears() {
         assert_relative_eq!(ratio, (2.0_f64 / 3.0).powf(0.75), max_relative = 2e-2);
         assert_eq!(film[beyond], None);
     }
-    let table = ertel::output::machine_table(&solved, &found.courses);
+    let table = ertel::output::machine_table(&solved, &found.at_contacts);
     assert_eq!(table.lines().count(), 8);
     let head = table.lines().next().unwrap();
     for title in [
@@ -225,12 +231,12 @@ fn a_short_path_of_gears() {
         .filter(|own| *own == "friction_power_W_per_m");
     assert_eq!(once.count(), 1);
     let document = ertel::output::machine_json(&case.echo(), &solved, &found).unwrap();
-    let courses = &document["courses"];
-    assert_eq!(courses["label"][1], "B");
-    assert_eq!(courses["beyond"][1], "before");
-    assert_eq!(courses["beyond"][5], "behind");
-    assert!(courses["figures"]["specific_film"]["value"][1].is_null());
-    let of_json = courses["figures"]["flash_temperature"]["value"][1].as_f64();
+    let at_contacts = &document["contact_figures"];
+    assert_eq!(at_contacts["label"][1], "B");
+    assert_eq!(at_contacts["beyond"][1], "before");
+    assert_eq!(at_contacts["beyond"][5], "after");
+    assert!(at_contacts["figures"]["specific_film"]["value"][1].is_null());
+    let of_json = at_contacts["figures"]["flash_temperature"]["value"][1].as_f64();
     assert_eq!(of_json, rise[1]);
 }
 
@@ -310,19 +316,12 @@ fn gears_by_closed_forms() {
         ]
     );
     // The shares 1/3 to 2/3 and 1, and the largest of the flash temperatures along the path.
-    let column = |name: &str| {
-        let column = found.columns.iter().find(|column| column.name == name);
-        column
-            .unwrap()
-            .values
-            .iter()
-            .map(|v| v.unwrap())
-            .collect::<Vec<f64>>()
-    };
-    let shares = column("load_share");
+    let shares = contact_figure(figures, path::LOAD_SHARE);
     near(shares[0], 1.0 / 3.0, 1e-9);
-    near(shares[2], 1.0, 1e-9);
-    let most = column("flash_temperature").into_iter().fold(0.0, f64::max);
+    let pitch = (figures.at_contacts.places.iter()).position(|place| place.at == 0.0);
+    near(shares[pitch.unwrap()], 1.0, 1e-9);
+    let rises = contact_figure(figures, path::FLASH_TEMPERATURE);
+    let most = rises.into_iter().fold(0.0, f64::max);
     assert_eq!(most, value(figures, "flash_temperature"));
 }
 
@@ -356,17 +355,12 @@ fn a_cam_by_closed_forms() {
     let found = estimate(&case).unwrap();
     assert_figures(&found.figures, &[("torque_maximum", 500.0 * 4e-3, 1e-4)]);
     assert_eq!(value(&found.figures, "pressure_angle_maximum"), 0.0);
-    let column = |name: &str| -> Vec<f64> {
-        let column = found.columns.iter().find(|column| column.name == name);
-        column.unwrap().values.iter().map(|v| v.unwrap()).collect()
-    };
     let omega = 1500.0 * std::f64::consts::TAU / 60.0;
-    assert!(
-        column("force")
-            .iter()
-            .all(|force| (force - 500.0).abs() < 1e-9)
-    );
-    for (i, speed) in column("entrainment_speed").into_iter().enumerate() {
+    for force in contact_figure(&found.figures, turn::FOLLOWER_FORCE) {
+        near(force, 500.0, 1e-12);
+    }
+    let speeds = contact_figure(&found.figures, turn::ENTRAINMENT_SPEED);
+    for (i, speed) in speeds.into_iter().enumerate() {
         let theta = std::f64::consts::TAU * i as f64 / 4.0;
         near(speed.abs(), omega * 1e-3 * (9.0 - 2.0 * theta.cos()), 1e-6);
     }
@@ -427,20 +421,20 @@ fn a_turn_of_a_cam() {
     // u_m = (ω/2)(r_b − e cos θ) is least at 0°, the nose.
     assert_eq!(value(&found, "film_minimum_angle"), 0.0);
     // Over the turn: F = 500 N, u_m as above, s of an eccentric disc e cos θ and no pressure angle under a flat follower.
-    let course = |figure| {
-        let values = &found.courses.find(figure).unwrap().values;
+    let entry = |figure| {
+        let values = &found.at_contacts.find(figure).unwrap().values;
         values.iter().map(|v| v.unwrap().value).collect::<Vec<_>>()
     };
     for (i, contact) in contacts.iter().enumerate() {
         let cosine = contact.place.cos();
         let entrainment = 0.5 * omega * (18e-3 - 4e-3 * cosine);
         near(
-            course(turn::ENTRAINMENT_SPEED)[i].abs(),
+            entry(turn::ENTRAINMENT_SPEED)[i].abs(),
             entrainment.abs(),
             1e-9,
         );
-        near(course(turn::FOLLOWER_FORCE)[i], 500.0, 1e-9);
-        near(course(turn::LIFT)[i] + 1.0, 1.0 + 4e-3 * cosine, 1e-12);
-        assert!(course(turn::PRESSURE_ANGLE)[i].abs() < 1e-12);
+        near(entry(turn::FOLLOWER_FORCE)[i], 500.0, 1e-9);
+        near(entry(turn::LIFT)[i] + 1.0, 1.0 + 4e-3 * cosine, 1e-12);
+        assert!(entry(turn::PRESSURE_ANGLE)[i].abs() < 1e-12);
     }
 }

@@ -83,10 +83,10 @@ fn a_bearing_under_thrust() {
     assert_eq!(json["contacts"][17]["solved_as"], 2);
     assert_eq!(json["figures"]["friction_torque"]["unit"], "N m");
     // Nine balls under 500 N along the bearing: each Q sin α is a ninth of it.
-    let course = |name: &str| &json["courses"]["figures"][name]["value"];
+    let entry = |name: &str| &json["contact_figures"]["figures"][name]["value"];
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
     for i in 0..18 {
-        let of = |name: &str| number(&course(name)[i]);
+        let of = |name: &str| number(&entry(name)[i]);
         let axial = of("element_load") * of("contact_angle").sin();
         assert_relative_eq!(axial, 500.0 / 9.0, max_relative = 1e-2);
     }
@@ -112,7 +112,7 @@ fn a_bearing_under_thrust() {
         slope,
         max_relative = 1e-4
     );
-    let table = output::machine_table(solved, &found.courses);
+    let table = output::machine_table(solved, &found.at_contacts);
     assert_eq!(table.lines().count(), 19);
     let widths: Vec<usize> = table
         .lines()

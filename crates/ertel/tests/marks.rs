@@ -171,7 +171,7 @@ fn spin_is_bounded_or_not_resolved() {
     assert!(!report.contains("solve again at"), "{report}");
     assert!(report.contains("not resolved (!)"), "{report}");
     // The contacts name what is not to be used in their table.
-    let table = output::machine_table(&solved, &found.courses);
+    let table = output::machine_table(&solved, &found.at_contacts);
     contains(&table, "friction_power shear_stress_maximum");
 
     let (_, solved, found) = solved_machine(bearing("base_oil = 'mineral'"));

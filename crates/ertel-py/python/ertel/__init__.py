@@ -32,7 +32,7 @@ from ._data import (
 )
 from ._ertel import CaseError, ConvergenceError, OutputError, __version__
 from ._laws import ErtelWarning, TabulatedLaw
-from ._machine import MachineContact, MachineCourse, MachineFigure, MachineSolution, Shaft
+from ._machine import MachineContact, ContactFigure, MachineFigure, MachineSolution, Shaft
 from ._machines import Bearing, Cam, GearPair
 from ._maps import write_map
 from ._quantity import Quantity
@@ -61,7 +61,7 @@ __all__ = [
     "GearPair",
     "Instant",
     "MachineContact",
-    "MachineCourse",
+    "ContactFigure",
     "MachineFigure",
     "MachineSolution",
     "MonteCarlo",

@@ -103,7 +103,7 @@ class MachineContact:
 
 
 @dataclass(frozen=True)
-class MachineCourse:
+class ContactFigure:
     """A figure at each contact of a machine: along a path of contact, round a bearing, over the turn of a cam. SI.
 
     Attributes
@@ -169,7 +169,7 @@ class MachineSolution(Warned, Tabulated):
         Figures of the machine by their names.
     contacts : list of MachineContact
         All contacts, unloaded ones among them; of a bearing those of each element with both rings.
-    courses : dict of str to MachineCourse
+    contact_figures : dict of str to ContactFigure
         Figures at each contact by their names: load share, flash temperature and others along a path of contact; load, contact angle and spin of the
         elements of a bearing; force, pressure angle and entrainment speed over the turn of a cam. Empty for results of older versions.
     shaft : Shaft or None
@@ -180,7 +180,7 @@ class MachineSolution(Warned, Tabulated):
     _table_file = "machine.csv"
     figures: dict[str, MachineFigure]
     contacts: list[MachineContact]
-    courses: dict[str, MachineCourse]
+    contact_figures: dict[str, ContactFigure]
     shaft: Shaft | None
 
     def __init__(self, case: Case, native: _ertel.NativeMachine) -> None:
@@ -215,7 +215,7 @@ class MachineSolution(Warned, Tabulated):
             for name, entry in content["figures"].items()
         }
         self.contacts = _contacts(content["contacts"], self.place_name)
-        self.courses = _courses(content.get("courses"), self.place_name)
+        self.contact_figures = _contact_figures(content.get("contact_figures"), self.place_name)
         shaft = content.get("shaft")
         self.shaft = shaft and Shaft(shaft["displacement"], shaft["load"], shaft["stiffness"])
 
@@ -289,23 +289,23 @@ class MachineSolution(Warned, Tabulated):
 _PLACES = ("angle", "position", "cam_angle")
 
 
-def _courses(entries: dict[str, Any] | None, place: str) -> dict[str, MachineCourse]:
+def _contact_figures(entries: dict[str, Any] | None, place: str) -> dict[str, ContactFigure]:
     if entries is None:
         return {}
     contact = [number - 1 for number in entries["contact"]]
     label = entries.get("label", [None] * len(contact))
     return {
-        name: MachineCourse(
+        name: ContactFigure(
             place=entries[place],
             contact=contact,
-            value=course["value"],
-            error=course["error"],
-            unit=course["unit"],
-            words=course["words"],
+            value=entry["value"],
+            error=entry["error"],
+            unit=entry["unit"],
+            words=entry["words"],
             label=label,
-            marks=tuple(course["marks"]),
+            marks=tuple(entry["marks"]),
         )
-        for name, course in entries["figures"].items()
+        for name, entry in entries["figures"].items()
     }
 
 

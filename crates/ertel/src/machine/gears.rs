@@ -11,12 +11,13 @@
 //! takes over. The error between the contacts is bounded by the same sums over half of them.
 
 mod roughness;
+mod rubbing;
 pub(super) mod safety;
 
 use ertel_machines::gear::PathPoint;
 use ertel_machines::gear::friction::schlenk;
 
-use super::contacts::{Values, each, figure_of, friction_of};
+use super::contacts::{each, figure_of, friction_of};
 use super::curve::Curve;
 use super::films::Films;
 use super::rolling::rolling_coefficient;
@@ -35,6 +36,7 @@ use crate::solution::{FULL_FROM, Figure, roughness_warning};
 use crate::warning::Warning;
 use crate::words::length;
 use roughness::{RoughnessFrom, composite, roughness};
+use rubbing::Rubbing;
 use safety::Flanks;
 
 /// The figures of a pair of gears.
@@ -49,12 +51,7 @@ pub(super) fn figures(
     if !solved.contacts.iter().flatten().any(has_asperities) {
         warnings.extend(rough(gears, films));
     }
-    let flanks = Flanks {
-        friction: each(solved, |point| traction(gears, point)),
-        hottest: (case.heat().ok().flatten())
-            .map(|_| each(solved, |point| hotter_flank(gears, point))),
-        films,
-    };
+    let flanks = solved_flanks(case, gears, solved, films);
     rows(case, gears, loss(gears, solved).as_ref(), &flanks)
 }
 
@@ -65,35 +62,44 @@ pub(super) fn estimate(
     gears: &GearMechanics,
     films: &Films,
 ) -> Vec<Row> {
-    let flanks = Flanks {
-        friction: estimated_friction(case, machine, gears),
-        hottest: None,
-        films,
-    };
+    let flanks = estimated_flanks(case, machine, gears, films);
     rows(case, gears, None, &flanks)
 }
 
-/// The mean coefficient of friction after Schlenk, for every contact that could be solved.
-fn estimated_friction(case: &Case, machine: &WholeMachine, gears: &GearMechanics) -> Values {
-    let mean = schlenk_coefficient(case, gears).map(|(friction, _)| Marked::exact(friction));
-    let contacts = machine.contacts.iter();
-    contacts.map(|contact| contact.like.and(mean)).collect()
+/// The flanks as they are solved.
+pub(super) fn solved_flanks<'a>(
+    case: &Case,
+    gears: &GearMechanics,
+    solved: &MachineSolution,
+    films: &'a Films,
+) -> Flanks<'a> {
+    let path = gears.path.iter().enumerate();
+    Flanks {
+        films,
+        friction: each(solved, |point| traction(gears, point)),
+        rubbing: path
+            .map(|(i, at)| rubbing(gears, at, solved.of(i)?))
+            .collect(),
+        hottest: (case.heat().ok().flatten())
+            .map(|_| each(solved, |point| hotter_flank(gears, point))),
+    }
 }
 
-/// The flash temperature of each contact after Blok from Schlenk's friction, K, and its specific film λ_GF.
-pub(super) fn along(
+/// The flanks by films of formulas and the mean coefficient of friction after Schlenk, for every contact that could be solved.
+pub(super) fn estimated_flanks<'a>(
     case: &Case,
     machine: &WholeMachine,
     gears: &GearMechanics,
-    films: &Films,
-) -> [Values; 2] {
-    let friction = estimated_friction(case, machine, gears);
-    let specific = films.minimum.iter();
-    let specific = specific.map(|film| safety::specific(case, gears, (*film)?));
-    [
-        safety::blok_rises(case, gears, &friction),
-        specific.collect(),
-    ]
+    films: &'a Films,
+) -> Flanks<'a> {
+    let mean = schlenk_coefficient(case, gears).map(|(friction, _)| Marked::exact(friction));
+    let contacts = machine.contacts.iter();
+    Flanks {
+        films,
+        friction: contacts.map(|contact| contact.like.and(mean)).collect(),
+        rubbing: Vec::new(),
+        hottest: None,
+    }
 }
 
 /// The figures by the losses of the solved contacts, if they are, and by films and friction of the flanks.
@@ -143,7 +149,7 @@ fn rough(gears: &GearMechanics, films: &Films) -> Option<Warning> {
 }
 
 /// The coefficient of traction of a contact, and whether it is that of a film that does not separate the flanks.
-pub(super) fn traction(gears: &GearMechanics, point: &PointSolution) -> Option<Marked> {
+fn traction(gears: &GearMechanics, point: &PointSolution) -> Option<Marked> {
     let film = figure_of(point, Figure::FilmMinimum)?.value;
     let is_alone = point.case.asperities.is_none()
         && composite(gears).is_some_and(|rough| film < FULL_FROM * rough);
@@ -152,7 +158,7 @@ pub(super) fn traction(gears: &GearMechanics, point: &PointSolution) -> Option<M
 }
 
 /// Temperature of the hotter of both solved flanks, K, with the marks of its friction.
-pub(super) fn hotter_flank(gears: &GearMechanics, point: &PointSolution) -> Option<Marked> {
+fn hotter_flank(gears: &GearMechanics, point: &PointSolution) -> Option<Marked> {
     let flanks = [
         Figure::TemperatureBody1Maximum,
         Figure::TemperatureBody2Maximum,
@@ -165,35 +171,10 @@ pub(super) fn hotter_flank(gears: &GearMechanics, point: &PointSolution) -> Opti
     Some(hotter.with(marks))
 }
 
-/// A solved contact: its coefficient of traction, the resistance to rolling f per length, and the bar of the whole loss over u_m, N/m.
-pub(super) struct Rubbing {
-    pub(super) coefficient: Marked,
-    resistance: Marked,
-    total_bar: Marked,
-}
-
-impl Rubbing {
-    /// Friction power per length (W/m) of this contact under the load of another: where a pair of teeth takes over, the load jumps, and µ and f do not.
-    ///
-    /// p = µ w |u_2 − u_1| + f u_m
-    pub(super) fn power(&self, at: &PathPoint) -> Marked {
-        let sliding = self.coefficient.value * at.load_per_length * at.sliding_speed.abs();
-        Marked {
-            value: sliding + self.resistance.value * at.entrainment_speed,
-            error: self.total_bar.error.map(|bar| bar * at.entrainment_speed),
-            marks: self.coefficient.marks,
-        }
-    }
-}
-
 /// Friction of a contact at a point of the path.
 ///
 /// f = (p − µ w |u_2 − u_1|)/u_m
-pub(super) fn rubbing(
-    gears: &GearMechanics,
-    at: &PathPoint,
-    point: &PointSolution,
-) -> Option<Rubbing> {
+fn rubbing(gears: &GearMechanics, at: &PathPoint, point: &PointSolution) -> Option<Rubbing> {
     let coefficient = traction(gears, point)?;
     let power = figure_of(point, Figure::FrictionPower)?;
     let sliding = at.load_per_length * at.sliding_speed.abs();

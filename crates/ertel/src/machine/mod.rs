@@ -1,10 +1,10 @@
 //! Figures of whole machines: from the solutions of their contacts to friction, heat, safety and life.
 
+mod at_contacts;
 mod bearing;
 mod cam;
 mod collected;
 mod contacts;
-mod courses;
 mod curve;
 mod estimate;
 mod films;
@@ -16,7 +16,7 @@ mod path;
 mod rolling;
 mod slip;
 
-pub use estimate::{ContactColumn, MachineEstimate};
+pub use estimate::MachineEstimate;
 pub(crate) use heat::solve_by;
 pub use heat::{Balance, SolvedMachine};
 
@@ -25,7 +25,6 @@ use self::curve::Curve;
 use self::films::Films;
 use crate::case::{Case, Mechanics, WholeMachine};
 use crate::figures::Row;
-use crate::figures::courses::Courses;
 use crate::figures::machine::{
     ASPERITY_LOAD_SHARE_MAXIMUM, FILM_CENTRAL, FILM_MINIMUM, LAMBDA_MINIMUM,
     ORTHOGONAL_SHEAR_MAXIMUM, VON_MISES_MAXIMUM,
@@ -38,7 +37,8 @@ use crate::warning::silence;
 
 /// The figures of a machine; sums and extremes over its contacts only where all of them are solved: the thinnest film may be that of a contact which is missing.
 pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
-    let courses = courses::courses(case, solved);
+    let films = Films::solved(solved);
+    let at_contacts = at_contacts::figures(case, &solved.machine, &films, Some(solved));
     let unsolved;
     let solved = match solved.n_solved() < solved.n_contacts() {
         true => {
@@ -64,7 +64,7 @@ pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
     silence(&mut warnings, &case.output.silence);
     MachineFigures {
         all,
-        courses,
+        at_contacts,
         warnings,
     }
 }
@@ -80,22 +80,15 @@ pub fn estimate(case: &Case) -> Option<MachineEstimate> {
         Mechanics::Gears(gears) => gears::estimate(case, &machine, gears, &films),
         Mechanics::Cam(cam) => cam::estimate(cam, &films),
     });
-    let columns = match &machine.mechanics {
-        Mechanics::Bearing(bearing) => estimate::around(bearing),
-        Mechanics::Gears(gears) => {
-            estimate::along(gears, gears::along(case, &machine, gears, &films))
-        }
-        Mechanics::Cam(cam) => estimate::over_turn(cam),
-    };
     silence(&mut warnings, &case.output.silence);
     Some(MachineEstimate {
         absent: estimate::absent(case, &machine.mechanics, &all),
-        columns: [columns, estimate::of_films(&films)].concat(),
         figures: MachineFigures {
             all,
-            courses: Courses::default(),
+            at_contacts: at_contacts::figures(case, &machine, &films, None),
             warnings,
         },
+        films: [films.central, films.minimum],
         machine,
     })
 }

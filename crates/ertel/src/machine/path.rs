@@ -2,19 +2,18 @@
 
 use ertel_machines::gear::PathPoint;
 
-use super::contacts::figure_of;
-use super::gears::safety::{blok_rise, bulk_temperature, contact, rise_above, specific, teeth};
-use super::gears::{hotter_flank, rubbing, traction};
+use super::contacts::Values;
+use super::gears::safety::{
+    Flanks, blok_rise, bulk_temperature, contact, rise_above, specific, teeth,
+};
 use crate::case::{Case, GearMechanics};
-use crate::figures::courses::{Beyond, Courses, Place};
+use crate::figures::at_contacts::{Beyond, ContactFigures, Place};
 use crate::figures::path::{
     CONTACT_TEMPERATURE, FLASH_TEMPERATURE, FLASH_TEMPERATURE_BLOK, FRICTION_COEFFICIENT,
-    FRICTION_POWER, HERTZ_PRESSURE, LOAD, LOAD_SHARE, ROLL_ANGLE, ROLL_DISTANCE, SPECIFIC_FILM,
-    SPECIFIC_SLIDING_PINION, SPECIFIC_SLIDING_WHEEL,
+    FRICTION_POWER, HERTZ_PRESSURE, LOAD, LOAD_SHARE, ROLL_ANGLE, ROLL_DISTANCE, SLIDING_SPEED,
+    SPECIFIC_FILM, SPECIFIC_SLIDING_PINION, SPECIFIC_SLIDING_WHEEL,
 };
 use crate::mark::Marked;
-use crate::point::MachineSolution;
-use crate::solution::Figure;
 
 /// Distance from a named place at which the loads on both sides are taken, relative to the path length.
 const JUMP_STEP: f64 = 1e-6;
@@ -28,10 +27,10 @@ struct Spot {
     beyond: Option<Beyond>,
 }
 
-/// The figures along the path; those that need a film where it is solved.
-pub(super) fn courses(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Courses {
+/// The figures along the path.
+pub(super) fn figures(case: &Case, gears: &GearMechanics, flanks: &Flanks<'_>) -> ContactFigures {
     let spots = spots(gears);
-    let mut courses = Courses {
+    let mut figures = ContactFigures {
         places: (spots.iter())
             .map(|spot| Place {
                 contact: spot.contact,
@@ -42,14 +41,15 @@ pub(super) fn courses(case: &Case, gears: &GearMechanics, solved: &MachineSoluti
             .collect(),
         all: Vec::new(),
     };
-    mechanics(gears, &spots, &mut courses);
-    friction(case, gears, solved, &spots, &mut courses);
-    let films = spots.iter().map(|spot| {
-        let own = spot.beyond.is_none().then(|| solved.of(spot.contact))??;
-        specific(case, gears, figure_of(own, Figure::FilmMinimum)?)
+    mechanics(gears, &spots, &mut figures);
+    friction(case, gears, flanks, &spots, &mut figures);
+    // Beyond a jump there is no film.
+    let films = spots.iter().map(|spot| match spot.beyond {
+        None => specific(case, gears, flanks.films.minimum[spot.contact]?),
+        Some(_) => None,
     });
-    courses.push(SPECIFIC_FILM, true, films);
-    courses
+    figures.push(SPECIFIC_FILM, true, films);
+    figures
 }
 
 /// The contacts, and at jumps of the load the other side: a contact there is that of fewer pairs of teeth, under the larger load.
@@ -65,7 +65,7 @@ fn spots(gears: &GearMechanics) -> Vec<Spot> {
         match jump(gears, point) {
             None => spots.push(own),
             Some((at, Beyond::Before)) => spots.extend([spot(at, Some(Beyond::Before)), own]),
-            Some((at, Beyond::Behind)) => spots.extend([own, spot(at, Some(Beyond::Behind))]),
+            Some((at, Beyond::After)) => spots.extend([own, spot(at, Some(Beyond::After))]),
         }
     }
     spots
@@ -79,7 +79,7 @@ fn jump(gears: &GearMechanics, point: &PathPoint) -> Option<(PathPoint, Beyond)>
     let at = |s: f64| (gears.pair.contact_at(&gears.operation, gears.sharing, s)).ok();
     let sides = [
         (at(point.position - step)?, Beyond::Before),
-        (at(point.position + step)?, Beyond::Behind),
+        (at(point.position + step)?, Beyond::After),
     ];
     let off = |side: &PathPoint| (side.load_per_length / point.load_per_length).ln().abs();
     let other = sides.into_iter().find(|(side, _)| off(side) > JUMP);
@@ -94,16 +94,17 @@ fn jump(gears: &GearMechanics, point: &PathPoint) -> Option<(PathPoint, Beyond)>
 }
 
 /// Places, loads and motion.
-fn mechanics(gears: &GearMechanics, spots: &[Spot], courses: &mut Courses) {
+fn mechanics(gears: &GearMechanics, spots: &[Spot], figures: &mut ContactFigures) {
     let pair = &gears.pair;
     let mut add = |figure, of: &dyn Fn(&PathPoint) -> f64| {
         let values = spots.iter().map(|spot| Some(Marked::exact(of(&spot.at))));
-        courses.push(figure, true, values);
+        figures.push(figure, true, values);
     };
     add(ROLL_DISTANCE, &|at| pair.curvature_radii(at.position)[0]);
     add(ROLL_ANGLE, &|at| pair.roll_angle(at.position));
     add(LOAD_SHARE, &|at| at.load_share);
     add(LOAD, &|at| at.load_per_length);
+    add(SLIDING_SPEED, &|at| at.sliding_speed);
     add(HERTZ_PRESSURE, &|at| at.hertz_pressure);
     add(SPECIFIC_SLIDING_PINION, &|at| at.specific_sliding()[0]);
     add(SPECIFIC_SLIDING_WHEEL, &|at| at.specific_sliding()[1]);
@@ -114,43 +115,38 @@ fn mechanics(gears: &GearMechanics, spots: &[Spot], courses: &mut Courses) {
 fn friction(
     case: &Case,
     gears: &GearMechanics,
-    solved: &MachineSolution,
+    flanks: &Flanks<'_>,
     spots: &[Spot],
-    courses: &mut Courses,
+    figures: &mut ContactFigures,
 ) {
-    let of = |spot: &Spot| solved.of(spot.contact);
-    let coefficients = spots
-        .iter()
-        .map(|spot| Some(traction(gears, of(spot)?)?.abs()));
-    courses.push(FRICTION_COEFFICIENT, true, coefficients);
+    let coefficients = (spots.iter()).map(|spot| Some(flanks.friction[spot.contact]?.abs()));
+    figures.push(FRICTION_COEFFICIENT, true, coefficients);
     let powers = spots.iter().map(|spot| {
-        let own = rubbing(gears, &gears.path[spot.contact], of(spot)?)?;
-        Some(own.power(&spot.at))
+        let rubbing = flanks.rubbing.get(spot.contact)?.as_ref()?;
+        Some(rubbing.power(&spot.at))
     });
-    courses.push(FRICTION_POWER, true, powers);
+    figures.push(FRICTION_POWER, true, powers);
     let bulk = bulk_temperature(case, gears);
-    let has_heat = case.heat().ok().flatten().is_some();
     let teeth = teeth(case, bulk);
     let blok = spots.iter().map(|spot| {
-        let friction = traction(gears, of(spot)?)?;
+        let friction = flanks.friction[spot.contact]?;
         Some(blok_rise(&spot.at, friction, teeth?))
     });
     let blok: Vec<Option<Marked>> = blok.collect();
-    let rises = match has_heat {
-        false => blok.clone(),
-        true => (spots.iter())
-            .map(|spot| match spot.beyond {
-                None => Some(rise_above(hotter_flank(gears, of(spot)?)?, bulk)),
-                Some(_) => None,
-            })
-            .collect(),
+    let solved = |hottest: &Values| -> Values {
+        let rise = |spot: &Spot| match spot.beyond {
+            None => Some(rise_above(hottest[spot.contact]?, bulk)),
+            Some(_) => None,
+        };
+        spots.iter().map(rise).collect()
     };
+    let rises = flanks.hottest.as_ref().map_or_else(|| blok.clone(), solved);
     let hot = rises.clone().into_iter();
-    courses.push(FLASH_TEMPERATURE, true, rises.into_iter());
+    figures.push(FLASH_TEMPERATURE, true, rises.into_iter());
     let hot = hot.map(|rise| Some(contact(rise?, bulk)));
-    courses.push(CONTACT_TEMPERATURE, true, hot);
-    if has_heat {
-        courses.push(FLASH_TEMPERATURE_BLOK, true, blok.into_iter());
+    figures.push(CONTACT_TEMPERATURE, true, hot);
+    if flanks.hottest.is_some() {
+        figures.push(FLASH_TEMPERATURE_BLOK, true, blok.into_iter());
     }
 }
 
@@ -161,8 +157,10 @@ mod tests {
     use super::*;
     use crate::case::Mechanics;
     use crate::figures::Definition;
+    use crate::machine::films::Films;
+    use crate::machine::gears::estimated_flanks;
 
-    fn courses_of(sharing: &str) -> (Case, Courses) {
+    fn figures_of(sharing: &str) -> (Case, ContactFigures) {
         let text = format!(
             r#"
 [machine]
@@ -187,18 +185,15 @@ viscosity = {{ law = "barus", mu_0 = "17 mPa.s", alpha = "20 1/GPa" }}
         let Mechanics::Gears(gears) = &machine.mechanics else {
             panic!("gears")
         };
-        let solved = MachineSolution {
-            contacts: vec![None; machine.contacts.len()],
-            machine: machine.clone(),
-            wall_seconds: 0.0,
-        };
-        let courses = courses(&case, gears, &solved);
-        (case, courses)
+        let films = Films::by_formulas(&case, &machine);
+        let flanks = estimated_flanks(&case, &machine, gears, &films);
+        let figures = figures(&case, gears, &flanks);
+        (case, figures)
     }
 
-    fn values(courses: &Courses, figure: Definition) -> Vec<f64> {
-        let course = courses.find(figure).unwrap();
-        course.values.iter().map(|v| v.unwrap().value).collect()
+    fn values(figures: &ContactFigures, figure: Definition) -> Vec<f64> {
+        let entry = figures.find(figure).unwrap();
+        entry.values.iter().map(|v| v.unwrap().value).collect()
     }
 
     /// One pair carries all from B to D, both sides of the jumps have the same place, and elsewhere the shares of the pair and of the one a base pitch apart are 1 in sum: by thirds 1/3 and
@@ -209,14 +204,14 @@ viscosity = {{ law = "barus", mu_0 = "17 mPa.s", alpha = "20 1/GPa" }}
             ("load_sharing = \"thirds\"", [1.0 / 3.0, 2.0 / 3.0]),
             ("load_sharing = \"uniform\"", [0.5, 0.5]),
         ] {
-            let (case, courses) = courses_of(sharing);
+            let (case, figures) = figures_of(sharing);
             let machine = case.whole.as_ref().unwrap();
             let Mechanics::Gears(gears) = &machine.mechanics else {
                 panic!("gears")
             };
             let pair = &gears.pair;
-            let share = values(&courses, LOAD_SHARE);
-            let places = &courses.places;
+            let share = values(&figures, LOAD_SHARE);
+            let places = &figures.places;
             assert_eq!(places.len(), machine.contacts.len() + 2);
             let labelled = |label: &str, beyond: Option<Beyond>| {
                 let is_it = |p: &Place| p.label.as_deref() == Some(label) && p.beyond == beyond;
@@ -226,7 +221,7 @@ viscosity = {{ law = "barus", mu_0 = "17 mPa.s", alpha = "20 1/GPa" }}
             assert!(share[b..=d].iter().all(|x| *x == 1.0), "{share:?}");
             let (before, behind) = (
                 labelled("B", Some(Beyond::Before)),
-                labelled("D", Some(Beyond::Behind)),
+                labelled("D", Some(Beyond::After)),
             );
             assert_eq!((before + 1, behind), (b, d + 1));
             assert_eq!(places[before].at, places[b].at);
@@ -255,23 +250,24 @@ viscosity = {{ law = "barus", mu_0 = "17 mPa.s", alpha = "20 1/GPa" }}
             }
             let pitch = labelled("C", None);
             for figure in [SPECIFIC_SLIDING_PINION, SPECIFIC_SLIDING_WHEEL] {
-                assert!(values(&courses, figure)[pitch].abs() < 1e-12);
+                assert!(values(&figures, figure)[pitch].abs() < 1e-12);
             }
             // Loads are as the shares, and Hertz pressures as the roots of the loads.
-            let (load, pressure) = (values(&courses, LOAD), values(&courses, HERTZ_PRESSURE));
+            let (load, pressure) = (values(&figures, LOAD), values(&figures, HERTZ_PRESSURE));
             let force = gears.operation.base_force(pair) / pair.face_width;
             assert_relative_eq!(load[before], share[before] * force, max_relative = 1e-12);
             let root = (load[before] / load[b]).sqrt();
             assert_relative_eq!(pressure[before] / pressure[b], root, max_relative = 1e-5);
-            // Nothing is solved.
-            assert!(courses.find(FLASH_TEMPERATURE).is_none());
+            // No roughness is given for the friction after Schlenk, and nothing is solved.
+            assert!(figures.find(FLASH_TEMPERATURE).is_none());
+            assert!(figures.find(FRICTION_POWER).is_none());
         }
     }
 
     /// Pairs in contact along helical lines over the mean length have no jump.
     #[test]
     fn places_without_a_jump_are_those_of_the_contacts() {
-        let (_, courses) = courses_of("load_sharing = \"mean-length\"");
-        assert!(courses.places.iter().all(|place| place.beyond.is_none()));
+        let (_, figures) = figures_of("load_sharing = \"mean-length\"");
+        assert!(figures.places.iter().all(|place| place.beyond.is_none()));
     }
 }

@@ -1,7 +1,9 @@
 //! Cases, bodies and meshes that several verifications share.
 #![allow(dead_code)]
 
+#[path = "../../../ertel-quantity/tests/common/contains.rs"]
 mod contains;
+#[path = "../../../ertel-quantity/tests/common/near.rs"]
 mod near;
 pub mod rigid;
 pub mod text;

@@ -13,7 +13,7 @@ use super::record::Record;
 /// Keys that differ from run to run or repeat the case.
 const NOT_RECORDED: [&str; 10] = [
     "case",
-    "courses",
+    "contact_figures",
     "shaft",
     "ertel_version",
     "numerics_version",

@@ -7,6 +7,7 @@ use super::super::contacts::Values;
 use super::super::curve::Curve;
 use super::super::films::{By, Films};
 use super::roughness::{RoughnessFrom, roughness};
+use super::rubbing::Rubbing;
 use crate::case::{Body, Case, GearMechanics};
 use crate::figures::Row;
 use crate::figures::gears::{
@@ -18,11 +19,13 @@ use crate::mark::{Mark, Marked, Marks};
 use crate::solution::limits;
 
 /// Values of the contacts of a path, in its order.
-pub(super) struct Flanks<'a> {
+pub(in crate::machine) struct Flanks<'a> {
     /// Films.
     pub films: &'a Films,
     /// Coefficients of friction.
     pub friction: Values,
+    /// Friction of the solved contacts; empty without a solution.
+    pub rubbing: Vec<Option<Rubbing>>,
     /// Temperatures of the hotter flank, K, where they are solved with heat.
     pub hottest: Option<Values>,
 }

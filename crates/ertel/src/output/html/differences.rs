@@ -138,18 +138,20 @@ fn rows(first: &Rows, other: &Rows) -> Option<(Table, usize, bool)> {
         // Rows at one place, the sides of a jump, are compared in their order.
         let is_here = |body: &&Vec<String>| axes.iter().all(|[i, _]| is_same(&row[*i], &body[*i]));
         let nth = first.body[..i].iter().filter(is_here).count();
-        if place((row, nth), &axes, other, |_| true).is_none() {
+        let Some(found) = place((row, nth), &axes, other, |_| true) else {
             continue;
-        }
-        let at =
-            |j: usize| match place((row, nth), &axes, other, |body| number(&body[j]).is_some())? {
-                Place::At(k) => number(&other.body[k][j]),
-                Place::Between(k, l, share) => {
-                    is_between.set(true);
-                    let [low, high] = [k, l].map(|k| number(&other.body[k][j]));
-                    Some(low? * (1.0 - share) + high? * share)
-                }
-            };
+        };
+        let read = |found: &Place, j: usize| match found {
+            Place::At(k) => number(&other.body[*k][j]),
+            Place::Between(k, l, share) => {
+                let [low, high] = [*k, *l].map(|k| number(&other.body[k][j]));
+                is_between.set(true);
+                Some(low? * (1.0 - share) + high? * share)
+            }
+        };
+        // The other side of a jump has no films.
+        let filled = |j: usize| place((row, nth), &axes, other, |body| number(&body[j]).is_some());
+        let at = |j: usize| read(&found, j).or_else(|| read(&filled(j)?, j));
         let mut cells: Vec<String> = (axes.iter())
             .map(|[i, _]| match number(&row[*i]) {
                 Some(value) => shown(value, &words(&first.head[*i]).1),
@@ -157,7 +159,7 @@ fn rows(first: &Rows, other: &Rows) -> Option<(Table, usize, bool)> {
             })
             .collect();
         for ([i, j], _, unit) in &figures {
-            let both = number(&row[*i]).zip(at(*j));
+            let both = number(&row[*i]).and_then(|own| Some((own, at(*j)?)));
             cells.push(both.map_or("-".to_owned(), |(own, new)| with_change(own, new, unit).1));
         }
         compared.push(cells);

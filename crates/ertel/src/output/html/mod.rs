@@ -232,7 +232,7 @@ pub fn machine_page(
     let data = json!({
         "version": DATA_VERSION,
         "title": case.title,
-        "table": table(&table_of_pressed(machine, &figures.courses), n_axes),
+        "table": table(&table_of_pressed(machine, &figures.at_contacts), n_axes),
         "figures": values,
     });
     let results = part(
@@ -242,7 +242,7 @@ pub fn machine_page(
         },
         "",
     );
-    let pictures = machine_pictures(&case.title, machine, &figures.courses).into_iter();
+    let pictures = machine_pictures(&case.title, machine, &figures.at_contacts).into_iter();
     page(Page {
         title: &case.title,
         subtitle: whole.title.clone(),

@@ -8,7 +8,7 @@ use super::super::pictures::film_unit;
 use super::values::{film, largest};
 use crate::case::{MachineAxis, Mechanics};
 use crate::contact::Motion;
-use crate::figures::courses::Courses;
+use crate::figures::at_contacts::ContactFigures;
 use crate::figures::{Definition, path};
 use crate::mark::Mark;
 use crate::solution::{Figure, Solution};
@@ -22,7 +22,7 @@ type Curve = (&'static str, Vec<[f64; 2]>, Look);
 struct Along<'a> {
     title: &'a str,
     machine: &'a MachineSolution,
-    courses: &'a Courses,
+    at_contacts: &'a ContactFigures,
     /// Coordinates per metre or radian.
     scale: f64,
     axis: Axis,
@@ -31,12 +31,16 @@ struct Along<'a> {
 }
 
 impl<'a> Along<'a> {
-    fn new(title: &'a str, machine: &'a MachineSolution, courses: &'a Courses) -> Along<'a> {
+    fn new(
+        title: &'a str,
+        machine: &'a MachineSolution,
+        at_contacts: &'a ContactFigures,
+    ) -> Along<'a> {
         let (scale, label) = match machine.machine.axis {
             MachineAxis::LineOfAction => (1e3, "distance from the pitch point (mm)"),
             _ => (1f64.to_degrees(), "angle of the cam (deg)"),
         };
-        let places = || courses.places.iter();
+        let places = || at_contacts.places.iter();
         let low = places().map(|p| scale * p.at).fold(f64::INFINITY, f64::min);
         let high = places()
             .map(|p| scale * p.at)
@@ -51,7 +55,7 @@ impl<'a> Along<'a> {
         Along {
             title,
             machine,
-            courses,
+            at_contacts,
             scale,
             axis: Axis::linear(label, low, high),
             markers: markers.collect(),
@@ -78,7 +82,7 @@ impl<'a> Along<'a> {
 
     /// A value of each contact that has one; a gap at jumps of the load, beyond which it is not known.
     fn of_contacts(&self, value: impl Fn(usize) -> Option<f64>) -> Vec<[f64; 2]> {
-        let places = self.courses.places.iter();
+        let places = self.at_contacts.places.iter();
         let point = places.filter_map(|place| {
             let value = match place.beyond {
                 None => value(place.contact)?,
@@ -90,9 +94,9 @@ impl<'a> Along<'a> {
     }
 
     /// A figure of the places; a gap where it is not known beyond a jump of the load.
-    fn course(&self, figure: Definition, shown: impl Fn(f64) -> f64) -> Option<Vec<[f64; 2]>> {
-        let places = self.courses.places.iter();
-        let values = places.zip(&self.courses.find(figure)?.values);
+    fn figure(&self, figure: Definition, shown: impl Fn(f64) -> f64) -> Option<Vec<[f64; 2]>> {
+        let places = self.at_contacts.places.iter();
+        let values = places.zip(&self.at_contacts.find(figure)?.values);
         let point = values.filter_map(|(place, value)| {
             let known = value.filter(|value| !value.marks.has(Mark::Unresolved));
             let value = match known {
@@ -111,8 +115,12 @@ fn times(factor: f64, points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 }
 
 /// Films, pressures, speeds and friction over the place.
-pub(super) fn along(title: &str, machine: &MachineSolution, courses: &Courses) -> Drawing {
-    let along = Along::new(title, machine, courses);
+pub(super) fn along(
+    title: &str,
+    machine: &MachineSolution,
+    at_contacts: &ContactFigures,
+) -> Drawing {
+    let along = Along::new(title, machine, at_contacts);
     let solved = |value: fn(&Solution) -> Option<f64>| {
         along.of_contacts(|i| machine.solution(i).and_then(value))
     };
@@ -164,7 +172,7 @@ fn films(along: &Along<'_>) -> Chart {
 
 fn pressures(along: &Along<'_>) -> Chart {
     let contacts = &along.machine.machine.contacts;
-    let hertz = (along.course(path::HERTZ_PRESSURE, |pressure| pressure))
+    let hertz = (along.figure(path::HERTZ_PRESSURE, |pressure| pressure))
         .unwrap_or_else(|| along.of_contacts(|i| Some(contacts[i].hertz_pressure)));
     let (factor, unit) = pressure_unit(largest(std::slice::from_ref(&hertz)));
     along.chart(
@@ -193,15 +201,19 @@ fn speeds(along: &Along<'_>) -> Chart {
 }
 
 /// Load share, sliding, friction power, temperatures and specific film along a path of contact.
-pub(super) fn flanks(title: &str, machine: &MachineSolution, courses: &Courses) -> Drawing {
-    let along = Along::new(title, machine, courses);
+pub(super) fn flanks(
+    title: &str,
+    machine: &MachineSolution,
+    at_contacts: &ContactFigures,
+) -> Drawing {
+    let along = Along::new(title, machine, at_contacts);
     let mut charts = Vec::new();
     let mut add =
         |label: &str, curves: &[(Definition, &'static str, Look)], shown: fn(f64) -> f64| {
             let curves = curves.iter();
             let curves: Vec<Curve> = curves
                 .filter_map(|(figure, label, look)| {
-                    Some((*label, along.course(*figure, shown)?, *look))
+                    Some((*label, along.figure(*figure, shown)?, *look))
                 })
                 .collect();
             if !curves.is_empty() {
@@ -228,7 +240,7 @@ pub(super) fn flanks(title: &str, machine: &MachineSolution, courses: &Courses) 
         |p| 1e-3 * p,
     );
     let blok = (path::FLASH_TEMPERATURE_BLOK, "Blok", Look::Dashed);
-    let solved = match courses.find(path::FLASH_TEMPERATURE_BLOK) {
+    let solved = match at_contacts.find(path::FLASH_TEMPERATURE_BLOK) {
         Some(_) => "solved flanks",
         None => "",
     };

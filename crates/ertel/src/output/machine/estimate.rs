@@ -4,12 +4,13 @@ use serde_json::{Map, Value, json};
 
 use super::super::lines::{Lines, Table};
 use super::super::rows::{rows_json, shown};
-use super::json::{contact_json, rows_of};
+use super::json::{contact_figures_json, contact_json, rows_of};
 use super::report::write_figures;
-use crate::case::{CaseEcho, MachineAxis, MachineContact, Mechanics};
-use crate::figures::{Definition, bearing, cam, gears, machine};
-use crate::machine::{ContactColumn, MachineEstimate};
-use crate::words::{digits, force, length, pressure};
+use crate::case::{CaseEcho, MachineAxis, Mechanics, WholeMachine};
+use crate::figures::at_contacts::{ContactFigure, Place};
+use crate::figures::{Definition, bearing, cam, element, gears, machine, path, turn};
+use crate::machine::MachineEstimate;
+use crate::words::{digits, length, pressure};
 
 /// Figures of the summary of a check.
 const SUMMARY: [Definition; 19] = [
@@ -46,39 +47,63 @@ pub(in crate::output) fn write_summary(out: &mut Lines, estimate: &MachineEstima
     }
 }
 
+/// Figures of the table of contacts, with their heads.
+const BEARING: &[(Definition, &str)] = &[
+    (element::ELEMENT_LOAD, "load"),
+    (element::CONTACT_ANGLE, "angle"),
+];
+const GEARS: &[(Definition, &str)] = &[
+    (path::LOAD_SHARE, "share"),
+    (path::SLIDING_SPEED, "sliding"),
+    (path::FLASH_TEMPERATURE, "flash"),
+    (path::SPECIFIC_FILM, "λ_GF"),
+];
+const CAM: &[(Definition, &str)] = &[
+    (turn::FOLLOWER_FORCE, "force"),
+    (turn::PRESSURE_ANGLE, "angle φ"),
+    (turn::ENTRAINMENT_SPEED, "u_m"),
+];
+
 /// The figures by section and the contacts.
 pub(in crate::output) fn write_estimate(out: &mut Lines, estimate: &MachineEstimate) {
     write_figures(out, &estimate.figures, &estimate.absent);
     out.heading("Contacts by formulas");
     let whole = &estimate.machine;
-    let columns: Vec<&ContactColumn> = (estimate.columns.iter())
-        .filter(|column| column.head.is_some() && column.values.iter().any(Option::is_some))
-        .collect();
-    let of_place = match whole.axis {
-        MachineAxis::LineOfAction => Some("position"),
-        MachineAxis::Around | MachineAxis::CamAngle => None,
+    let at_contacts = &estimate.figures.at_contacts;
+    let figures = match &whole.mechanics {
+        Mechanics::Bearing(_) => BEARING,
+        Mechanics::Gears(_) => GEARS,
+        Mechanics::Cam(_) => CAM,
     };
-    let load = (whole.axis != MachineAxis::LineOfAction).then_some("load");
-    let head = [Some("contact"), of_place, load, Some("p_h")];
-    let heads = columns.iter().map(|column| column.head);
-    let head = head.into_iter().chain(heads).flatten().map(str::to_owned);
+    let figures: Vec<(&ContactFigure, &str)> = (figures.iter())
+        .filter_map(|(figure, head)| Some((at_contacts.find(*figure)?, *head)))
+        .collect();
+    let films = (estimate.films.iter().zip(["h_c", "h_min"]))
+        .filter(|(films, _)| films.iter().any(Option::is_some));
+    let films: Vec<_> = films.collect();
+    let heads = figures.iter().map(|(_, head)| *head);
+    let of_films = films.iter().map(|(_, head)| *head);
+    let head = ["contact", "p_h"].into_iter().chain(heads).chain(of_films);
     let row = |i: usize| -> Vec<String> {
         let contact = &whole.contacts[i];
-        let first = [
-            Some(name(contact, whole.count(i))),
-            of_place.map(|_| format!("{} mm", digits(1e3 * contact.place, 3))),
-            load.map(|_| force(contact.load, whole.is_line, 4)),
-            Some(pressure(contact.hertz_pressure)),
-        ];
-        let cells = (columns.iter()).map(|column| Some(cell(column.values[i], column.unit)));
-        first.into_iter().chain(cells).flatten().collect()
+        let is_it = |place: &Place| place.contact == i && place.beyond.is_none();
+        let place = at_contacts.places.iter().position(is_it);
+        let own = figures.iter().map(|(of, _)| {
+            let value = place.and_then(|place| of.values[place]);
+            value.map(|value| shown(&of.figure.row(value, "")))
+        });
+        let films = films.iter().map(|(of, _)| Some(length(of[i]?.value)));
+        let cells = own.chain(films);
+        let cells = cells.map(|cell| cell.unwrap_or_else(|| "-".to_owned()));
+        let first = [name(whole, i), pressure(contact.hertz_pressure)];
+        first.into_iter().chain(cells).collect()
     };
     let shown = shown_contacts(estimate);
     let n = (whole.contacts.iter().enumerate())
         .filter(|(i, contact)| contact.like == Some(*i))
         .count();
     let rows = shown.iter().map(|i| row(*i)).collect();
-    out.table(Table::fitted(head.collect(), rows));
+    out.table(Table::fitted(head.map(str::to_owned).collect(), rows));
     if shown.len() < n {
         out.note(&format!(
             "{} of {n} different contacts; --json has all",
@@ -109,25 +134,15 @@ fn shown_contacts(estimate: &MachineEstimate) -> Vec<usize> {
     }
 }
 
-/// A contact in a table; of a path its letter, else with the number of contacts that are like it.
-fn name(contact: &MachineContact, n: usize) -> String {
-    match (contact.name.split_once(", "), n) {
-        (Some((letter, _)), _) if letter.chars().count() == 1 => letter.to_owned(),
+/// A contact in a table; of a path its letter and its distance from the pitch point, else with the number of contacts that are like it.
+fn name(whole: &WholeMachine, i: usize) -> String {
+    let contact = &whole.contacts[i];
+    match (contact.name.split_once(", "), whole.count(i)) {
+        (Some((letter, _)), _) if whole.axis == MachineAxis::LineOfAction => {
+            format!("{letter} ({} mm)", digits(1e3 * contact.place, 3))
+        }
         (_, 0 | 1) => contact.name.clone(),
         (_, n) => format!("{} ×{n}", contact.name),
-    }
-}
-
-/// A value in a table by its SI unit.
-fn cell(value: Option<f64>, unit: &str) -> String {
-    let Some(value) = value else {
-        return "-".to_owned();
-    };
-    match unit {
-        "m" => length(value),
-        "rad" => format!("{}°", digits(value.to_degrees(), 4)),
-        "" => digits(value, 3),
-        unit => format!("{} {unit}", digits(value, 3)),
     }
 }
 
@@ -139,8 +154,8 @@ pub(in crate::output) fn estimate_values(
     let whole = &estimate.machine;
     let contacts = whole.contacts.iter().enumerate().map(|(i, contact)| {
         let mut value = contact_json(whole, i, contact);
-        for column in &estimate.columns {
-            value[column.name] = json!(column.values[i]);
+        for (films, name) in estimate.films.iter().zip(["film_central", "film_minimum"]) {
+            value[name] = json!(films[i].map(|film| film.value));
         }
         value
     });
@@ -154,6 +169,7 @@ pub(in crate::output) fn estimate_values(
         "figures": rows_json(&estimate.figures.all),
         "not_estimated": absent,
         "contacts": contacts.collect::<Vec<Value>>(),
+        "contact_figures": contact_figures_json(whole.axis, &estimate.figures.at_contacts),
     });
     let Value::Object(mut values) = values else {
         return Map::new();
@@ -166,20 +182,19 @@ pub(in crate::output) fn estimate_values(
 
 /// Units of the quantities of contacts.
 pub(in crate::output) fn estimate_units(estimate: &MachineEstimate) -> Map<String, Value> {
-    let columns = estimate.columns.iter();
-    let of_columns = columns.map(|column| (column.name, column.unit));
     let whole = &estimate.machine;
     let load = match whole.is_line {
         true => "N/m",
         false => "N",
     };
-    of_columns
-        .chain([
-            (whole.axis.name(), whole.axis.unit()),
-            ("load", load),
-            ("entrainment_reversals", "rad"),
-        ])
-        .filter(|(_, unit)| !unit.is_empty())
-        .map(|(name, unit)| (name.to_owned(), json!(unit)))
-        .collect()
+    [
+        (whole.axis.name(), whole.axis.unit()),
+        ("load", load),
+        ("entrainment_reversals", "rad"),
+        ("film_central", "m"),
+        ("film_minimum", "m"),
+    ]
+    .map(|(name, unit)| (name.to_owned(), json!(unit)))
+    .into_iter()
+    .collect()
 }

@@ -10,7 +10,7 @@ use super::warnings;
 use crate::case::{
     BearingMechanics, CaseEcho, MachineAxis, MachineContact, Mechanics, RINGS, WholeMachine,
 };
-use crate::figures::courses::{Course, Courses};
+use crate::figures::at_contacts::{ContactFigure, ContactFigures};
 use crate::machine::MachineFigures;
 use crate::mark::{Mark, Marks};
 use crate::run::NUMERICS;
@@ -63,7 +63,7 @@ pub fn machine_json(
         "warning_codes": codes(&warnings),
         "silenced": silenced(&warnings),
         "contacts": contacts,
-        "courses": courses_json(whole.axis, &figures.courses),
+        "contact_figures": contact_figures_json(whole.axis, &figures.at_contacts),
         "case": { "given": case.given, "si": serde_json::to_value(case)? },
         "units": units(whole.is_line),
     });
@@ -74,8 +74,8 @@ pub fn machine_json(
 }
 
 /// Figures at each contact as arrays, and their places; two at a jump of the load.
-fn courses_json(axis: MachineAxis, courses: &Courses) -> Value {
-    let places = &courses.places;
+pub(super) fn contact_figures_json(axis: MachineAxis, at_contacts: &ContactFigures) -> Value {
+    let places = &at_contacts.places;
     let mut document = json!({
         "contact": places.iter().map(|place| place.contact + 1).collect::<Vec<_>>(),
         (axis.name()): places.iter().map(|place| place.at).collect::<Vec<_>>(),
@@ -87,20 +87,20 @@ fn courses_json(axis: MachineAxis, courses: &Courses) -> Value {
             .map(|place| place.beyond.map(|side| side.name()));
         document["beyond"] = beyond.collect();
     }
-    let of = |course: &Course| {
-        let values = || course.values.iter();
+    let of = |entry: &ContactFigure| {
+        let values = || entry.values.iter();
         let marks: Marks = values().flatten().map(|value| value.marks).sum();
         let known = || values().map(|value| value.filter(|v| !v.marks.has(Mark::Unresolved)));
         let value = json!({
             "value": known().map(|value| Some(value?.value)).collect::<Vec<_>>(),
             "error": known().map(|value| value?.error).collect::<Vec<_>>(),
             "marks": marks.iter().map(Mark::name).collect::<Vec<_>>(),
-            "unit": course.unit,
-            "words": course.figure.words,
+            "unit": entry.unit,
+            "words": entry.figure.words,
         });
-        (course.figure.name.to_owned(), value)
+        (entry.figure.name.to_owned(), value)
     };
-    document["figures"] = Value::Object(courses.all.iter().map(of).collect());
+    document["figures"] = Value::Object(at_contacts.all.iter().map(of).collect());
     document
 }
 

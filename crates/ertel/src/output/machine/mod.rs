@@ -90,7 +90,7 @@ pub(super) fn write_files_of_machine(
     params: &OutputParams,
 ) -> Result<(), OutputError> {
     root.json("machine.json", machine_json(case, machine, figures))?;
-    root.bytes("machine.csv", machine_table(machine, &figures.courses))?;
+    root.bytes("machine.csv", machine_table(machine, &figures.at_contacts))?;
     if let Mechanics::Bearing(bearing) = &machine.machine.mechanics {
         root.bytes("shaft.csv", shaft_table(bearing))?;
     }
@@ -99,7 +99,7 @@ pub(super) fn write_files_of_machine(
     if let Some(text) = &case.case_file {
         root.bytes("case.toml", text)?;
     }
-    for picture in machine_pictures(&case.title, machine, &figures.courses) {
+    for picture in machine_pictures(&case.title, machine, &figures.at_contacts) {
         write_picture(root, &picture, params.pictures)?;
     }
     Ok(())

@@ -6,7 +6,7 @@ use super::super::pictures::{Picture, film_unit};
 use super::along::{along, flanks};
 use super::values::{film, largest};
 use crate::case::{MachineAxis, RINGS};
-use crate::figures::courses::Courses;
+use crate::figures::at_contacts::ContactFigures;
 use crate::solution::Figure;
 use crate::study::MachineSolution;
 use crate::words::force_unit;
@@ -15,20 +15,20 @@ use crate::words::force_unit;
 pub(in crate::output) fn machine_pictures(
     title: &str,
     machine: &MachineSolution,
-    courses: &Courses,
+    at_contacts: &ContactFigures,
 ) -> Vec<Picture> {
     let title = match machine.interruption() {
         Some(text) => format!("{title} ({text})"),
         None => title.to_owned(),
     };
-    let path = || Picture::new("path", along(&title, machine, courses));
+    let path = || Picture::new("path", along(&title, machine, at_contacts));
     match machine.machine.axis {
         MachineAxis::Around => vec![Picture::new("around", around(&title, machine))],
         MachineAxis::CamAngle => vec![path()],
         MachineAxis::LineOfAction => {
             vec![
                 path(),
-                Picture::new("flanks", flanks(&title, machine, courses)),
+                Picture::new("flanks", flanks(&title, machine, at_contacts)),
             ]
         }
     }

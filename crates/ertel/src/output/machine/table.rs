@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 
 use crate::case::{BearingMechanics, MachineAxis, MachineContact, RINGS};
-use crate::figures::courses::{Course, Courses, Place};
+use crate::figures::at_contacts::{ContactFigure, ContactFigures, Place};
 use crate::figures::path::{HERTZ_PRESSURE, LOAD};
 use crate::figures::turn::ENTRAINMENT_SPEED;
 use crate::files::text_field;
@@ -18,47 +18,55 @@ fn figures() -> impl Iterator<Item = Column> {
     columns().filter(|column| column.name != HERTZ_PRESSURE.name)
 }
 
-/// The courses that are no columns of every machine.
-fn own_courses(courses: &Courses) -> impl Iterator<Item = &Course> {
+/// The figures at contacts that are no columns of every machine.
+fn own_figures(at_contacts: &ContactFigures) -> impl Iterator<Item = &ContactFigure> {
     let common = [LOAD, HERTZ_PRESSURE, ENTRAINMENT_SPEED];
-    courses.all.iter().filter(move |course| {
-        let name = course.figure.name;
+    at_contacts.all.iter().filter(move |entry| {
+        let name = entry.figure.name;
         !common.iter().any(|figure| figure.name == name) && !figures().any(|c| c.name == name)
     })
 }
 
 /// The table as text, SI. Equal contacts repeat the figures of the solved one; unloaded contacts have none of films.
-pub fn machine_table(machine: &MachineSolution, courses: &Courses) -> String {
-    table_of(machine, courses, |_| true, |place| place)
+pub fn machine_table(machine: &MachineSolution, at_contacts: &ContactFigures) -> String {
+    table_of(machine, at_contacts, |_| true, |place| place)
 }
 
 /// The table of loaded contacts; angles around a bearing from −π to π, which keeps the loaded zone contiguous.
-pub(in crate::output) fn table_of_pressed(machine: &MachineSolution, courses: &Courses) -> String {
+pub(in crate::output) fn table_of_pressed(
+    machine: &MachineSolution,
+    at_contacts: &ContactFigures,
+) -> String {
     let is_around = machine.machine.axis == MachineAxis::Around;
     let shown = |place: f64| match is_around && place > PI {
         true => place - TAU,
         false => place,
     };
-    table_of(machine, courses, |contact| contact.like.is_some(), shown)
+    table_of(
+        machine,
+        at_contacts,
+        |contact| contact.like.is_some(),
+        shown,
+    )
 }
 
 /// The table of the kept contacts, with their displayed places.
 fn table_of(
     machine: &MachineSolution,
-    courses: &Courses,
+    at_contacts: &ContactFigures,
     keeps: impl Fn(&MachineContact) -> bool,
     shown: impl Fn(f64) -> f64,
 ) -> String {
-    let titles = titles(machine, courses);
+    let titles = titles(machine, at_contacts);
     let mut text = titles.join(",");
     text.push('\n');
-    for (i, place) in courses.places.iter().enumerate() {
+    for (i, place) in at_contacts.places.iter().enumerate() {
         if !keeps(&machine.machine.contacts[place.contact]) {
             continue;
         }
-        let mut row = mechanics(machine, courses, (i, place), shown(place.at));
-        row.extend(own_courses(courses).flat_map(|course| cells(course, i)));
-        row.extend(films(machine, courses, (i, place)));
+        let mut row = mechanics(machine, at_contacts, (i, place), shown(place.at));
+        row.extend(own_figures(at_contacts).flat_map(|entry| cells(entry, i)));
+        row.extend(films(machine, at_contacts, (i, place)));
         row.resize(titles.len(), String::new());
         let fields: Vec<_> = row.iter().map(|field| text_field(field)).collect();
         text.push_str(&fields.join(","));
@@ -67,7 +75,7 @@ fn table_of(
     text
 }
 
-fn titles(machine: &MachineSolution, courses: &Courses) -> Vec<String> {
+fn titles(machine: &MachineSolution, at_contacts: &ContactFigures) -> Vec<String> {
     let whole = &machine.machine;
     let is_line = whole.is_line;
     let unit = if is_line { "N_per_m" } else { "N" };
@@ -88,13 +96,10 @@ fn titles(machine: &MachineSolution, courses: &Courses) -> Vec<String> {
         ]
         .map(str::to_owned),
     );
-    for course in own_courses(courses) {
-        titles.push(titled(course.figure.name, course.unit));
-        if course.has_bars() {
-            titles.push(titled(
-                &format!("{}_error", course.figure.name),
-                course.unit,
-            ));
+    for entry in own_figures(at_contacts) {
+        titles.push(titled(entry.figure.name, entry.unit));
+        if entry.has_bars() {
+            titles.push(titled(&format!("{}_error", entry.figure.name), entry.unit));
         }
     }
     for column in figures() {
@@ -104,23 +109,23 @@ fn titles(machine: &MachineSolution, courses: &Courses) -> Vec<String> {
     titles
 }
 
-/// A value of a course and, where it has bars, its bar.
-fn cells(course: &Course, place: usize) -> impl Iterator<Item = String> {
-    let value = course.values[place];
+/// A value of a entry and, where it has bars, its bar.
+fn cells(entry: &ContactFigure, place: usize) -> impl Iterator<Item = String> {
+    let value = entry.values[place];
     let number = |number: Option<f64>| number.map_or(String::new(), |n| format!("{n:e}"));
-    let bar = course.has_bars().then(|| value.and_then(|v| v.error));
+    let bar = entry.has_bars().then(|| value.and_then(|v| v.error));
     std::iter::once(number(value.map(|v| v.value))).chain(bar.map(number))
 }
 
 /// The cells of place, load and motion.
 fn mechanics(
     machine: &MachineSolution,
-    courses: &Courses,
+    at_contacts: &ContactFigures,
     (i, place): (usize, &Place),
     shown: f64,
 ) -> Vec<String> {
     let contact = &machine.machine.contacts[place.contact];
-    let of = |figure| Some(courses.find(figure)?.values[i]?.value);
+    let of = |figure| Some(at_contacts.find(figure)?.values[i]?.value);
     let name = match place.beyond {
         Some(side) => format!("{}, {}", contact.name, side.name()),
         None => contact.name.clone(),
@@ -145,7 +150,11 @@ fn mechanics(
 }
 
 /// The cells of the solved contact; beyond a jump of the load those that are known there.
-fn films(machine: &MachineSolution, courses: &Courses, (i, place): (usize, &Place)) -> Vec<String> {
+fn films(
+    machine: &MachineSolution,
+    at_contacts: &ContactFigures,
+    (i, place): (usize, &Place),
+) -> Vec<String> {
     let is_line = machine.machine.is_line;
     let Some(point) = machine.of(place.contact) else {
         return Vec::new();
@@ -155,8 +164,8 @@ fn films(machine: &MachineSolution, courses: &Courses, (i, place): (usize, &Plac
         if place.beyond.is_none() {
             return own().map(|(_, cell)| cell.to_string()).collect();
         }
-        let course = (courses.all.iter()).find(|course| course.figure.name == column.name);
-        match course.and_then(|course| course.values[i]) {
+        let entry = (at_contacts.all.iter()).find(|entry| entry.figure.name == column.name);
+        match entry.and_then(|entry| entry.values[i]) {
             None => own().map(|_| String::new()).collect(),
             Some(value) => [Cell::Number(value.value), value.error.into()]
                 .map(|cell| cell.to_string())

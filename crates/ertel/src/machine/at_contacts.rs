@@ -3,26 +3,39 @@
 use ertel_machines::bearing::load::{Element, RingContact};
 use ertel_machines::cam::CamPoint;
 
+use super::films::Films;
+use super::gears::{estimated_flanks, solved_flanks};
 use super::path;
-use crate::case::{BearingMechanics, CamMechanics, Case, Mechanics};
-use crate::figures::courses::{Courses, Place};
+use crate::case::{BearingMechanics, CamMechanics, Case, Mechanics, WholeMachine};
+use crate::figures::at_contacts::{ContactFigures, Place};
 use crate::figures::{Definition, element, turn};
 use crate::mark::Marked;
 use crate::point::MachineSolution;
 
-/// Those of a machine, of films where they are solved.
-pub(super) fn courses(case: &Case, solved: &MachineSolution) -> Courses {
-    match &solved.machine.mechanics {
-        Mechanics::Gears(gears) => path::courses(case, gears, solved),
-        Mechanics::Bearing(bearing) => elements(bearing, solved),
-        Mechanics::Cam(cam) => over_turn(cam, solved),
+/// Those of a machine; of films and friction as they are solved, or as they are estimated where nothing is.
+pub(super) fn figures(
+    case: &Case,
+    machine: &WholeMachine,
+    films: &Films,
+    solved: Option<&MachineSolution>,
+) -> ContactFigures {
+    match &machine.mechanics {
+        Mechanics::Gears(own) => {
+            let flanks = match solved {
+                Some(solved) => solved_flanks(case, own, solved, films),
+                None => estimated_flanks(case, machine, own, films),
+            };
+            path::figures(case, own, &flanks)
+        }
+        Mechanics::Bearing(bearing) => elements(machine, bearing),
+        Mechanics::Cam(cam) => over_turn(machine, cam),
     }
 }
 
 /// One place for each contact.
-fn at_contacts(solved: &MachineSolution) -> Courses {
-    let contacts = solved.machine.contacts.iter().enumerate();
-    Courses {
+fn one_for_each(machine: &WholeMachine) -> ContactFigures {
+    let contacts = machine.contacts.iter().enumerate();
+    ContactFigures {
         places: contacts
             .map(|(contact, of)| Place {
                 contact,
@@ -36,8 +49,8 @@ fn at_contacts(solved: &MachineSolution) -> Courses {
 }
 
 /// Elements at both rings, in the order of the contacts.
-fn elements(bearing: &BearingMechanics, solved: &MachineSolution) -> Courses {
-    let mut courses = at_contacts(solved);
+fn elements(machine: &WholeMachine, bearing: &BearingMechanics) -> ContactFigures {
+    let mut figures = one_for_each(machine);
     let elements = &bearing.distribution.elements;
     type Of = fn(&Element, &RingContact) -> f64;
     let all: [(Definition, Of); 9] = [
@@ -63,14 +76,14 @@ fn elements(bearing: &BearingMechanics, solved: &MachineSolution) -> Courses {
             let contacts = element.contacts.iter();
             contacts.map(move |contact| Some(Marked::exact(of(element, contact))))
         });
-        courses.push(figure, false, values);
+        figures.push(figure, false, values);
     }
-    courses
+    figures
 }
 
 /// Angles of a cam.
-fn over_turn(cam: &CamMechanics, solved: &MachineSolution) -> Courses {
-    let mut courses = at_contacts(solved);
+fn over_turn(machine: &WholeMachine, cam: &CamMechanics) -> ContactFigures {
+    let mut figures = one_for_each(machine);
     type Of = fn(&CamPoint) -> f64;
     let all: [(Definition, Of); 5] = [
         (turn::LIFT, |point| point.lift),
@@ -81,7 +94,7 @@ fn over_turn(cam: &CamMechanics, solved: &MachineSolution) -> Courses {
     ];
     for (figure, of) in all {
         let values = cam.points.iter().map(|point| Some(of(point).into()));
-        courses.push(figure, false, values);
+        figures.push(figure, false, values);
     }
-    courses
+    figures
 }

@@ -22,7 +22,7 @@ pub enum Beyond {
     /// Towards smaller coordinates.
     Before,
     /// Towards larger coordinates.
-    Behind,
+    After,
 }
 
 impl Beyond {
@@ -30,14 +30,14 @@ impl Beyond {
     pub fn name(self) -> &'static str {
         match self {
             Beyond::Before => "before",
-            Beyond::Behind => "behind",
+            Beyond::After => "after",
         }
     }
 }
 
 /// A figure at all places.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Course {
+pub struct ContactFigure {
     /// Its attributes.
     pub figure: Definition,
     /// Its SI unit; empty of a pure number.
@@ -48,17 +48,17 @@ pub struct Course {
 
 /// The places in their order, and the figures there.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Courses {
+pub struct ContactFigures {
     /// Places of the contacts; two where the load jumps.
     pub places: Vec<Place>,
     /// Figures of these machines, without those that have no value anywhere.
-    pub all: Vec<Course>,
+    pub all: Vec<ContactFigure>,
 }
 
-impl Courses {
+impl ContactFigures {
     /// A figure by its attributes.
-    pub fn find(&self, figure: Definition) -> Option<&Course> {
-        self.all.iter().find(|course| course.figure == figure)
+    pub fn find(&self, figure: Definition) -> Option<&ContactFigure> {
+        self.all.iter().find(|entry| entry.figure == figure)
     }
 
     /// Adds a figure that has a value somewhere; values that are not finite are left out. `is_per_length`: of forces and powers.
@@ -74,7 +74,7 @@ impl Courses {
         let values: Vec<Option<Marked>> = values.map(|value| value.filter(is_number)).collect();
         if values.iter().any(Option::is_some) {
             let unit = figure.kind.unit(is_per_length);
-            self.all.push(Course {
+            self.all.push(ContactFigure {
                 figure,
                 unit,
                 values,
@@ -83,7 +83,7 @@ impl Courses {
     }
 }
 
-impl Course {
+impl ContactFigure {
     /// Whether some of its values have error bars.
     pub fn has_bars(&self) -> bool {
         let mut values = self.values.iter().flatten();
