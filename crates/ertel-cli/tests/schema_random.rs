@@ -12,11 +12,11 @@ use serde_json::{Map, Value, json};
 use crate::schema::{cases, draft7::errors, schema};
 
 /// Cases that the readers must have taken in the end.
-const N_TAKEN: usize = 2_000;
+const N_TAKEN: usize = 3_000;
 /// Trials at most.
-const N_TRIALS: usize = 40_000;
+const N_TRIALS: usize = 60_000;
 /// Keys among them that must have been given a value.
-const LEAST_KEYS: usize = 130;
+const LEAST_KEYS: usize = 140;
 
 /// A random value of a row, as people write such values; some of them are wrong.
 fn value_of(row: &Row, rng: &mut Rng) -> Value {
