@@ -59,8 +59,8 @@ fn heated_circle() {
         let size = terms.iter().fold(0.0_f64, |m, term| m.max(term.abs()));
         let error = (sum - difference).abs() / size;
         println!("{} {sum} {difference} {error:.1e}", figure.figure.name());
-        // Seen: 0.6 %, of the derivatives on grids of four times the cells.
-        assert!(error < 0.01, "{}: {error}", figure.figure.name());
+        // Seen: 0.13 %, of the derivatives on grids of four times the cells.
+        assert!(error < 3e-3, "{}: {error}", figure.figure.name());
     }
 }
 
@@ -99,56 +99,73 @@ fn heated_circle_with_warmer_laws() {
     }
 }
 
-/// A line with heat, whose inlet has layers that flow back: all inputs have derivatives, some of which are compared with differences of solves by finite elements.
-#[test]
-fn heated_line() {
-    let text = "[contact]\nkind = \"line\"\nradius = \"10 mm\"\nload = \"100 kN/m\"\n\
-        [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
-        [motion]\nentrainment_speed = \"3 m/s\"\nslide_to_roll_ratio = 0.3\n\
-        [lubricant]\ntemperature = \"40 degC\"\nthermal_conductivity = \"0.14 W/(m.K)\"\nheat_capacity = \"2 kJ/(kg.K)\"\n\
-        density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\", reference_temperature = \"40 degC\", beta = \"7e-4 1/K\" }\n\
-        viscosity = { law = \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"18 1/GPa\", beta = \"0.048 1/K\", reference_temperature = \"40 degC\" }\n\
-        shear_thinning = { law = \"ree-eyring\", tau_0 = \"6 MPa\" }\n\
-        [thermal]\n[mesh]\ntarget_error = 0.01\n[output]\nsensitivities = true\n[solver]\nmethod = \"finite-volumes\"\n";
+/// Steel on steel with heat; shear in the inlet warms the oil.
+const HEATED: &str = "[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
+    [motion]\nentrainment_speed = \"3 m/s\"\nslide_to_roll_ratio = 0.3\n\
+    [lubricant]\ntemperature = \"40 degC\"\nthermal_conductivity = \"0.14 W/(m.K)\"\nheat_capacity = \"2 kJ/(kg.K)\"\n\
+    density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\", reference_temperature = \"40 degC\", beta = \"7e-4 1/K\" }\n\
+    viscosity = { law = \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"18 1/GPa\", beta = \"0.048 1/K\", reference_temperature = \"40 degC\" }\n\
+    shear_thinning = { law = \"ree-eyring\", tau_0 = \"6 MPa\" }\n[thermal]\n[output]\nsensitivities = true\n";
+
+/// That all inputs have derivatives, and some of them these logarithmic ones.
+fn has_exponents(text: &str, within: f64, expected: &[(Figure, &str, f64)]) {
     let solution = solve_from(&read(text), None, &mut NoObserver).unwrap().0;
     let found = solution.sensitivities.as_ref().unwrap();
+    assert_eq!(found.by, SensitivityMethod::LinearSolves);
     assert!(found.left_out.is_empty(), "{:#?}", found.left_out);
-    // By inputs 1 % below and above, under the same edges, to 1 %; the largest exponents are 2.8 to 11.
-    for (figure, key, expected, within) in [
-        (
-            Figure::FilmCentral,
-            "motion.entrainment_speed",
-            0.6263,
-            0.04,
-        ),
-        (Figure::FilmCentral, "contact.load", -0.1307, 0.03),
+    for (figure, key, expected) in expected {
+        let of = found.figures.iter().find(|own| own.figure == *figure);
+        let exponents = found.logarithmic(of.unwrap());
+        let exponent = exponents.iter().find(|(own, _)| own == key).unwrap().1;
+        println!("{} {key} {exponent} {expected}", figure.name());
+        assert!(
+            (exponent - expected).abs() < within,
+            "{} {key}: {exponent}, not {expected}",
+            figure.name()
+        );
+    }
+}
+
+/// A line with heat, whose inlet has layers that flow back, against differences of solves by finite elements with inputs 1 % below and above, under the same edges.
+#[test]
+fn heated_line() {
+    let text = format!(
+        "[contact]\nkind = \"line\"\nradius = \"10 mm\"\nload = \"100 kN/m\"\n{HEATED}[mesh]\ntarget_error = 0.01\n"
+    );
+    let expected = [
+        (Figure::FilmCentral, "motion.entrainment_speed", 0.6263),
+        (Figure::FilmCentral, "contact.load", -0.1307),
         (
             Figure::TractionCoefficient,
             "motion.slide_to_roll_ratio",
             0.1403,
-            0.01,
         ),
-        (Figure::TractionCoefficient, "contact.load", 0.565, 0.04),
-        (Figure::FrictionPower, "contact.load", 1.1592, 0.03),
-    ] {
-        let of = found
-            .figures
-            .iter()
-            .find(|own| own.figure == figure)
-            .unwrap();
-        let input = found
-            .inputs
-            .iter()
-            .position(|input| input.key == key)
-            .unwrap();
-        let exponent = of.derivatives[input] * found.inputs[input].value / of.value;
-        println!("{} {key} {exponent} {expected}", figure.name());
-        assert!(
-            (exponent - expected).abs() < within,
-            "{} {key}: {exponent}",
-            figure.name()
-        );
-    }
+        (Figure::TractionCoefficient, "contact.load", 0.565),
+        (Figure::FrictionPower, "contact.load", 1.1592),
+    ];
+    has_exponents(&text, 4e-3, &expected);
+}
+
+/// A roller with heat whose contact ends before its ends: there temperatures do not converge on coarse grids. Against differences of whole solves with inputs 1 % below and above.
+#[test]
+fn heated_roller() {
+    let text = format!(
+        "[contact]\nkind = \"roller\"\nradius = \"10 mm\"\nload = \"1200 N\"\nlength = \"12 mm\"\n\
+         profile = {{ kind = \"crown\", crown_radius = \"300 mm\" }}\n{HEATED}[mesh]\ntarget_error = 0.03\n"
+    );
+    let expected = [
+        (Figure::FilmCentral, "motion.entrainment_speed", 0.6437),
+        (Figure::FilmCentral, "contact.load", -0.0944),
+        (Figure::FrictionPower, "motion.entrainment_speed", 0.8014),
+        (Figure::FrictionPower, "contact.load", 0.9597),
+        (
+            Figure::FilmTemperatureMaximum,
+            "motion.entrainment_speed",
+            0.089,
+        ),
+        (Figure::FilmTemperatureMaximum, "contact.load", 0.0305),
+    ];
+    has_exponents(&text, 0.02, &expected);
 }
 
 const NEWTONIAN: &str = concat!(
@@ -235,11 +252,20 @@ fn lines_of_elements_scale() {
     let own = "[solver]\nmethod = \"finite-elements\"\n";
     let text = format!("{contact}{}{own}", scalable());
     let by = SensitivityMethod::Differences;
-    scales_of_line(&text, by);
+    scales_of_line(&text, by, 3e-3);
+}
+
+/// By linear solves, with shear thinning: friction depends on small changes of steep pressures.
+#[test]
+fn lines_of_volumes_scale() {
+    let contact = "[contact]\nkind = \"line\"\nradius = \"16 mm\"\nload = \"100 kN/m\"\n";
+    let thinning = "shear_thinning = { law = \"ree-eyring\", tau_0 = \"5 MPa\" }\n";
+    let text = format!("{contact}{}{thinning}", scalable());
+    scales_of_line(&text, SensitivityMethod::LinearSolves, 3e-4);
 }
 
 /// As [`scales_with_size_and_stress`], of a line, whose load per length grows with its size.
-fn scales_of_line(text: &str, by: SensitivityMethod) {
+fn scales_of_line(text: &str, by: SensitivityMethod, tolerance: f64) {
     let solution = solved(&read(format!("{text}\n[output]\nsensitivities = true\n")));
     let sensitivities = solution.sensitivities.as_ref().unwrap();
     assert_eq!(sensitivities.by, by);
@@ -253,7 +279,7 @@ fn scales_of_line(text: &str, by: SensitivityMethod) {
         if is_film || is_coefficient {
             let largest = found.iter().fold(0.0_f64, |m, (_, by)| m.max(by.abs()));
             let expected = if is_film { 1.0 } else { 0.0 };
-            assert!((size - expected).abs() < 3e-3 * largest, "{size}");
+            assert!((size - expected).abs() < tolerance * largest, "{size}");
         }
     }
 }

@@ -239,6 +239,7 @@ impl<'a> Rounds<'a> {
             };
             hold |= ratio.is_some_and(|ratio| ratio > SLOW);
             let settled = ratio.is_some_and(|ratio| has_settled(change, share, ratio, tolerance));
+            effort.settled = settled;
             // Grids before the first one whose figures are used serve only as a start.
             if settled || is_start && round == most {
                 let clock = Instant::now();

@@ -55,9 +55,10 @@ const STEP: f64 = 1e-5;
 /// Parts of ẋ and q̇ that are rounding.
 const ROUNDING: f64 = 1e-11;
 
-/// Half-widths from the centre, in the plane in which the zone is the unit circle, within which stress and heat are evaluated again. Without it the derivatives of the films of squalane on glass were
-/// within 5 % of the largest of what they are with it, on one grid more.
-const NEAR: f64 = 2.0;
+/// Half-widths from the centre of a point contact, in the plane in which the zone is the unit circle, within which stress and heat are evaluated again. With squalane and with glycerol
+/// on glass the derivatives of the films by speed differ from those without a limit by 0.0012, with 2 half-widths by 0.006, for half and a third of the additional time. The warm inlet
+/// of a line is longer: there 4 half-widths leave 0.007 and 2 leave 0.04, and lines and rollers have no limit.
+const NEAR: f64 = 4.0;
 
 /// Film and heat of a grid with an input a little above its value, or at the solution.
 pub struct WarmSide<'a> {
@@ -251,8 +252,9 @@ pub fn solve<'a>(
     let near = grid.nodes().map(|[i, j]| {
         let [x, y] = grid.on_axes(i, j);
         match &grid.rows {
+            None if grid.is_line() => true,
             None => x.hypot(y * grid.spacing[0] / grid.spacing[1]) < NEAR,
-            Some(_) => x.abs() < NEAR && !grid.is_end(j),
+            Some(_) => !grid.is_end(j),
         }
     });
     let mut coupled = Coupled {
@@ -296,6 +298,17 @@ impl Coupled<'_, '_> {
         // An input without effect on the first grid has none on the others.
         if is_first && size < ROUNDING * ROUNDING {
             return Ok(None);
+        }
+        if !warm.effort.settled {
+            // Nodes whose temperatures have not converged have no derivatives; the next grids compute those that count.
+            moved.x.fill(0.0);
+            moved.flux.iter_mut().for_each(|flux| flux.fill(0.0));
+            return Ok(Some(side.into_level(
+                &moved,
+                &self.at.wetted,
+                self.rise,
+                warm,
+            )));
         }
         let mut failed = None;
         let own = self.own;

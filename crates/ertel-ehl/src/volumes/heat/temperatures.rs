@@ -383,6 +383,8 @@ pub struct Effort {
     pub contraction: f64,
     /// The last change.
     pub change: f64,
+    /// Whether film and heat have converged: grids that serve only as a start need not.
+    pub settled: bool,
     /// Steps for the temperatures.
     pub iterations: usize,
     /// Krylov iterations for them.
