@@ -130,7 +130,7 @@ fn has_exponents(text: &str, within: f64, expected: &[(Figure, &str, f64)]) {
 #[test]
 fn heated_line() {
     let text = format!(
-        "[contact]\nkind = \"line\"\nradius = \"10 mm\"\nload = \"100 kN/m\"\n{HEATED}[mesh]\ntarget_error = 0.01\n"
+        "[contact]\nkind = \"line\"\nradius = \"10 mm\"\nload = \"100 kN/m\"\n{HEATED}[mesh]\ntarget_error = 0.01\n[solver]\nmethod = \"finite-volumes\"\n"
     );
     let expected = [
         (Figure::FilmCentral, "motion.entrainment_speed", 0.6263),
