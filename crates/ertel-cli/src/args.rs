@@ -346,6 +346,31 @@ pub enum FitCommand {
     Density(FitLawArgs),
     /// A film-thickness formula h = c R sqrt(2U) M^a L^b
     Film(FitFilmArgs),
+    /// Boundary friction coefficient and roughness by a measured Stribeck curve
+    Stribeck(FitStribeckArgs),
+}
+
+/// `ertel fit stribeck`.
+#[derive(Debug, Args)]
+pub struct FitStribeckArgs {
+    /// Table with the friction (traction_coefficient) at several speeds, and columns as those of `ertel compare`
+    #[arg(value_name = "DATA.csv")]
+    pub data: PathBuf,
+    /// The case file (TOML) with asperities; the columns of the table vary its values
+    #[arg(long, value_name = "CASE.toml")]
+    pub case: PathBuf,
+    /// Also fit the asperity group σβη
+    #[arg(long)]
+    pub asperity_group: bool,
+    /// Ignore a column of the table, by its whole title (may be repeated)
+    #[arg(long, value_name = "TITLE")]
+    pub ignore: Vec<String>,
+    /// How the columns are read.
+    #[command(flatten)]
+    pub table: TableArgs,
+    /// No progress on stderr
+    #[arg(short, long)]
+    pub quiet: bool,
 }
 
 /// `ertel fit film`.

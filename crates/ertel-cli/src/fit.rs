@@ -3,6 +3,7 @@
 mod all;
 mod film;
 mod law;
+mod stribeck;
 
 use ertel::fit::Property;
 
@@ -19,6 +20,7 @@ pub fn run(arguments: &FitArgs) -> Result<(), Failure> {
         FitCommand::Viscosity(arguments) => run_law(Property::Viscosity, arguments),
         FitCommand::Density(arguments) => run_law(Property::Density, arguments),
         FitCommand::Film(arguments) => film::run(arguments),
+        FitCommand::Stribeck(arguments) => stribeck::run(arguments),
     }
 }
 

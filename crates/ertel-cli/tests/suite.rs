@@ -12,6 +12,7 @@ mod docs;
 mod estimate;
 mod files;
 mod fit;
+mod fit_stribeck;
 mod held;
 mod interferogram;
 mod keys;

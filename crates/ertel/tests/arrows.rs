@@ -53,8 +53,8 @@ pub const CASES: [&str; 18] = [
     "point",
     "machine",
     "study",
-    "fit",
     "compare",
+    "fit",
     "output",
     "sweep",
 ];

@@ -121,6 +121,21 @@ pub fn minimise(
             )));
         }
     }
+    evaluated(n_residuals, x, confidence, residuals)
+}
+
+/// How well the unknowns are known at a minimum that was found otherwise, as [`minimise`] finds it.
+///
+/// # Errors
+///
+/// [`MinimumError`].
+pub fn evaluated(
+    n_residuals: usize,
+    x: Vec<f64>,
+    confidence: f64,
+    residuals: impl Fn(&[f64], &mut [f64]),
+) -> Result<Minimum, MinimumError> {
+    let n_unknowns = x.len();
     let mut r = vec![0.0; n_residuals];
     residuals(&x, &mut r);
     let freedom = n_residuals.saturating_sub(n_unknowns);

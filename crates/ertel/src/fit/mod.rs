@@ -1,4 +1,4 @@
-//! Constants of viscosity and density laws from measured states, and film-thickness formulas from films, by least squares.
+//! Constants of viscosity and density laws from measured states, film-thickness formulas from films, and rough surfaces from Stribeck curves, by least squares.
 //!
 //! ```
 //! use ertel::fit::{Data, LawName, Params, Property, fit};
@@ -22,6 +22,7 @@ mod picture;
 mod ranking;
 mod sense;
 mod state;
+mod stribeck;
 mod walther;
 
 pub use data::{Data, DataError};
@@ -38,6 +39,10 @@ pub use picture::picture;
 pub use ranking::{Ranked, Ranking, Unranked, rank};
 pub use sense::{LARGEST_RMS, nonsense};
 pub use state::{Property, Reading, State};
+pub use stribeck::{
+    FitObserver, FittedPoint, StribeckError, StribeckFit, SurfaceConstant, SurfaceEstimate,
+    TARGET_ERROR, fit_stribeck,
+};
 
 use ertel_quantity::QuantityError;
 use ertel_rheology::density::TaitVolume;
