@@ -375,6 +375,26 @@ def test_fits_of_films(tmp_path: Path) -> None:
             ertel.fit_film(table, **wrong)
 
 
+def test_fits_of_stribeck_curves(cases: Path, tmp_path: Path) -> None:
+    # Friction of the solved case itself: its constants come back.
+    text, _, _ = (cases / "stribeck.toml").read_text().partition("[curve]")
+    case = tmp_path / "case.toml"
+    case.write_text(text)
+    speeds = (1.0, 0.3, 0.1, 0.02)
+    rough = ertel.Case.from_text(text)
+    frictions = [rough.with_({"motion.entrainment_speed": f"{u} m/s"}).solve().figure("friction_total") for u in speeds]
+    rows = [f"{u},{abs(friction.value)!r}" for u, friction in zip(speeds, frictions)]
+    table = tmp_path / "friction.csv"
+    table.write_text("entrainment_speed [m/s],traction_coefficient\n" + "\n".join(rows) + "\n")
+    fit = ertel.fit_stribeck(case, table)
+    friction, height = fit.constants["boundary_friction_coefficient"], fit.constants["rms_height"]
+    assert friction == pytest.approx(0.12, rel=1e-3) and height == pytest.approx(0.25e-6, rel=5e-3)
+    assert [point["line"] for point in fit.points] == [2, 3, 4, 5]
+    assert "[surface_roughness]" in fit.section
+    with pytest.raises(ertel.CaseError, match="curve"):
+        ertel.fit_stribeck(cases / "stribeck.toml", table)
+
+
 def test_comparisons(cases: Path, tmp_path: Path) -> None:
     pytest.importorskip("pandas")
     measured = tmp_path / "measured.csv"

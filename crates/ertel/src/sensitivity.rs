@@ -10,7 +10,7 @@ use ertel_input::Input;
 use rayon::prelude::*;
 
 use crate::case::Case;
-use crate::engine::sensitivity::{Derivatives, Perturbed};
+use crate::engine::sensitivity::{Derivatives, NoDerivative, Perturbed};
 use crate::engine::{Observer, SolveError};
 use crate::params::{ElasticModel, SensitivityDemand};
 use crate::problem::{nearby_problem, problem};
@@ -38,6 +38,14 @@ fn why_not(key: &str, reason: &str) -> String {
     match is_grade && reason == AT_ITS_BOUND {
         true => "grades are discrete; kinematic_viscosity_40 has a derivative".to_owned(),
         false => reason.to_owned(),
+    }
+}
+
+/// Derivatives by an input, if all of them are finite: files of results refuse other numbers, and the solution would be lost with them.
+fn finite(derivatives: Vec<f64>) -> Result<Vec<f64>, NoDerivative> {
+    match derivatives.iter().all(|by| by.is_finite()) {
+        true => Ok(derivatives),
+        false => Err(NoDerivative::NotFinite),
     }
 }
 
@@ -125,11 +133,21 @@ pub fn by_differences(
         match sides {
             [Ok(below), Ok(above)] if below == above && !input.written => {}
             [Ok(below), Ok(above)] => {
-                for (figure, i) in sensitivities.figures.iter_mut().zip(&present) {
+                let of = |i: &usize| {
                     let [below, above] = [below[*i], above[*i]].map(|v| v.unwrap_or(f64::NAN));
-                    figure.derivatives.push((above - below) / distance);
+                    (above - below) / distance
+                };
+                match finite(present.iter().map(of).collect()) {
+                    Ok(derivatives) => {
+                        for (figure, by) in sensitivities.figures.iter_mut().zip(derivatives) {
+                            figure.derivatives.push(by);
+                        }
+                        sensitivities.inputs.push(described(input));
+                    }
+                    Err(reason) => {
+                        (sensitivities.left_out).push(left_out(input, reason.to_string()))
+                    }
                 }
-                sensitivities.inputs.push(described(input));
             }
             [Err(reason), _] | [_, Err(reason)] => {
                 let reason = why_not(&input.key, reason);
@@ -167,7 +185,7 @@ pub fn by_derivatives(
         known.push(described(input));
     };
     for (input, derivatives) in inputs.into_iter().zip(solution.derivatives(&sides)) {
-        match derivatives {
+        match derivatives.and_then(finite) {
             // A constant of a database law that has no effect here.
             Ok(derivatives) if !input.written && derivatives.iter().all(|by| *by == 0.0) => {}
             Ok(derivatives) => {
@@ -318,5 +336,48 @@ impl<'a> ByModulus<'a> {
         let is_first = input.key == self.first.0.key;
         (self.others.iter().filter(move |_| is_first))
             .map(|(other, slope)| (*other, slope / self.first.1))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Linear in all inputs but the first, whose derivative is not a number.
+    struct Broken;
+
+    impl Derivatives<Plan> for Broken {
+        fn figures(&self) -> Vec<Figure> {
+            vec![Figure::FilmCentral, Figure::FilmMinimum]
+        }
+
+        fn value(&self, _: Figure) -> f64 {
+            1.0
+        }
+
+        fn derivatives(&self, inputs: &[Perturbed<Plan>]) -> Vec<Result<Vec<f64>, NoDerivative>> {
+            let of = |i: usize| match i {
+                0 => Ok(vec![1.0, f64::NAN]),
+                _ => Ok(vec![1.0, 2.0]),
+            };
+            (0..inputs.len()).map(of).collect()
+        }
+    }
+
+    #[test]
+    fn a_derivative_that_is_no_number_is_left_out_with_its_input() {
+        let text = include_str!("../../../cases/ball-on-disc.toml");
+        let case = Case::from_text("case.toml", text, std::path::Path::new("")).unwrap();
+        let found = by_derivatives(&case, &problem(&case), &Broken);
+        // The elastic constants follow from the first of them.
+        assert!(!found.left_out.is_empty());
+        for own in &found.left_out {
+            assert_eq!(own.reason, "one of its derivatives is not a finite number");
+            assert!(found.inputs.iter().all(|input| input.key != own.key));
+        }
+        for figure in &found.figures {
+            assert_eq!(figure.derivatives.len(), found.inputs.len());
+            assert!(figure.derivatives.iter().all(|by| by.is_finite()));
+        }
     }
 }

@@ -15,6 +15,9 @@ pub enum NoDerivative {
     /// Its linear equations could not be solved.
     #[error("its linear equations could not be solved")]
     LinearSolver,
+    /// One of them is not a finite number.
+    #[error("one of its derivatives is not a finite number")]
+    NotFinite,
 }
 
 /// A problem on either side of the solution's, by the same step of an input.

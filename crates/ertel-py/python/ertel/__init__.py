@@ -20,9 +20,11 @@ from ._data import (
     FilmFit,
     Fit,
     Fluid,
+    StribeckFit,
     explain,
     fit_density,
     fit_film,
+    fit_stribeck,
     fit_viscosity,
     fluid,
     fluids,
@@ -32,7 +34,7 @@ from ._data import (
 )
 from ._ertel import CaseError, ConvergenceError, OutputError, __version__
 from ._laws import ErtelWarning, TabulatedLaw
-from ._machine import MachineContact, ContactFigure, MachineFigure, MachineSolution, Shaft
+from ._machine import ContactFigure, MachineContact, MachineFigure, MachineSolution, Shaft
 from ._machines import Bearing, Cam, GearPair
 from ._maps import write_map
 from ._quantity import Quantity
@@ -51,6 +53,7 @@ __all__ = [
     "Case",
     "CaseError",
     "Comparison",
+    "ContactFigure",
     "ConvergenceError",
     "Curve",
     "Distribution",
@@ -61,7 +64,6 @@ __all__ = [
     "GearPair",
     "Instant",
     "MachineContact",
-    "ContactFigure",
     "MachineFigure",
     "MachineSolution",
     "MonteCarlo",
@@ -69,6 +71,7 @@ __all__ = [
     "Quantity",
     "Result",
     "Shaft",
+    "StribeckFit",
     "Study",
     "StudySummary",
     "TabulatedLaw",
@@ -79,6 +82,7 @@ __all__ = [
     "explain",
     "fit_density",
     "fit_film",
+    "fit_stribeck",
     "fit_viscosity",
     "fluid",
     "fluids",

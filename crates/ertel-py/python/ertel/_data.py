@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -184,6 +185,86 @@ def fit_film(
         )
         for kind, constants, rms, warnings in found
     }
+
+
+@dataclass(frozen=True)
+class StribeckFit:
+    """Boundary friction and roughness by a measured Stribeck curve.
+
+    Attributes
+    ----------
+    constants : dict
+        ``boundary_friction_coefficient``, ``rms_height`` (composite, m) and perhaps ``asperity_group``; None where the readings do not determine it.
+    uncertainties : dict
+        Their standard uncertainties, from the scatter of the readings.
+    correlations : dict
+        Coefficients of correlation by pairs of names.
+    points : list of dict
+        ``line`` of the table, ``point``, and the friction coefficients ``measured``, ``fitted`` and ``asperities``, the part of the asperities.
+    scatter : float
+        Standard deviation of the readings from the fit; over their uncertainties where the table gives them for all.
+    warnings : list of str
+        Limits of the fit.
+    section : str
+        ``[surface_roughness]`` of a case file with these constants.
+    """
+
+    constants: dict[str, float | None]
+    uncertainties: dict[str, float | None]
+    correlations: dict[tuple[str, str], float]
+    points: list[dict[str, int | str | float]]
+    scatter: float
+    warnings: list[str]
+    section: str
+
+
+def fit_stribeck(
+    case: str | os.PathLike[str],
+    measured: str | os.PathLike[str],
+    *,
+    asperity_group: bool = False,
+    ignore: Sequence[str] = (),
+    columns: Mapping[str, str] | None = None,
+    decimal: Literal["point", "comma"] | None = None,
+) -> StribeckFit:
+    """Fit boundary friction and roughness to a measured Stribeck curve, as ``ertel fit stribeck`` does.
+
+    Parameters
+    ----------
+    case, measured : path
+        The case file with asperities, and the table with ``traction_coefficient`` over the speed (docs/guide/mixed-lubrication.md).
+    asperity_group : bool
+        Whether to fit the asperity group as well.
+    ignore, columns, decimal : optional
+        As in :func:`compare`.
+
+    Raises
+    ------
+    CaseError
+        A case without asperities or sliding, a table that cannot be read, too few readings.
+    ConvergenceError
+        Contacts that do not converge.
+    """
+    constants, correlations, points, scatter, warnings, section = _ertel.fit_stribeck(
+        Path(case),
+        Path(measured),
+        asperity_group=asperity_group,
+        ignored=list(ignore),
+        columns=list((columns or {}).items()),
+        decimal=decimal,
+    )
+    return StribeckFit(
+        constants={name: value for name, value, _ in constants},
+        uncertainties={name: standard for name, _, standard in constants},
+        correlations={(one, other): value for (one, other), value in correlations},
+        points=[
+            {"line": line, "point": point, "measured": friction, "fitted": fitted, "asperities": asperities}
+            for line, point, (friction, fitted, asperities) in points
+        ],
+        scatter=scatter,
+        warnings=warnings,
+        section=section,
+    )
 
 
 @dataclass(frozen=True)

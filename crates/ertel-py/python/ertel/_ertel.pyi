@@ -142,6 +142,22 @@ def viscosity(
     name: str, pressures: list[float], temperature: float
 ) -> tuple[list[float], list[float]]: ...
 def use_own_data(folder: PathLike[str]) -> None: ...
+def fit_stribeck(
+    case: PathLike[str],
+    measured: PathLike[str],
+    *,
+    asperity_group: bool,
+    ignored: list[str],
+    columns: list[tuple[str, str]],
+    decimal: str | None = None,
+) -> tuple[
+    list[tuple[str, float | None, float | None]],
+    list[tuple[list[str], float]],
+    list[tuple[int, str, list[float]]],
+    float,
+    list[str],
+    str,
+]: ...
 def fit_film(
     file: str, text: str, form: str, radius: float | None, confidence: float
 ) -> list[tuple[str, list[tuple[str, tuple[float, list[float]] | None]], float, list[str]]]: ...

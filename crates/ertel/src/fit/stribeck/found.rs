@@ -18,6 +18,15 @@ pub enum SurfaceConstant {
 }
 
 impl SurfaceConstant {
+    /// Its name in programs.
+    pub fn name(self) -> &'static str {
+        match self {
+            SurfaceConstant::BoundaryFriction => "boundary_friction_coefficient",
+            SurfaceConstant::RmsHeight => "rms_height",
+            SurfaceConstant::AsperityGroup => "asperity_group",
+        }
+    }
+
     /// Its name in words.
     pub fn words(self) -> &'static str {
         match self {
