@@ -1,4 +1,4 @@
-//! Measured films and tractions: compared with computed ones, and surfaces by them.
+//! Measured films and tractions: comparison with computed ones, and fits of rough surfaces to them.
 
 use std::path::{Path, PathBuf};
 

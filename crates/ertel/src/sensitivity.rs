@@ -41,14 +41,6 @@ fn why_not(key: &str, reason: &str) -> String {
     }
 }
 
-/// Derivatives by an input, if all of them are finite: files of results refuse other numbers, and the solution would be lost with them.
-fn finite(derivatives: Vec<f64>) -> Result<Vec<f64>, NoDerivative> {
-    match derivatives.iter().all(|by| by.is_finite()) {
-        true => Ok(derivatives),
-        false => Err(NoDerivative::NotFinite),
-    }
-}
-
 fn left_out(input: &Input, reason: String) -> LeftOut {
     LeftOut {
         key: input.key.clone(),
@@ -62,6 +54,23 @@ fn described(input: &Input) -> SensitivityInput {
         value: input.value,
         unit: input.dimension.si_unit(),
         uncertainty: input.uncertainty,
+    }
+}
+
+/// Adds the derivatives by an input, or the reason why it has none. Files of results refuse numbers that are not finite: the whole solution would be lost with one.
+fn add(all: &mut Sensitivities, input: &Input, derivatives: Result<Vec<f64>, NoDerivative>) {
+    let finite = derivatives.and_then(|by| match by.iter().all(|by| by.is_finite()) {
+        true => Ok(by),
+        false => Err(NoDerivative::NotFinite),
+    });
+    match finite {
+        Ok(derivatives) => {
+            for (figure, by) in all.figures.iter_mut().zip(derivatives) {
+                figure.derivatives.push(by);
+            }
+            all.inputs.push(described(input));
+        }
+        Err(reason) => all.left_out.push(left_out(input, reason.to_string())),
     }
 }
 
@@ -137,17 +146,8 @@ pub fn by_differences(
                     let [below, above] = [below[*i], above[*i]].map(|v| v.unwrap_or(f64::NAN));
                     (above - below) / distance
                 };
-                match finite(present.iter().map(of).collect()) {
-                    Ok(derivatives) => {
-                        for (figure, by) in sensitivities.figures.iter_mut().zip(derivatives) {
-                            figure.derivatives.push(by);
-                        }
-                        sensitivities.inputs.push(described(input));
-                    }
-                    Err(reason) => {
-                        (sensitivities.left_out).push(left_out(input, reason.to_string()))
-                    }
-                }
+                let derivatives = present.iter().map(of).collect();
+                add(&mut sensitivities, input, Ok(derivatives));
             }
             [Err(reason), _] | [_, Err(reason)] => {
                 let reason = why_not(&input.key, reason);
@@ -170,47 +170,34 @@ pub fn by_derivatives(
     let inputs: Vec<&Input> = case.inputs().iter().filter(|i| !follows(i)).collect();
     let asked = perturbed(case, problem, inputs, &mut missing);
     let (inputs, sides): (Vec<&Input>, Vec<Perturbed<Plan>>) = asked.into_iter().unzip();
-    let mut figures: Vec<FigureSensitivity> = (solution.figures().into_iter())
-        .map(|figure| FigureSensitivity {
-            figure,
-            value: solution.value(figure),
-            derivatives: Vec::new(),
-        })
-        .collect();
-    let mut known = Vec::new();
-    let mut add = |input: &Input, derivatives: &[f64]| {
-        for (figure, by) in figures.iter_mut().zip(derivatives) {
-            figure.derivatives.push(*by);
-        }
-        known.push(described(input));
+    let figures = (solution.figures().into_iter()).map(|figure| FigureSensitivity {
+        figure,
+        value: solution.value(figure),
+        derivatives: Vec::new(),
+    });
+    let mut all = Sensitivities {
+        by: SensitivityMethod::LinearSolves,
+        inputs: Vec::new(),
+        figures: figures.collect(),
+        left_out: missing,
     };
     for (input, derivatives) in inputs.into_iter().zip(solution.derivatives(&sides)) {
-        match derivatives.and_then(finite) {
-            // A constant of a database law that has no effect here.
-            Ok(derivatives) if !input.written && derivatives.iter().all(|by| *by == 0.0) => {}
-            Ok(derivatives) => {
-                add(input, &derivatives);
-                if let Some(modulus) = &modulus {
-                    for (other, ratio) in modulus.others(input) {
-                        let by: Vec<f64> = derivatives.iter().map(|by| ratio * by).collect();
-                        add(other, &by);
-                    }
-                }
-            }
-            Err(reason) => {
-                let others = modulus.iter().flat_map(|modulus| modulus.others(input));
-                for input in [input].into_iter().chain(others.map(|(other, _)| other)) {
-                    missing.push(left_out(input, reason.to_string()));
-                }
-            }
+        // A constant of a database law that has no effect here.
+        let is_zero = (derivatives.as_ref()).is_ok_and(|by| by.iter().all(|by| *by == 0.0));
+        if is_zero && !input.written {
+            continue;
+        }
+        add(&mut all, input, derivatives.clone());
+        for (other, ratio) in modulus.iter().flat_map(|modulus| modulus.others(input)) {
+            let scaled = |by: &Vec<f64>| by.iter().map(|by| ratio * by).collect();
+            add(
+                &mut all,
+                other,
+                derivatives.as_ref().map(scaled).map_err(|reason| *reason),
+            );
         }
     }
-    Sensitivities {
-        by: SensitivityMethod::LinearSolves,
-        inputs: known,
-        figures,
-        left_out: missing,
-    }
+    all
 }
 
 /// The inputs that have a derivative, with the problems on either side of each; those that have none are added to `missing`.
@@ -343,7 +330,7 @@ impl<'a> ByModulus<'a> {
 mod tests {
     use super::*;
 
-    /// Linear in all inputs but the first, whose derivative is not a number.
+    /// Derivatives of two figures; one by the first input is not a number.
     struct Broken;
 
     impl Derivatives<Plan> for Broken {
@@ -365,7 +352,7 @@ mod tests {
     }
 
     #[test]
-    fn a_derivative_that_is_no_number_is_left_out_with_its_input() {
+    fn an_input_whose_derivative_is_not_finite_is_left_out() {
         let text = include_str!("../../../cases/ball-on-disc.toml");
         let case = Case::from_text("case.toml", text, std::path::Path::new("")).unwrap();
         let found = by_derivatives(&case, &problem(&case), &Broken);

@@ -85,16 +85,14 @@ fn report(fit: &StribeckFit, file: &str) -> String {
         });
     }
     let mut text = format!(
-        "Rough surfaces by {} readings in {file}\n\n{}",
+        "Boundary friction and roughness fitted to {} readings in {file}\n\n{}",
         fit.points.len(),
         columns(&rows)
     );
+    text += "\n";
     for (one, other, correlation) in &fit.correlations {
-        text += &format!(
-            "\n  correlation of {} and {}: {correlation:.2}\n",
-            one.words(),
-            other.words()
-        );
+        let [one, other] = [one, other].map(|own| own.words());
+        text += &format!("  correlation of {one} and {other}: {correlation:.2}\n");
     }
     let number = |value: f64| digits(value, 4);
     let titles = [
