@@ -240,6 +240,7 @@ fn heat(case: &Case, scales: &Scales) -> Option<(Heat, HeatPlan)> {
         density: solid.density,
         conductivity: solid.conductivity.clone(),
         heat_capacity: solid.heat_capacity.clone(),
+        layers: solid.heat_layers(),
         velocity,
         bulk_temperature: solid.temperature,
     };

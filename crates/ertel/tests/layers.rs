@@ -1,4 +1,4 @@
-//! Contacts with layers: the limits of equal materials, and the pressure of the dry contact.
+//! Contacts with layers: the limits of equal materials, the pressure of the dry contact, and heat.
 
 use std::path::Path;
 
@@ -58,4 +58,70 @@ fn pressure_on_a_soft_layer() {
     // The scales of the contact are those of the wider contact, which the same equation has.
     let wider = solution.hertz.half_width / bare.half_width;
     assert!((wider / 1.390_375 - 1.0).abs() < 0.05, "{wider}");
+}
+
+const COAT: &str = "youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, thickness = \"3 um\"";
+const STEEL: &str = "density = \"7850 kg/m^3\", thermal_conductivity = \"46 W/(m.K)\", heat_capacity = \"470 J/(kg.K)\"";
+
+/// Sliding with heat; the coat has the elastic constants of the bodies.
+fn warm_text(kind: &str, load: &str, coat: &str) -> String {
+    format!(
+        "[contact]\nkind = \"{kind}\"\nradius = \"10 mm\"\nload = \"{load}\"\n\
+         [bodies]\nbody_1 = {{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, {STEEL}{coat} }}\n\
+         body_2 = {{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, {STEEL} }}\n\
+         [motion]\nentrainment_speed = \"2 m/s\"\nslide_to_roll_ratio = 0.3\n\
+         [lubricant]\nname = \"iso-vg-68-pao\"\ntemperature = \"60 degC\"\n\
+         [mesh]\ntarget_error = \"2 %\"\n[solver]\nmethod = \"finite-volumes\"\n[thermal]\n"
+    )
+}
+
+fn warm(kind: &str, load: &str, coat: &str) -> Solution {
+    let case = Case::from_text("case.toml", &warm_text(kind, load, coat), Path::new("")).unwrap();
+    run::solve(&case, &mut NoObserver).unwrap()
+}
+
+/// A coat of the same material leaves heat unchanged; one that insulates warms the film and lowers its friction, most of all on the coated side.
+#[test]
+fn coats_with_heat() {
+    for (kind, load) in [("circular", "5 N"), ("line", "30 kN/m")] {
+        let of = |data: &str| warm(kind, load, &format!(", layers = [{{ {COAT}, {data} }}]"));
+        let bare = warm(kind, load, "");
+        let same = of(STEEL);
+        let insulated = of(
+            "density = \"2000 kg/m^3\", thermal_conductivity = \"1 W/(m.K)\", heat_capacity = \"700 J/(kg.K)\"",
+        );
+        for figure in [
+            Figure::FilmCentral,
+            Figure::TractionCoefficient,
+            Figure::FilmTemperatureMaximum,
+        ] {
+            let ratio = value(&same, figure) / value(&bare, figure);
+            assert!((ratio - 1.0).abs() < 2e-4, "{kind} {figure:?} {ratio}");
+        }
+        let rise = |solution: &Solution, figure| value(solution, figure) - 333.15;
+        let wall = Figure::TemperatureBody1Mean;
+        assert!(rise(&insulated, wall) > 2.0 * rise(&bare, wall), "{kind}");
+        assert!(
+            value(&insulated, Figure::TractionCoefficient)
+                < value(&bare, Figure::TractionCoefficient)
+        );
+        // Into the coated body flows less.
+        let heat = |solution: &Solution| {
+            value(solution, Figure::HeatToBody1) / value(solution, Figure::HeatToBody2)
+        };
+        assert!(heat(&insulated) < heat(&bare), "{kind}");
+    }
+}
+
+#[test]
+fn coats_that_lack_thermal_data() {
+    let text = warm_text(
+        "circular",
+        "5 N",
+        &format!(", layers = [{{ {COAT}, density = \"2000 kg/m^3\" }}]"),
+    );
+    let error = Case::from_text("case.toml", &text, Path::new(""))
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("the thermal_conductivity of the layers of body 1, the heat_capacity of the layers of body 1"), "{error}");
 }

@@ -26,10 +26,13 @@ use crate::film::closure::{dot, solve};
 use crate::film::cross_film::CrossFilm;
 use crate::film::fluidity::Fluidity;
 use crate::film::{FilmFluid, MOST_NODES, Nodal};
+use crate::layers::HeatLayer;
 
 /// A body in the energy equation.
 #[derive(Clone, Debug)]
 pub struct BodyHeat {
+    /// Layers from the surface down, solved by finite volumes alone; the other data are those of the substrate.
+    pub layers: Vec<HeatLayer>,
     /// Density, kg/m³.
     pub density: f64,
     /// Conductivity.

@@ -6,11 +6,13 @@
 //!
 //! Theory: Layers on the bodies.
 
+mod heat;
 mod images;
 mod response;
 
 #[cfg(test)]
 mod tests;
 
+pub use heat::{HeatLayer, HeatedBody, Pulse, ThermalMaterial};
 pub use images::{Image, Images};
 pub use response::{Coated, Layer};

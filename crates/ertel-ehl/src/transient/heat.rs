@@ -337,6 +337,7 @@ mod tests {
     #[test]
     fn steps_in_seconds() {
         let body = |velocity| BodyHeat {
+            layers: Vec::new(),
             density: 7850.0,
             conductivity: ConductivityLaw::constant(46.0).unwrap(),
             heat_capacity: HeatCapacityLaw::constant(470.0).unwrap(),

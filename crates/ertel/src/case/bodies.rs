@@ -34,12 +34,10 @@ pub struct Body {
 /// A bonded layer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyLayer {
-    /// Name of its material.
-    pub name: String,
     /// Thickness, m.
     pub thickness: f64,
-    /// Elastic constants.
-    pub elasticity: Material,
+    /// Its material, as a body without layers.
+    pub body: Body,
 }
 
 impl Body {
@@ -47,7 +45,7 @@ impl Body {
     pub fn coated(&self) -> Coated {
         let layer = |layer: &BodyLayer| Layer {
             thickness: layer.thickness,
-            material: layer.elasticity,
+            material: layer.body.elasticity,
         };
         Coated {
             layers: self.layers.iter().map(layer).collect(),
@@ -201,26 +199,29 @@ fn read_body(
         StrOrTable::Table(mut inner) => {
             shape = read_shape(&mut inner)?;
             layers = read_layers(&mut inner, folder)?;
-            let found = match inner.optional_str("name")? {
-                Some(name) => {
-                    let mut solid = database::solid_or_file(name, folder, inner.own_recorder())
-                        .map_err(super::unknown(&inner, "name"))?;
-                    solid.override_from(&mut inner, Files::Folder(folder))?;
-                    (solid, true)
-                }
-                None => {
-                    let name = "given by its constants";
-                    (
-                        Solid::from_table(&mut inner, name, Files::Folder(folder))?,
-                        false,
-                    )
-                }
-            };
+            let found = solid(&mut inner, folder)?;
             inner.finish()?;
             found
         }
     };
-    let body = Body {
+    Ok((of_solid(solid, in_database, layers), shape))
+}
+
+/// A solid by its name, with the values that the table replaces, or by its constants; whether it is in the database.
+fn solid(table: &mut Table<'_>, folder: &Path) -> Result<(Solid, bool), InputError> {
+    let files = Files::Folder(folder);
+    let Some(name) = table.optional_str("name")? else {
+        let solid = Solid::from_table(table, "given by its constants", files)?;
+        return Ok((solid, false));
+    };
+    let mut solid = database::solid_or_file(name, folder, table.own_recorder())
+        .map_err(super::unknown(table, "name"))?;
+    solid.override_from(table, files)?;
+    Ok((solid, true))
+}
+
+fn of_solid(solid: Solid, in_database: bool, layers: Vec<BodyLayer>) -> Body {
+    Body {
         name: solid.name,
         in_database,
         elasticity: Material {
@@ -232,8 +233,7 @@ fn read_body(
         density: solid.density,
         thermal_conductivity: solid.thermal_conductivity,
         heat_capacity: solid.heat_capacity,
-    };
-    Ok((body, shape))
+    }
 }
 
 /// Thicknesses, m: from a few atoms to liners.
@@ -259,23 +259,10 @@ fn read_layers(body: &mut Table<'_>, folder: &Path) -> Result<Vec<BodyLayer>, In
 
 fn layer(mut table: Table<'_>, folder: &Path) -> Result<BodyLayer, InputError> {
     let thickness = table.required_quantity("thickness", Dimension::LENGTH, THICKNESS)?;
-    let files = Files::Folder(folder);
-    let solid = match table.optional_str("name")? {
-        Some(name) => {
-            let mut solid = database::solid_or_file(name, folder, table.own_recorder())
-                .map_err(super::unknown(&table, "name"))?;
-            solid.override_from(&mut table, files)?;
-            solid
-        }
-        None => Solid::from_table(&mut table, "given by its constants", files)?,
-    };
+    let (solid, in_database) = solid(&mut table, folder)?;
     table.finish()?;
     Ok(BodyLayer {
-        name: solid.name,
         thickness,
-        elasticity: Material {
-            youngs_modulus: solid.youngs_modulus,
-            poissons_ratio: solid.poissons_ratio,
-        },
+        body: of_solid(solid, in_database, Vec::new()),
     })
 }

@@ -114,10 +114,6 @@ pub(super) fn layers(case: &Case, root: &mut Table<'_>) -> Result<(), InputError
             "finite elements: layers are solved by finite volumes; remove method from [solver]",
         ),
         (
-            case.thermal().is_some(),
-            "[thermal]: the heat in layers is not computed; remove [thermal], or set isothermal = true in [solver]",
-        ),
-        (
             case.stress.is_some(),
             "[stress]: the stresses in layers are not computed",
         ),
@@ -136,6 +132,10 @@ pub(super) fn layers(case: &Case, root: &mut Table<'_>) -> Result<(), InputError
         let body = bodies.required_table(key)?;
         if let Some((_, reason)) = refused.iter().find(|(applies, _)| *applies) {
             let text = format!("`layers` cannot be combined with {reason}");
+            return Err(body.error("layers", text));
+        }
+        if let Some(reason) = finite_volumes_refuse(case) {
+            let text = format!("`layers` are solved by finite volumes, which {reason}");
             return Err(body.error("layers", text));
         }
         let thickness: f64 = layers.iter().map(|layer| layer.thickness).sum();
@@ -471,6 +471,7 @@ fn heat_about(case: &Case) -> Option<volumes::HeatAbout> {
         differs(&|t| body.conductivity.conductivity(0.0, t))
             || differs(&|t| body.heat_capacity.heat_capacity(0.0, t))
     };
+    let varies = |body: &SolidHeat| varies(body) || body.layers.iter().any(|(_, l)| varies(l));
     Some(volumes::HeatAbout {
         slides_along_roller: case.contact.kind == ContactKind::Roller && !case.motion.is_straight(),
         turns_nearby: turns_nearby(case),

@@ -99,6 +99,9 @@ pub struct HeatEcho {
     pub heat_capacity: f64,
     /// Name of its law.
     pub heat_capacity_law: String,
+    /// Those of the layers of a body, from its surface down.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub layers: Vec<HeatEcho>,
 }
 
 /// Values computed from `[machine]`, in words, with their source.

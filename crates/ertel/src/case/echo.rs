@@ -78,6 +78,7 @@ impl Case {
                 conductivity_law: heat.conductivity.name().to_owned(),
                 heat_capacity: heat.heat_capacity.heat_capacity(0.0, inlet),
                 heat_capacity_law: heat.heat_capacity.name().to_owned(),
+                layers: Vec::new(),
             },
             body_1: solid(&heat.body_1),
             body_2: solid(&heat.body_2),
@@ -95,13 +96,20 @@ fn estimate(datum: &Datum) -> EstimateEcho {
     }
 }
 
-fn solid(solid: &SolidHeat<'_>) -> HeatEcho {
+fn solid(solid_heat: &SolidHeat<'_>) -> HeatEcho {
     HeatEcho {
-        density: solid.density,
-        thermal_conductivity: solid.conductivity.conductivity(0.0, solid.temperature),
-        conductivity_law: solid.conductivity.name().to_owned(),
-        heat_capacity: solid.heat_capacity.heat_capacity(0.0, solid.temperature),
-        heat_capacity_law: solid.heat_capacity.name().to_owned(),
+        density: solid_heat.density,
+        thermal_conductivity: solid_heat
+            .conductivity
+            .conductivity(0.0, solid_heat.temperature),
+        conductivity_law: solid_heat.conductivity.name().to_owned(),
+        heat_capacity: solid_heat
+            .heat_capacity
+            .heat_capacity(0.0, solid_heat.temperature),
+        heat_capacity_law: solid_heat.heat_capacity.name().to_owned(),
+        layers: (solid_heat.layers.iter())
+            .map(|(_, layer)| solid(layer))
+            .collect(),
     }
 }
 
@@ -115,9 +123,9 @@ fn body(body: &Body) -> BodyEcho {
 
 fn layer(layer: &BodyLayer) -> LayerEcho {
     LayerEcho {
-        name: layer.name.clone(),
+        name: layer.body.name.clone(),
         thickness: layer.thickness,
-        elasticity: layer.elasticity,
+        elasticity: layer.body.elasticity,
     }
 }
 

@@ -4,11 +4,13 @@ use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
 
+use super::bodies::BodyLayer;
 use super::lubricant::{TEMPERATURE, VISCOSITY};
 use super::params::{FARTHEST, order, set};
 use super::{Body, Case};
 use crate::contact::Contact;
 use crate::engine::{MissingDatum, MissingHeatData};
+use crate::layers::{HeatLayer, ThermalMaterial};
 use crate::params::ThermalParams;
 use crate::warning::{Warning, WarningKind};
 
@@ -66,7 +68,7 @@ pub fn read(mut table: Table<'_>, contact: &Contact) -> Result<ThermalParams, In
 }
 
 /// Complete data of a thermal contact.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Heat<'a> {
     /// Settings.
     pub params: &'a ThermalParams,
@@ -81,7 +83,7 @@ pub struct Heat<'a> {
 }
 
 /// Thermal data of one body; its laws hold at ambient pressure.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct SolidHeat<'a> {
     /// Density, kg/m³.
     pub density: f64,
@@ -91,6 +93,28 @@ pub struct SolidHeat<'a> {
     pub heat_capacity: &'a HeatCapacityLaw,
     /// Bulk temperature, K.
     pub temperature: f64,
+    /// Layers from the surface down, at this temperature, with their thicknesses, m.
+    pub layers: Vec<(f64, SolidHeat<'a>)>,
+}
+
+impl SolidHeat<'_> {
+    /// Conductivity and heat capacity at the bulk temperature.
+    pub fn constants(&self) -> ThermalMaterial {
+        let t = self.temperature;
+        ThermalMaterial {
+            conductivity: self.conductivity.conductivity(0.0, t),
+            capacity: self.density * self.heat_capacity.heat_capacity(0.0, t),
+        }
+    }
+
+    /// The layers for conduction.
+    pub fn heat_layers(&self) -> Vec<HeatLayer> {
+        let layer = |(thickness, solid): &(f64, SolidHeat<'_>)| HeatLayer {
+            thickness: *thickness,
+            material: solid.constants(),
+        };
+        self.layers.iter().map(layer).collect()
+    }
 }
 
 impl Case {
@@ -113,23 +137,27 @@ impl Case {
         let inlet = self.lubricant.temperature;
         let lubricant = self.lubricant.laws_of_heat(&mut missing);
         let first = self.body_1.heat(
-            "body_1",
+            ["body_1", "the layers of body_1"],
             params.body_1_temperature.unwrap_or(inlet),
             &mut missing,
         );
         let second = self.body_2.heat(
-            "body_2",
+            ["body_2", "the layers of body_2"],
             params.body_2_temperature.unwrap_or(inlet),
             &mut missing,
         );
         match (lubricant, first, second) {
-            (Some((conductivity, heat_capacity)), Some(body_1), Some(body_2)) => Ok(Some(Heat {
-                params,
-                conductivity,
-                heat_capacity,
-                body_1,
-                body_2,
-            })),
+            (Some((conductivity, heat_capacity)), Some(body_1), Some(body_2))
+                if missing.is_empty() =>
+            {
+                Ok(Some(Heat {
+                    params,
+                    conductivity,
+                    heat_capacity,
+                    body_1,
+                    body_2,
+                }))
+            }
             _ => Err(MissingHeatData { missing }),
         }
     }
@@ -163,9 +191,9 @@ impl super::Lubricant {
 
 impl Body {
     /// The thermal data at this bulk `temperature`, K; missing data are noted.
-    fn heat(
+    pub(crate) fn heat(
         &self,
-        part: &'static str,
+        [part, of_layers]: [&'static str; 2],
         temperature: f64,
         missing: &mut Vec<MissingDatum>,
     ) -> Option<SolidHeat<'_>> {
@@ -180,11 +208,17 @@ impl Body {
             part,
             material: self.in_database.then(|| self.name.clone()),
         }));
+        let mut layers = Vec::new();
+        for BodyLayer { thickness, body } in &self.layers {
+            let data = body.heat([of_layers; 2], temperature, missing);
+            layers.extend(data.map(|data| (*thickness, data)));
+        }
         Some(SolidHeat {
             density: self.density?,
             conductivity: self.thermal_conductivity.as_ref()?,
             heat_capacity: self.heat_capacity.as_ref()?,
             temperature,
+            layers,
         })
     }
 }
@@ -197,7 +231,15 @@ fn check_values(table: &Table<'_>, heat: &Heat<'_>, inlet: f64) -> Result<(), In
         ("thermal conductivity", "the lubricant", k, CONDUCTIVITY),
         ("heat capacity", "the lubricant", c, HEAT_CAPACITY),
     ];
-    for (solid, part) in [(&heat.body_1, "body 1"), (&heat.body_2, "body 2")] {
+    let solids = [
+        (&heat.body_1, "body 1", "a layer of body 1"),
+        (&heat.body_2, "body 2", "a layer of body 2"),
+    ];
+    let solids = solids.into_iter().flat_map(|(solid, part, of_layer)| {
+        let layers = solid.layers.iter().map(move |(_, layer)| (layer, of_layer));
+        layers.chain([(solid, part)])
+    });
+    for (solid, part) in solids {
         let k = solid.conductivity.conductivity(0.0, solid.temperature);
         let c = solid.heat_capacity.heat_capacity(0.0, solid.temperature);
         values.push(("density", part, solid.density, DENSITY));

@@ -35,6 +35,9 @@ pub(super) fn write(out: &mut Lines, thermal: &ThermalEcho) {
             format!(", bulk {} °C", digits(t - CELSIUS, 5))
         });
         out.row(&format!("conductivity, {role}"), of(material) + &bulk);
+        for layer in &material.layers {
+            out.row("  layer", of(layer));
+        }
     }
 }
 

@@ -6,6 +6,7 @@ use num_dual::first_derivative;
 
 use crate::case::{Body, Case};
 use crate::contact::Hertz;
+use crate::layers::HeatedBody;
 use crate::reference::thermal::{ThermalReduction, thermal_loading};
 
 /// Mean rise of the film, K, from which isothermal friction is doubted: oils lose 3 to 5 % of their viscosity per kelvin, so that a third
@@ -87,8 +88,12 @@ pub fn rise(case: &Case, power: f64, film: f64) -> Rise {
     let along = Hertz::new(&case.contact.along_motion(), case.reduced_modulus());
     let flux = power.abs() / case.hertz().area(&case.contact);
     let temperature = case.lubricant.temperature;
-    let own = [&case.body_1, &case.body_2].map(|body| effusivity(body, temperature));
     let speeds = [case.motion.body_1_speed(), case.motion.body_2_speed()];
+    let own = [0, 1].map(|b: usize| {
+        let body = [&case.body_1, &case.body_2][b];
+        let passage = 2.0 * along.half_width / speeds[b].abs().max(f64::MIN_POSITIVE);
+        effusivity(body, temperature, passage)
+    });
     let taken: f64 = (own.iter().zip(speeds))
         .map(|(own, u)| own.unwrap_or(STEEL) * u.abs().sqrt())
         .sum();
@@ -102,9 +107,20 @@ pub fn rise(case: &Case, power: f64, film: f64) -> Rise {
     }
 }
 
-/// √(kρc) of a body, W√s/(m²K), if it is known.
-fn effusivity(body: &Body, temperature: f64) -> Option<f64> {
-    let k = (body.thermal_conductivity.as_ref()?).conductivity(0.0, temperature);
-    let c = (body.heat_capacity.as_ref()?).heat_capacity(0.0, temperature);
-    Some((k * body.density? * c).sqrt())
+/// √(kρc) of a body, W√s/(m²K), if it is known; with layers 1/(Z√s) of heat that grows over the time of a passage, 1/s.
+fn effusivity(body: &Body, temperature: f64, passage: f64) -> Option<f64> {
+    let mut missing = Vec::new();
+    let heat = body.heat(["body"; 2], temperature, &mut missing)?;
+    let material = heat.constants();
+    if heat.layers.is_empty() || !missing.is_empty() {
+        return Some((material.conductivity * material.capacity).sqrt());
+    }
+    let s = 1.0 / passage;
+    let rise = HeatedBody::new(&heat.heat_layers(), material, DEEP)
+        .impedance(0.0.into(), s.into())
+        .re;
+    Some(1.0 / (rise * s.sqrt()))
 }
+
+/// Depth that no heat reaches in a passage, m.
+const DEEP: f64 = 1.0;

@@ -17,7 +17,7 @@ pub struct MissingHeatData {
 pub struct MissingDatum {
     /// Its key, `heat_capacity`.
     pub key: &'static str,
-    /// `lubricant`, `body_1` or `body_2`.
+    /// `lubricant`, `body_1`, `body_2`, or `the layers of` one of them.
     pub part: &'static str,
     /// Name of the material; `None` for one that the case file gives by its constants.
     pub material: Option<String>,
@@ -60,6 +60,12 @@ impl MissingHeatData {
             let datum = format!("{key} = \"... {unit}\"");
             places.push(match (*part, material) {
                 ("lubricant", _) => format!("add {datum} to [lubricant]"),
+                (part, Some(name)) if part.starts_with("the layers") => {
+                    format!(
+                        "add {datum} to the layer `{name}` in {} in [bodies]",
+                        &part[4..]
+                    )
+                }
                 (_, Some(name)) => {
                     format!("add {datum} in [bodies], {part} = {{ name = \"{name}\", {datum} }}")
                 }

@@ -5,6 +5,9 @@
 //!   exact in a layer of depth D:  μ_n = (n + ½)π/D,  w_n = 2/D                      (Carslaw and Jaeger 1959, section 3.8)
 //!   many of them as one:  Σ_n 2/D g(μ_n) ≈ 2/π ∫ g(μ) dμ                            by Gauss's rule in ln μ
 //! ```
+//! In a body with layers the rates χμ² are a geometric series, the weights by least squares over the response to periodic heat, and each mode spreads along the
+//! surface with the mean χ of the heat that is as old as the mode (see [`crate::layers::HeatedBody`]).
+//!
 //! These are the instantaneous sources of [`super::source`], θ(t)/√(πχt) = Σ_j w_j e^{−χμ_j²t}. A wave e^{ik·x} of q that goes from q_0 to q_1 in a step Δ makes
 //!
 //! ```text
@@ -18,21 +21,36 @@
 use std::f64::consts::PI;
 
 use ertel_fem::quadrature::Quadrature;
+use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use realfft::num_complex::Complex64;
 use serde::{Deserialize, Serialize};
 
 use super::source::MovingBody;
 use super::spreading::Spreading;
+use crate::layers::HeatedBody;
 use crate::volumes::convolution::Convolution;
 use crate::volumes::grid::Grid;
 use crate::volumes::padded::{Fading, NO_FADING, Padded};
 
+/// A part of the temperature below the surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Mode {
+    /// χμ², 1/s.
+    rate: f64,
+    /// w, 1/m.
+    weight: f64,
+    /// χ along the surface over the smallest of all modes, m²/s.
+    spread: f64,
+}
+
 /// Modes that represent the temperature below the surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Modes {
-    /// χμ², 1/s, and w, 1/m.
-    each: Vec<[f64; 2]>,
+    /// The slowest one first.
+    each: Vec<Mode>,
+    /// Smallest χ along the surface, m²/s.
+    diffusivity: f64,
     /// Σ w/(χμ²) of those that are not among them, s/m.
     at_once: f64,
 }
@@ -47,30 +65,109 @@ const FASTEST: f64 = 10.0;
 /// e-folds after which the slowest mode counts as decayed.
 const FORGOTTEN: f64 = 30.0;
 
+/// Ratio of the rates of neighbouring modes of a body with layers, and values per mode of the least squares.
+const RATE_RATIO: f64 = 1.75;
+const VALUES: usize = 3;
+/// Modes faster than needed, so that all others are free of what the fastest ones lack.
+const FASTER: usize = 4;
+/// The slowest heat of the least squares, as a power of that ratio over the decay of the whole body.
+const STEADY: f64 = -20.0;
+/// Singular values below this share of the largest are left out: weights stay small.
+const SMALLEST: f64 = 1e-12;
+
 impl Modes {
     /// Of a body below cells of a size, m, that moves at a speed at most, m/s.
     pub fn new(body: &MovingBody, cell: [f64; 2], speed: f64) -> Modes {
-        let (chi, depth) = (body.diffusivity(), body.depth);
         let smallest = cell[0].min(cell[1]);
-        let needed = FASTEST * (speed / smallest).max(chi / (smallest * smallest));
-        let mut each: Vec<[f64; 2]> = (0..EXACT)
-            .map(|n| {
-                let mu = (n as f64 + 0.5) * PI / depth;
-                [chi * mu * mu, 2.0 / depth]
-            })
+        let needed = |chi: f64| FASTEST * (speed / smallest).max(chi / (smallest * smallest));
+        match body.heated() {
+            Some(heated) => {
+                let [_, fast] = heated.diffusivities();
+                Modes::of_layers(&heated, body.capacity, needed(fast))
+            }
+            None => Modes::of_one_material(body, needed(body.diffusivity())),
+        }
+    }
+
+    fn of_one_material(body: &MovingBody, needed: f64) -> Modes {
+        let (chi, depth) = (body.diffusivity(), body.depth);
+        let mode = |mu: f64, weight: f64| Mode {
+            rate: chi * mu * mu,
+            weight,
+            spread: 0.0,
+        };
+        let mut each: Vec<Mode> = (0..EXACT)
+            .map(|n| mode((n as f64 + 0.5) * PI / depth, 2.0 / depth))
             .collect();
         let rule = Quadrature::simplex(1, 5);
         let mut low = EXACT as f64 * PI / depth;
         while chi * low * low < needed {
             for (x, weight) in rule.points.iter().zip(&rule.weights) {
                 let mu = low * RATIO.powf(x[0]);
-                each.push([chi * mu * mu, 2.0 / PI * mu * RATIO.ln() * weight]);
+                each.push(mode(mu, 2.0 / PI * mu * RATIO.ln() * weight));
             }
             low *= RATIO;
         }
         Modes {
             each,
+            diffusivity: chi,
             at_once: 2.0 / (PI * chi * low),
+        }
+    }
+
+    /// Z(iω) ≈ (Σ w_j/(iω + λ_j) + w_∞)/ρc by least squares of the relative errors.
+    fn of_layers(body: &HeatedBody, capacity: f64, needed: f64) -> Modes {
+        let [_, decay] = body.times();
+        let rate = |j: f64| RATE_RATIO.powf(j) / decay;
+        let needed = ((needed * decay).ln() / RATE_RATIO.ln()).ceil().max(1.0) as usize;
+        let count = needed + FASTER;
+        let values = VALUES * (needed + 2);
+        // Periodic heat, from nearly steady to as fast as needed: that which only grows leaves the weights undetermined.
+        let s = |i: usize| {
+            let power = match i / 2 {
+                0 => STEADY,
+                i => i as f64 / VALUES as f64 - 2.0,
+            };
+            Complex64::new(0.0, rate(power))
+        };
+        let part = |i: usize, value: Complex64| {
+            if i.is_multiple_of(2) {
+                value.re
+            } else {
+                value.im
+            }
+        };
+        let response = |i: usize| capacity * body.impedance(Complex64::default(), s(i));
+        let matrix = DMatrix::from_fn(2 * values, count + 1, |i, j| {
+            let mode = match j == count {
+                true => Complex64::from(1.0),
+                false => 1.0 / (s(i) + rate(j as f64)),
+            };
+            part(i, mode / response(i))
+        });
+        let wanted = DVector::from_fn(2 * values, |i, _| part(i, Complex64::from(1.0)));
+        let svd = matrix.svd(true, true);
+        let least = SMALLEST * svd.singular_values.max();
+        let weights = (svd.solve(&wanted, least)).expect("both factors were computed");
+        let [slow, _] = body.diffusivities();
+        let mode = |j: usize| {
+            let rate = rate(j as f64);
+            let mean: f64 = body
+                .pulse(1.0 / rate)
+                .spread
+                .iter()
+                .map(|[p, v]| p * v * rate)
+                .sum();
+            Mode {
+                rate,
+                weight: weights[j],
+                spread: mean - slow,
+            }
+        };
+        Modes {
+            each: (0..count).map(mode).collect(),
+            diffusivity: slow,
+            at_once: weights[count],
         }
     }
 }
@@ -129,8 +226,8 @@ impl Below {
         let over = Over::new(self, f64::INFINITY, self.body.velocity);
         let arriving = self.transforms.spectrum(flux, NO_FADING);
         let fields = (self.modes.each.iter())
-            .map(|[rate, _]| {
-                let spectrum = over.map(*rate, |at| at.cell * at.whole * arriving[at.k]);
+            .map(|mode| {
+                let spectrum = over.map(mode, |at| at.cell * at.whole * arriving[at.k]);
                 self.transforms.values(spectrum)
             })
             .collect();
@@ -152,9 +249,9 @@ impl Below {
     pub fn rise(&self, memory: &Memory) -> Vec<f64> {
         let at_once = self.modes.at_once / self.body.capacity;
         let mut rise: Vec<f64> = memory.flux.iter().map(|q| at_once * q).collect();
-        for (field, [_, weight]) in memory.fields.iter().zip(&self.modes.each) {
+        for (field, mode) in memory.fields.iter().zip(&self.modes.each) {
             for (rise, value) in rise.iter_mut().zip(field) {
-                *rise += weight * value;
+                *rise += mode.weight * value;
             }
         }
         rise
@@ -175,7 +272,9 @@ pub struct Over<'a> {
 
 /// A wave along the surface.
 struct Along {
-    /// χk² + ik·u, 1/s.
+    /// k², 1/m².
+    square: f64,
+    /// χk² + ik·u with the smallest χ, 1/s.
     rate: Complex64,
     /// e to the power of minus that times `counted`.
     decay: Complex64,
@@ -208,14 +307,14 @@ impl<'a> Over<'a> {
         let covered = below.transforms.covered();
         let leaves = (0..2)
             .map(|d| covered[d] as f64 * below.cell[d] / velocity[d].abs())
-            .fold(FORGOTTEN / below.modes.each[0][0], f64::min);
+            .fold(FORGOTTEN / below.modes.each[0].rate, f64::min);
         let counted = duration.min(leaves);
         let Below {
             body,
+            modes,
             cell,
             transforms,
             length,
-            ..
         } = below;
         let each = 1.0 / transforms.gain();
         let of_wave = |k: usize| {
@@ -227,9 +326,10 @@ impl<'a> Over<'a> {
                 false => turns[d] / cell[d] * velocity[d],
             };
             let axial = transforms.across(k) / (length * length);
-            let spread = body.diffusivity() * (kx * kx + ky * ky + axial);
-            let rate = Complex64::new(spread, passing(0) + passing(1));
+            let square = kx * kx + ky * ky + axial;
+            let rate = Complex64::new(modes.diffusivity * square, passing(0) + passing(1));
             Along {
+                square,
                 rate,
                 decay: (-rate * counted).exp(),
                 cell: each * sinc(0.5 * turns[0]) * sinc(0.5 * turns[1]) / body.capacity,
@@ -249,15 +349,20 @@ impl<'a> Over<'a> {
     }
 
     /// Something of each wave of a mode, in the order of a spectrum.
-    fn map(&self, rate: f64, of: impl Fn(&Wave) -> Complex64 + Sync) -> Vec<Complex64> {
+    fn map(&self, mode: &Mode, of: impl Fn(&Wave) -> Complex64 + Sync) -> Vec<Complex64> {
         let each = 1.0 / self.below.transforms.gain();
         let t = self.counted;
-        let forgotten = (-rate * t).exp();
+        let forgotten = (-mode.rate * t).exp();
         let is_left = self.duration <= t;
         (self.waves.par_iter().enumerate())
             .with_min_len(LEAST)
             .map(|(k, along)| {
-                let (z, e) = (along.rate + rate, along.decay * forgotten);
+                let (mut z, mut e) = (along.rate + mode.rate, along.decay * forgotten);
+                if mode.spread != 0.0 {
+                    let more = mode.spread * along.square;
+                    z += more;
+                    e *= (-more * t).exp();
+                }
                 let [whole, first] = integrals(z, e, t);
                 of(&Wave {
                     k,
@@ -305,8 +410,8 @@ impl<'a> Over<'a> {
         } = self.below;
         let at_once = modes.at_once / body.capacity;
         let mut symbol = vec![Complex64::default(); transforms.n_waves()];
-        for [rate, weight] in &modes.each {
-            let own = self.map(*rate, |at| weight * at.cell * (at.whole - at.before));
+        for mode in &modes.each {
+            let own = self.map(mode, |at| mode.weight * at.cell * (at.whole - at.before));
             for (sum, own) in symbol.iter_mut().zip(own) {
                 *sum += own;
             }
@@ -325,10 +430,11 @@ impl<'a> Over<'a> {
         let before = transforms.spectrum(&memory.flux, NO_FADING);
         let fading = self.fading();
         let spectra = (modes.each.iter().zip(&memory.fields))
-            .map(|([rate, _], field)| {
-                let is_left = self.duration <= self.counted && rate * self.duration < NEGLIGIBLE;
+            .map(|(mode, field)| {
+                let is_left =
+                    self.duration <= self.counted && mode.rate * self.duration < NEGLIGIBLE;
                 let own = is_left.then(|| transforms.spectrum(field, fading));
-                self.map(*rate, |at| {
+                self.map(mode, |at| {
                     let new = at.cell * at.before * before[at.k];
                     own.as_ref().map_or(new, |own| new + at.decay * own[at.k])
                 })
@@ -343,9 +449,9 @@ impl<'a> Over<'a> {
             modes, transforms, ..
         } = self.below;
         let mut sum = vec![Complex64::default(); transforms.n_waves()];
-        for (spectrum, [_, weight]) in carried.spectra.iter().zip(&modes.each) {
+        for (spectrum, mode) in carried.spectra.iter().zip(&modes.each) {
             for (sum, value) in sum.iter_mut().zip(spectrum) {
-                *sum += *weight * *value;
+                *sum += mode.weight * *value;
             }
         }
         transforms.values(sum)
@@ -358,8 +464,8 @@ impl<'a> Over<'a> {
         } = self.below;
         let arriving = transforms.spectrum(flux, NO_FADING);
         let fields = (modes.each.iter().zip(carried.spectra))
-            .map(|([rate, _], carried)| {
-                let spectrum = self.map(*rate, |at| {
+            .map(|(mode, carried)| {
+                let spectrum = self.map(mode, |at| {
                     carried[at.k] + at.cell * (at.whole - at.before) * arriving[at.k]
                 });
                 transforms.values(spectrum)
@@ -407,6 +513,7 @@ fn sinc(x: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::contact::{HertzZone, Turn};
+    use crate::layers::{HeatLayer, ThermalMaterial};
     use crate::volumes::rows::Rows;
     use approx::assert_relative_eq;
 
@@ -425,7 +532,12 @@ mod tests {
 
     /// Steel to a depth of 3.15 half-widths that moves by so many half-widths while heat spreads over one: u a/χ.
     fn below(grid: &Grid, peclet: [f64; 2]) -> Below {
+        below_layers(grid, peclet, Vec::new())
+    }
+
+    fn below_layers(grid: &Grid, peclet: [f64; 2], layers: Vec<HeatLayer>) -> Below {
         let mut body = MovingBody {
+            layers,
             conductivity: 46.0,
             capacity: 7850.0 * 470.0,
             velocity: [0.0; 2],
@@ -436,6 +548,16 @@ mod tests {
         body.velocity = peclet.map(|p| p * unit);
         let speed = body.velocity.iter().fold(0.0_f64, |m, u| m.max(u.abs()));
         Below::new(grid, body, A, speed)
+    }
+
+    fn layer(thickness: f64, conductivity: f64, capacity: f64) -> HeatLayer {
+        HeatLayer {
+            thickness,
+            material: ThermalMaterial {
+                conductivity,
+                capacity,
+            },
+        }
     }
 
     /// Heat q e^{−r²/s²} with s half a half-width.
@@ -460,19 +582,58 @@ mod tests {
         values.iter().fold(0.0, |m, v| m.max(v.abs()))
     }
 
+    /// Modes of bodies with layers respond to periodic heat like the layers, up to frequencies at which a surface passes the cells.
+    #[test]
+    fn modes_of_layers() {
+        let grid = grid(true);
+        for layers in stacks() {
+            let below = below_layers(&grid, [100.0, 0.0], layers.clone());
+            let heated = below.body.heated().unwrap();
+            let modes = &below.modes;
+            let fastest = PI * below.body.velocity[0] / below.cell[0];
+            let mut most = 0.0_f64;
+            for i in 0..60 {
+                let omega = fastest * 1e-6_f64.powf(f64::from(i) / 59.0);
+                let s = Complex64::new(0.0, omega);
+                let sum: Complex64 = (modes.each.iter())
+                    .map(|mode| mode.weight / (s + mode.rate))
+                    .sum();
+                let own = (sum + modes.at_once) / below.body.capacity;
+                let exact = heated.impedance(Complex64::default(), s);
+                most = most.max((own - exact).norm() / exact.norm());
+            }
+            assert!(most < 5e-4, "{layers:?}: {most}");
+        }
+    }
+
+    /// A thin insulating coat below a good conductor, and a liner.
+    fn stacks() -> [Vec<HeatLayer>; 2] {
+        [
+            vec![layer(1e-6, 100.0, 3e6), layer(3e-6, 1.0, 2e6)],
+            vec![layer(1e-4, 0.25, 2e6)],
+        ]
+    }
+
     /// A body in steady state has the steady rise, computed as a sum over time; so has one that is heated for a long time. Bodies that
     /// move along and across, fast and slowly, or not at all: heat that spreads far beyond this small grid re-enters at the other side, by 1 % at most.
     #[test]
     fn for_ever_is_steady() {
-        for (peclet, half, most) in [
-            ([0.0, 0.0], false, 0.015),
-            ([2.0, 0.0], true, 0.015),
-            ([100.0, 0.0], true, 0.003),
-            ([-100.0, 0.0], true, 0.003),
-            ([20.0, 30.0], false, 0.003),
+        let [coats, liner] = stacks();
+        for (peclet, half, layers, most) in [
+            ([0.0, 0.0], false, &[][..], 0.015),
+            ([2.0, 0.0], true, &[], 0.015),
+            ([100.0, 0.0], true, &[], 0.003),
+            ([-100.0, 0.0], true, &[], 0.003),
+            ([20.0, 30.0], false, &[], 0.003),
+            ([0.0, 0.0], false, &coats, 0.015),
+            ([0.0, 0.0], false, &liner, 0.015),
+            // Modes spread along the surface as their heat does on average.
+            ([100.0, 0.0], true, &coats, 0.015),
+            ([20.0, 30.0], false, &coats, 0.03),
+            ([100.0, 0.0], true, &liner, 0.003),
         ] {
             let grid = grid(half);
-            let below = below(&grid, peclet);
+            let below = below_layers(&grid, peclet, layers.to_vec());
             let heat = bell(&grid);
             let steady = Spreading::new(&grid, &below.body, A, 0.0).apply(&heat);
             let differs = |own: &[f64]| {
@@ -541,7 +702,7 @@ mod tests {
         let heat = bell(&grid);
         for peclet in [0.0, 40.0] {
             let below = below(&grid, [peclet, 0.0]);
-            let (body, u) = (below.body, below.body.velocity[0]);
+            let (body, u) = (&below.body, below.body.velocity[0]);
             let chi = body.diffusivity();
             // A half-width of way, or what heat spreads over.
             let unit = if u > 0.0 { A / u } else { 0.2 * A * A / chi };
@@ -586,7 +747,7 @@ mod tests {
         let below = below(&grid, [200.0, 0.0]);
         let mut memory = below.settled(&bell(&grid));
         let none = vec![0.0; grid.n_nodes()];
-        let (body, u) = (below.body, below.body.velocity[0]);
+        let (body, u) = (&below.body, below.body.velocity[0]);
         let start = largest(&below.rise(&memory));
         // The remaining temperature of heating that ended some time ago.
         let exact = |x: f64, ago: f64| {

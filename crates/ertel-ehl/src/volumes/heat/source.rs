@@ -5,6 +5,7 @@
 //!     = 1/ρc ∫₀^∞ X(t) Y(t) θ(t) dt/√(πχt)           the same as a sum of instantaneous sources over a cell (section 10.2), χ = k/ρc
 //!   X = ½[erf((x − ut + ½h)/√(4χt)) − erf((x − ut − ½h)/√(4χt))],   Y likewise across
 //!   θ = Σ_n (−1)ⁿ e^{−n²D²/χt}                       images: the bulk temperature at the depth D
+//!   θ/ρc√(πχt) = Σ_i g p_i,  χt = V_i                of a body with layers ([`crate::layers::HeatedBody`])
 //! ```
 //! With u = 0 it is a body at rest, which only the depth D keeps cool far from the contact.
 //!
@@ -14,9 +15,13 @@ use std::f64::consts::PI;
 
 use ertel_fem::quadrature::Quadrature;
 
+use crate::layers::{HeatLayer, HeatedBody, ThermalMaterial};
+
 /// A body below a grid of cells, SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct MovingBody {
+    /// Layers, from the surface down; the other constants are those of the substrate.
+    pub layers: Vec<HeatLayer>,
     /// k, W/(m·K).
     pub conductivity: f64,
     /// ρc, J/(m³·K).
@@ -67,27 +72,42 @@ impl MovingBody {
         }
     }
 
+    /// The body with its layers, if it has any.
+    pub fn heated(&self) -> Option<HeatedBody> {
+        let substrate = ThermalMaterial {
+            conductivity: self.conductivity,
+            capacity: self.capacity,
+        };
+        (!self.layers.is_empty()).then(|| HeatedBody::new(&self.layers, substrate, self.depth))
+    }
+
     /// Ends of the panels of time for cells of a size, m, that are no further than some distance from the source.
     fn panels(&self, size: [f64; 2], farthest: [f64; 2]) -> Vec<f64> {
-        let chi = self.diffusivity();
+        let ([slow, fast], [through, decay]) = match self.heated() {
+            Some(body) => (body.diffusivities(), body.times()),
+            None => {
+                let chi = self.diffusivity();
+                let through = self.depth * self.depth / chi;
+                ([chi; 2], [through, 4.0 / (PI * PI) * through])
+            }
+        };
         let passage = (0..2)
             .map(|d| size[d] / self.velocity[d].abs())
             .fold(f64::INFINITY, f64::min);
         let smallest = size[0].min(size[1]);
-        let spreading = smallest * smallest / chi;
-        let through = self.depth * self.depth / chi;
+        let spreading = smallest * smallest / fast;
         let mut ends = vec![0.0, FIRST * spreading.min(passage).min(through)];
-        let forgotten = FORGOTTEN * 4.0 * self.depth * self.depth / (PI * PI * chi);
         loop {
             let t = ends[ends.len() - 1];
-            let width = (4.0 * chi * t * self.stretch.max(1.0)).sqrt();
-            let has_left = |d: usize| self.velocity[d].abs() * t - farthest[d] > WIDTHS * width;
-            if t > forgotten || has_left(0) || has_left(1) {
+            let [narrow, wide] =
+                [slow, fast].map(|chi| (4.0 * chi * t * self.stretch.max(1.0)).sqrt());
+            let has_left = |d: usize| self.velocity[d].abs() * t - farthest[d] > WIDTHS * wide;
+            if t > FORGOTTEN * decay || has_left(0) || has_left(1) {
                 return ends;
             }
             // Edges of cells pass by within `passage`, blurred by the width of the plume.
             let blurred = (0..2)
-                .map(|d| size[d].max(width) / self.velocity[d].abs())
+                .map(|d| size[d].max(narrow) / self.velocity[d].abs())
                 .fold(f64::INFINITY, f64::min);
             let grown = GROWTH * t;
             let next = match grown - t > blurred {
@@ -104,21 +124,36 @@ impl MovingBody {
         }
     }
 
-    /// Gauss points in time of instantaneous sources in such cells, with √t and the weight of each, 2 θ(t) d√t/ρc√(πχ).
-    fn times(&self, size: [f64; 2], farthest: [f64; 2]) -> Vec<[f64; 2]> {
+    /// Gauss points in time of instantaneous sources in such cells.
+    fn sources(&self, size: [f64; 2], farthest: [f64; 2]) -> Vec<Source> {
         let rule = Quadrature::simplex(1, 2 * POINTS - 1);
         let unit = self.capacity * (PI * self.diffusivity()).sqrt();
         let panels = self.panels(size, farthest);
         let points = panels.windows(2).flat_map(|ends| {
             let [low, high] = [ends[0], ends[1]].map(f64::sqrt);
-            (rule.points.iter().zip(&rule.weights)).map(move |(x, w)| {
-                let root = low + (high - low) * x[0];
-                // dt/√t = 2 d√t
-                let weight = 2.0 * w * (high - low) * self.memory(root * root) / unit;
-                [root, weight]
+            // dt/√t = 2 d√t
+            (rule.points.iter().zip(&rule.weights))
+                .map(move |(x, w)| [low + (high - low) * x[0], 2.0 * w * (high - low)])
+        });
+        let Some(body) = self.heated() else {
+            let width = (4.0 * self.diffusivity()).sqrt();
+            let source = |[root, weight]: [f64; 2]| Source {
+                time: root * root,
+                width: width * root,
+                weight: weight * self.memory(root * root) / unit,
+            };
+            return points.map(source).collect();
+        };
+        let pulses = points.flat_map(|[root, weight]| {
+            let time = root * root;
+            let pulse = body.pulse(time);
+            pulse.spread.map(|[share, variance]| Source {
+                time,
+                width: (4.0 * variance).sqrt(),
+                weight: weight * root * pulse.rise * share,
             })
         });
-        points.collect()
+        pulses.filter(|source| source.weight != 0.0).collect()
     }
 
     /// Rise of the surface temperature, K/(W/m²), of the cells at offsets from one that takes in heat: −n ≤ i ≤ n along the first direction, −m ≤ j ≤ m along the
@@ -131,15 +166,14 @@ impl MovingBody {
         });
         let mut response = vec![0.0; counts[0] * counts[1]];
         let mut shares = counts.map(|n| vec![0.0; n]);
-        for [root, weight] in self.times(size, farthest) {
+        for source in self.sources(size, farthest) {
             let [over_row, over_rows] = &mut shares;
-            let [x, y] = self.velocity.map(|u| u * root * root);
-            let width = (4.0 * self.diffusivity()).sqrt() * root;
-            let along = Covered::new(over_row, size[0], x, self.stretch.sqrt() * width);
-            let across = Covered::new(over_rows, size[1], y, width);
+            let [x, y] = self.velocity.map(|u| u * source.time);
+            let along = Covered::new(over_row, size[0], x, self.stretch.sqrt() * source.width);
+            let across = Covered::new(over_rows, size[1], y, source.width);
             let rows = response.chunks_exact_mut(counts[0]).skip(across.first);
             for (row, share) in rows.zip(across.shares) {
-                let factor = weight * share;
+                let factor = source.weight * share;
                 for (sum, share) in row[along.first..].iter_mut().zip(along.shares) {
                     *sum += factor * share;
                 }
@@ -152,20 +186,22 @@ impl MovingBody {
     /// body moves along the rows alone.
     pub fn response_to_shapes(&self, size: f64, n: usize, squares: &[f64]) -> Vec<f64> {
         let count = 2 * n + 1;
-        let chi = self.diffusivity();
         let mut response = vec![0.0; count * squares.len()];
         let mut over_row = vec![0.0; count];
         let farthest = [n as f64 * size, f64::INFINITY];
-        for [root, weight] in self.times([size, f64::INFINITY], farthest) {
-            let time = root * root;
-            let width = (4.0 * chi).sqrt() * root;
-            let along = Covered::new(&mut over_row, size, self.velocity[0] * time, width);
+        for source in self.sources([size, f64::INFINITY], farthest) {
+            let along = Covered::new(
+                &mut over_row,
+                size,
+                self.velocity[0] * source.time,
+                source.width,
+            );
             for (row, square) in response.chunks_exact_mut(count).zip(squares) {
-                let spread = chi * square * time;
+                let spread = 0.25 * source.width * source.width * square;
                 if spread > FORGOTTEN {
                     continue;
                 }
-                let factor = weight * (-spread).exp();
+                let factor = source.weight * (-spread).exp();
                 for (sum, share) in row[along.first..].iter_mut().zip(along.shares) {
                     *sum += factor * share;
                 }
@@ -173,6 +209,16 @@ impl MovingBody {
         }
         response
     }
+}
+
+/// An instantaneous source of 1 J/m² in a cell, some time later.
+struct Source {
+    /// s.
+    time: f64,
+    /// √(4χt), m.
+    width: f64,
+    /// Rise times the duration that the source represents, K·m²/W.
+    weight: f64,
 }
 
 /// Shares of the heat of a cell that has moved and spread, at the middles of the cells around that it reaches.
@@ -222,9 +268,11 @@ impl Covered<'_> {
 mod tests {
     use super::*;
     use approx::assert_relative_eq;
+    use realfft::num_complex::Complex64;
 
     fn steel(velocity: [f64; 2], depth: f64) -> MovingBody {
         MovingBody {
+            layers: Vec::new(),
             conductivity: 46.0,
             capacity: 7850.0 * 470.0,
             velocity,
@@ -333,6 +381,61 @@ mod tests {
                 let line = body.response([h, f64::INFINITY], [n, 0]);
                 assert_relative_eq!(shape[i], line[i], max_relative = 1e-12);
             }
+        }
+    }
+
+    /// Waves of heat, level in the cells of a line, on bodies with layers against their response in closed form.
+    #[test]
+    fn waves_over_layers() {
+        let (h, wavelength) = (5e-6, 40_usize);
+        let turn = 2.0 * PI / wavelength as f64;
+        let layer = |thickness, conductivity, capacity| HeatLayer {
+            thickness,
+            material: ThermalMaterial {
+                conductivity,
+                capacity,
+            },
+        };
+        for (layers, speed, most) in [
+            (vec![layer(3e-6, 1.0, 2e6)], 2.0, 2e-5),
+            (vec![layer(3e-6, 1.0, 2e6)], 0.0, 2e-5),
+            (vec![layer(3e-5, 1.0, 2e6)], 12.0, 2e-5),
+            (
+                vec![layer(1e-6, 200.0, 3e6), layer(4e-6, 1.0, 2e6)],
+                1.0,
+                5e-4,
+            ),
+            (vec![layer(3e-5, 0.25, 2e6)], 0.05, 2e-3),
+            // Here the second moments of the spread do not suffice.
+            (vec![layer(2e-5, 0.25, 2e6)], 0.0, 4e-2),
+        ] {
+            let body = MovingBody {
+                layers,
+                ..steel([speed, 0.0], 3e-4)
+            };
+            let far = 60 * wavelength;
+            let response = body.response([h, f64::INFINITY], [far, 0]);
+            let phase = |i: usize| Complex64::cis(-turn * (i as f64 - far as f64));
+            // Fades out: a sum that ends with a jump errs by half of its last wave.
+            let fading = |i: usize| {
+                let share = (i as f64 / far as f64 - 1.0).abs();
+                (0.5 * PI * (2.0 * share - 1.0).max(0.0)).cos().powi(2)
+            };
+            let sum: Complex64 = (response.iter().enumerate())
+                .map(|(i, r)| fading(i) * r * phase(i))
+                .sum();
+            // Level cells are a sum of waves, whose lengths differ by a turn per cell.
+            let heated = body.heated().unwrap();
+            let exact: Complex64 = (-2000..=2000)
+                .map(|alias| {
+                    let turn = turn + 2.0 * PI * f64::from(alias);
+                    let wave = turn / h;
+                    let s = Complex64::new(0.0, wave * speed);
+                    (0.5 * turn).sin() / (0.5 * turn) * heated.impedance((wave * wave).into(), s)
+                })
+                .sum();
+            let error = (sum - exact).norm() / exact.norm();
+            assert!(error < most, "{speed} {:?}: {error}", body.layers);
         }
     }
 

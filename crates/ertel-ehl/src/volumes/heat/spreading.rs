@@ -71,6 +71,7 @@ mod tests {
         for half in [false, true] {
             let grid = Grid::covering([[-1.0, 0.75], [-1.0, 1.0]], [0.25; 2], half, &zone);
             let body = MovingBody {
+                layers: Vec::new(),
                 conductivity: 1.1,
                 capacity: 2.2e6,
                 velocity: [0.7, if half { 0.0 } else { 0.3 }],

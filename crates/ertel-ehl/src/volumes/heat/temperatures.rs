@@ -62,6 +62,7 @@ pub fn moving_body(heat: &Heat, b: usize, grid: &Grid, depth: f64) -> MovingBody
     let body = &heat.bodies[b];
     let t = body.bulk_temperature;
     MovingBody {
+        layers: body.layers.clone(),
         conductivity: body.conductivity.conductivity(0.0, t),
         capacity: body.density * body.heat_capacity.heat_capacity(0.0, t),
         velocity: grid.turn.to_axes(body.velocity.centre),

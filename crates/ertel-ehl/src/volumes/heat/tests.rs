@@ -63,6 +63,7 @@ impl Channel {
             .with_shear(None, &motion.sliding(scales.length), scales)
             .with_nodes(FilmNodes::new(order));
         let body = |velocity| BodyHeat {
+            layers: Vec::new(),
             density: 7850.0,
             conductivity: ConductivityLaw::constant(1e9).unwrap(),
             heat_capacity: HeatCapacityLaw::constant(470.0).unwrap(),

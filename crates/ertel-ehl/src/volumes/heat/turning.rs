@@ -47,7 +47,7 @@ impl Turning {
             let own = MovingBody {
                 velocity: [u.hypot(v), drift],
                 stretch: (1.0 - n).powi(-2),
-                ..*body
+                ..body.clone()
             };
             transforms.of_response(&own.response(size, reach))
         };
@@ -313,6 +313,7 @@ mod tests {
         let grid = Grid::covering([[-3.0, 3.0], [-3.0, 3.0]], [0.0625; 2], false, &zone);
         for (peclet, most) in [(10.0, 0.013), (40.0, 0.006)] {
             let mut body = MovingBody {
+                layers: Vec::new(),
                 conductivity: 46.0,
                 capacity: 7850.0 * 470.0,
                 velocity: [0.0; 2],
