@@ -138,17 +138,16 @@ impl MovingBody {
         let Some(body) = self.heated() else {
             let width = (4.0 * self.diffusivity()).sqrt();
             let source = |[root, weight]: [f64; 2]| Source {
-                time: root * root,
+                root,
                 width: width * root,
                 weight: weight * self.memory(root * root) / unit,
             };
             return points.map(source).collect();
         };
         let pulses = points.flat_map(|[root, weight]| {
-            let time = root * root;
-            let pulse = body.pulse(time);
+            let pulse = body.pulse(root * root);
             pulse.spread.map(|[share, variance]| Source {
-                time,
+                root,
                 width: (4.0 * variance).sqrt(),
                 weight: weight * root * pulse.rise * share,
             })
@@ -168,7 +167,7 @@ impl MovingBody {
         let mut shares = counts.map(|n| vec![0.0; n]);
         for source in self.sources(size, farthest) {
             let [over_row, over_rows] = &mut shares;
-            let [x, y] = self.velocity.map(|u| u * source.time);
+            let [x, y] = self.velocity.map(|u| u * source.root * source.root);
             let along = Covered::new(over_row, size[0], x, self.stretch.sqrt() * source.width);
             let across = Covered::new(over_rows, size[1], y, source.width);
             let rows = response.chunks_exact_mut(counts[0]).skip(across.first);
@@ -193,7 +192,7 @@ impl MovingBody {
             let along = Covered::new(
                 &mut over_row,
                 size,
-                self.velocity[0] * source.time,
+                self.velocity[0] * source.root * source.root,
                 source.width,
             );
             for (row, square) in response.chunks_exact_mut(count).zip(squares) {
@@ -213,8 +212,8 @@ impl MovingBody {
 
 /// An instantaneous source of 1 J/m² in a cell, some time later.
 struct Source {
-    /// s.
-    time: f64,
+    /// √t, √s.
+    root: f64,
     /// √(4χt), m.
     width: f64,
     /// Rise times the duration that the source represents, K·m²/W.
