@@ -126,3 +126,102 @@ fn line_in_time() {
     let of_instants = of(Figure::VonMisesBody2).into_iter().flatten();
     assert_eq!(highest.estimate.value, of_instants.fold(0.0, f64::max));
 }
+
+const COATED: &str = include_str!("../../../cases/coated-ball-stresses.toml");
+
+fn coated(layers: &str) -> (Case, Solution) {
+    let hard = "[{ name = \"dlc\", thickness = \"2 um\" }]";
+    let text = COATED.replace(hard, layers) + "\n[mesh]\ntarget_error = \"2 %\"\n";
+    let case = Case::from_text("case.toml", &text, Path::new("")).unwrap();
+    let solution = run::solve(&case, &mut NoObserver).unwrap();
+    (case, solution)
+}
+
+/// A coat of 2 µm: both sides of its interface have the tractions and the strains along it in common, and the steel below hardly knows of it.
+#[test]
+fn coated_ball() {
+    let (case, solution) = coated("[{ name = \"dlc\", thickness = \"2 um\" }]");
+    let stresses = solution.stresses.as_ref().unwrap();
+    let [ball, disc] = &stresses.bodies;
+    assert!(disc.parts.is_empty() && disc.interfaces.is_empty());
+    let [coat, steel] = &ball.parts[..] else {
+        panic!("{:?}", ball.parts);
+    };
+    let materials = [case.body_1.layers[0].elasticity, case.body_1.elasticity];
+    let lower = (ball.layers.iter())
+        .position(|layer| layer.site.unwrap().layer.is_none())
+        .unwrap();
+    let sides = [lower - 1, lower];
+    let [above, below] = sides.map(|i| ball.below_largest.stress[i].0);
+    let p = solution.hertz.pressure;
+    for i in [2, 4, 5] {
+        assert!((above[i] - below[i]).abs() < 1e-6 * p);
+    }
+    let strain = |stress: [f64; 6], side: usize| {
+        let of = materials[side];
+        (stress[0] - of.poissons_ratio * (stress[1] + stress[2])) / of.youngs_modulus
+    };
+    let [one, two] = [strain(above, 0), strain(below, 1)];
+    assert!((one - two).abs() < 1e-6 * two.abs(), "{one} {two}");
+    assert!(sides.iter().all(|i| {
+        let depth = ball.axis.depth[*i];
+        (depth - 2e-6).abs() < 1e-15 && ball.layers[*i].site.unwrap().interface == Some(1)
+    }));
+    let shear = ball.interfaces[0].shear.value;
+    assert!(shear >= above[4].hypot(above[5]) && (shear / p - 0.05).abs() < 0.05);
+    // The largest values of the body are those of its parts.
+    let largest = coat.tension.value.max(steel.tension.value);
+    assert!((ball.tension.value - largest).abs() < 1e-12 * largest);
+    assert_eq!(
+        solution.figure(Figure::TensionBody1).unwrap().value,
+        largest
+    );
+    assert!(coat.utilisation.is_some() && steel.utilisation.is_some());
+    let (_, bare) = coated("[]");
+    let other = &bare.stresses.as_ref().unwrap().bodies[0];
+    let ratio = steel.von_mises.value / other.von_mises.value;
+    assert!((ratio - 1.0).abs() < 0.01, "{ratio}");
+    let lives = |body: &ertel::stress::BodyStresses| body.lives[0].integral[1].unwrap().value;
+    assert!((lives(ball) / lives(other) - 1.0).abs() < 0.1);
+    let files = output::files(&case.echo(), &solution, &OutputParams::default()).unwrap();
+    let text = |name: &str| {
+        let file = files.iter().find(|file| file.name == name).unwrap();
+        String::from_utf8(file.bytes.clone()).unwrap()
+    };
+    let table = text("stress.csv");
+    let of_coat = table.lines().filter(|line| line.ends_with(",1")).count();
+    assert_eq!(of_coat, 2 * lower);
+    let json: serde_json::Value = serde_json::from_str(&text("result.json")).unwrap();
+    assert_eq!(
+        json["stress"]["bodies"][0]["parts"][0]["von_mises"]["site"]["layer"],
+        1
+    );
+    let report = text("report.txt");
+    for words in [
+        "interface 1: largest shear",
+        "layer 1: tension",
+        "in the substrate",
+    ] {
+        assert!(report.contains(words), "{words}");
+    }
+}
+
+/// A layer of the material of its body leaves the stresses as they are, but for the places of the planes.
+#[test]
+fn layer_of_the_same_material() {
+    let largest = |layers: &str| {
+        let (_, solution) = coated(layers);
+        let body = &solution.stresses.as_ref().unwrap().bodies[0];
+        let lives = body.lives[1].integral[2].unwrap().value;
+        [
+            body.von_mises.value,
+            body.orthogonal_half_range.value,
+            body.dang_van.value,
+            lives,
+        ]
+    };
+    let [bare, layered] = ["[]", "[{ name = \"steel\", thickness = \"9 um\" }]"].map(largest);
+    for (one, other) in bare.into_iter().zip(layered) {
+        assert!((one / other - 1.0).abs() < 1e-3, "{one} {other}");
+    }
+}

@@ -6,7 +6,7 @@
 //! The waves of a layer of the thickness h come back as e^(−2kh) and its products with powers of k and of itself, so that depths from h on suffice, a geometric
 //! series; the weights are by least squares over all waves. The longest wave is met exactly: far away the substrate decides.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
 use super::Coated;
 
@@ -69,25 +69,14 @@ fn images(body: &Coated) -> Vec<Image> {
     let uppermost = body.layers[0].thickness;
     let thickness: f64 = body.layers.iter().map(|layer| layer.thickness).sum();
     let depths = geometric([SHALLOWEST * uppermost, DEEPEST * thickness], DEPTHS);
-    let mut waves = vec![0.0];
-    waves.extend(geometric(
-        [LONGEST / thickness, SHORTEST / uppermost],
-        WAVES,
-    ));
+    let waves = geometric([LONGEST / thickness, SHORTEST / uppermost], WAVES);
     let short = body.of_short_waves();
-    let weight = |i: usize| if i == 0 { OF_LONGEST } else { 1.0 };
-    let wanted = DVector::from_fn(waves.len(), |i, _| {
-        weight(i) * (body.normal(waves[i]) / short - 1.0)
-    });
-    let matrix = DMatrix::from_fn(waves.len(), DEPTHS, |i, m| {
-        weight(i) * (-waves[i] * depths[m]).exp()
-    });
-    let svd = matrix.svd(true, true);
-    let least = SMALLEST * svd.singular_values.max();
-    let weights = svd
-        .solve(&wanted, least)
-        .expect("both factors were computed");
-    (depths.into_iter().zip(weights.iter()))
+    let fit = Fit::new(depths, waves);
+    let wanted: Vec<f64> = (fit.waves.iter())
+        .map(|k| body.normal(*k) / short - 1.0)
+        .collect();
+    let weights = fit.weights(&wanted);
+    (fit.depths.into_iter().zip(weights.iter()))
         .map(|(depth, weight)| Image {
             depth,
             compliance: short * weight,
@@ -95,8 +84,45 @@ fn images(body: &Coated) -> Vec<Image> {
         .collect()
 }
 
+/// Sums of images that meet functions of the wave number by least squares.
+pub struct Fit {
+    /// Depths of the images.
+    pub depths: Vec<f64>,
+    /// Wave numbers; zero, which has more weight, is the first.
+    pub waves: Vec<f64>,
+    factors: SVD<f64, Dyn, Dyn>,
+}
+
+impl Fit {
+    /// Of images at these depths, over waves of these numbers and the longest one.
+    pub fn new(depths: Vec<f64>, mut waves: Vec<f64>) -> Fit {
+        waves.insert(0, 0.0);
+        let matrix = DMatrix::from_fn(waves.len(), depths.len(), |i, m| {
+            weight(i) * (-waves[i] * depths[m]).exp()
+        });
+        Fit {
+            depths,
+            waves,
+            factors: matrix.svd(true, true),
+        }
+    }
+
+    /// The images of a function with these values at the waves.
+    pub fn weights(&self, values: &[f64]) -> DVector<f64> {
+        let wanted = DVector::from_fn(values.len(), |i, _| weight(i) * values[i]);
+        let least = SMALLEST * self.factors.singular_values.max();
+        let found = self.factors.solve(&wanted, least);
+        found.expect("both factors were computed")
+    }
+}
+
+/// Weight of a wave.
+fn weight(i: usize) -> f64 {
+    if i == 0 { OF_LONGEST } else { 1.0 }
+}
+
 /// A geometric series between two numbers.
-fn geometric([from, to]: [f64; 2], n: usize) -> Vec<f64> {
+pub fn geometric([from, to]: [f64; 2], n: usize) -> Vec<f64> {
     let factor = (to / from).powf(1.0 / (n - 1) as f64);
     (0..n).map(|i| from * factor.powi(i as i32)).collect()
 }

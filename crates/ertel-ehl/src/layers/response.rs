@@ -32,13 +32,13 @@ pub struct Coated {
 }
 
 /// Displacements and loads at a plane, of waves that fall off downwards and upwards.
-struct Waves {
-    down: [Matrix2<f64>; 2],
-    up: [Matrix2<f64>; 2],
+pub(super) struct Waves {
+    pub(super) down: [Matrix2<f64>; 2],
+    pub(super) up: [Matrix2<f64>; 2],
 }
 
 impl Waves {
-    fn of(material: Material) -> Waves {
+    pub(super) fn of(material: Material) -> Waves {
         let nu = material.poissons_ratio;
         let twice_shear = material.youngs_modulus / (1.0 + nu);
         let slow = 2.0 * (1.0 - nu);
@@ -67,8 +67,14 @@ impl Waves {
     }
 }
 
+/// The reflection at a plane, as seen from a plane above it; `depth`: between them, in 1/k.
+pub(super) fn from_above(reflection: Matrix2<f64>, depth: f64) -> Matrix2<f64> {
+    let [down, up] = [depth, -depth].map(|d| Matrix2::new(1.0, d, 0.0, 1.0));
+    up * reflection * down * (-2.0 * depth).exp()
+}
+
 /// Of a matrix that is regular: loads determine the waves of elastic bodies.
-fn inverse(matrix: Matrix2<f64>) -> Matrix2<f64> {
+pub(super) fn inverse(matrix: Matrix2<f64>) -> Matrix2<f64> {
     matrix
         .try_inverse()
         .unwrap_or_else(|| Matrix2::from_element(f64::NAN))
@@ -82,15 +88,37 @@ fn plane_compliance(material: Material) -> f64 {
 impl Coated {
     /// Displacements (u sin kx, w cos kx), times k, by loads (f, f') of the wave number k at the surface: pressure f, shear f'.
     pub fn compliance(&self, k: f64) -> Matrix2<f64> {
+        self.reflections(k).1
+    }
+
+    /// The reflections at the lower sides of the layers, from the surface down, and the compliance of the surface.
+    pub(super) fn reflections(&self, k: f64) -> (Vec<Matrix2<f64>>, Matrix2<f64>) {
         let mut compliance = Waves::of(self.substrate).compliance(Matrix2::zeros());
+        let mut all = Vec::new();
         for layer in self.layers.iter().rev() {
             let waves = Waves::of(layer.material);
-            let depth = k * layer.thickness;
-            let [down, up] = [depth, -depth].map(|d| Matrix2::new(1.0, d, 0.0, 1.0));
-            let reflection = up * waves.reflection(compliance) * down * (-2.0 * depth).exp();
-            compliance = waves.compliance(reflection);
+            let own = waves.reflection(compliance);
+            compliance = waves.compliance(from_above(own, k * layer.thickness));
+            all.push(own);
         }
-        compliance
+        all.reverse();
+        (all, compliance)
+    }
+
+    /// The material of a part: a layer, counted from zero at the surface, or the substrate after them.
+    pub fn material(&self, part: usize) -> Material {
+        let layer = self.layers.get(part).map(|layer| layer.material);
+        layer.unwrap_or(self.substrate)
+    }
+
+    /// Depths of the interfaces.
+    pub fn interfaces(&self) -> Vec<f64> {
+        let mut depth = 0.0;
+        let below = |layer: &Layer| {
+            depth += layer.thickness;
+            depth
+        };
+        self.layers.iter().map(below).collect()
     }
 
     /// C(k) of waves of the pressure: w = 2C p/k.

@@ -2,7 +2,7 @@
 
 use approx::assert_relative_eq;
 
-use super::{Coated, Images, Layer};
+use super::{Coated, Images, Layer, Plane};
 use crate::contact::Material;
 
 fn material(youngs_modulus: f64, poissons_ratio: f64) -> Material {
@@ -159,5 +159,36 @@ fn images_deflect_like_layers() {
         }
         let far = images.normal(0.0) - other;
         assert_relative_eq!(far, body.of_long_waves(), max_relative = 1e-9);
+    }
+}
+
+/// f' and f'' are the derivatives of f by the depth, in all layers, and t' that of t; the surface carries the loads.
+#[test]
+fn stresses_under_waves() {
+    let (step, k) = (1e-5, 1.3);
+    for (layers, poisson, _) in STACKS {
+        let body = coated(layers, *poisson);
+        let ends: Vec<f64> = std::iter::once(0.0).chain(body.interfaces()).collect();
+        for (part, top) in ends.iter().enumerate() {
+            let planes = [-1.0, 0.0, 1.0].map(|i| Plane {
+                depth: top + 0.1 + i * step,
+                part,
+            });
+            let found = body.harmonic(k, &planes);
+            for (function, derivative) in [(0, 1), (1, 2), (3, 4), (4, 5), (6, 7)] {
+                let slope = (found[2][function] - found[0][function]) / (2.0 * k * step);
+                assert_relative_eq!(slope, found[1][derivative], epsilon = 1e-8);
+            }
+        }
+        let surface = body.harmonic(
+            k,
+            &[Plane {
+                depth: 0.0,
+                part: 0,
+            }],
+        )[0];
+        for (i, known) in [(0, 1.0), (1, 0.0), (3, 0.0), (4, 1.0), (7, -1.0)] {
+            assert_relative_eq!(surface[i], known, epsilon = 1e-12);
+        }
     }
 }

@@ -1,9 +1,10 @@
 //! Stresses in the bodies of a solved contact, from its pressure and wall shear.
 
 use crate::contact::{Hertz, Shape};
+use crate::layers::Coated;
 use crate::solution::{Bar, ContactFields, Field, Figure, Measured, Reading, SurfaceField};
 use crate::stress::{
-    Body, BodyStresses, Contact, Depths, Extreme, GridLoad, HertzLoad, LineLoad, Load, OverDepth,
+    Body, BodyStresses, Contact, Depths, Extreme, GridLoad, HertzLoad, Interface, LineLoad, Load,
     StressParams, Stresses, analyse, dry_contact,
 };
 
@@ -34,13 +35,13 @@ struct Loads {
     sums: [f64; 3],
 }
 
-/// Stresses in both bodies under the fields on the contact area; `load`: N, N/m of lines, `poisson`: of both bodies, `relative_error`: of the
-/// pressure.
+/// Stresses in both bodies under the fields on the contact area; `load`: N, N/m of lines, `relative_error`: of the pressure, `coated`: both
+/// bodies.
 pub fn stresses(
     params: &StressParams,
     (shape, hertz, load): (&Shape, &Hertz, f64),
     (surface, relative_error): (&SurfaceField, f64),
-    poisson: [f64; 2],
+    coated: &[Coated; 2],
 ) -> Stresses {
     let fields = ContactFields::new(shape, surface, None);
     let is_line = shape.is_line();
@@ -52,34 +53,41 @@ pub fn stresses(
         relative_error,
         ..passing(params, shape, hertz, &fine.bodies[0])
     };
-    let reference = |nu: f64| contact.reference([&fine.dry, &coarse.dry], nu);
-    let mut dry = reference(poisson[0]);
+    let reference = |body: &Coated| contact.reference([&fine.dry, &coarse.dry], body);
+    let mut dry = reference(&coated[0]);
     let bodies = [0, 1].map(|body: usize| {
-        if body == 1 && poisson[1] != poisson[0] {
-            dry = reference(poisson[1]);
+        // It depends on Poisson's ratio of the substrate and on the depths.
+        let [one, two] = coated
+            .each_ref()
+            .map(|body| (body.substrate.poissons_ratio, contact.depths(body)));
+        if body == 1 && one != two {
+            dry = reference(&coated[1]);
         }
         let own = Body {
             load: &fine.bodies[body],
             coarse: &coarse.bodies[body],
-            poisson: poisson[body],
+            coated: &coated[body],
             traction: fine.sums[1 + body] / fine.sums[0],
             hardness: params.hardness[body].as_ref(),
         };
         analyse(&contact, &own, &dry)
     });
     let rows = fine.bodies[0].rows().len();
+    let planes = bodies.iter().map(|body| body.layers.len()).max();
+    let poisson = coated[0].substrate.poissons_ratio;
+    let bare = Depths::new(contact.depth, params.planes);
     Stresses {
         bodies,
         dry: dry_contact(
-            &dry_load(shape, hertz, poisson[0]),
-            &contact.depths,
+            &dry_load(shape, hertz, poisson),
+            &bare,
             shape.zone.turn.is_none(),
         ),
-        depth: contact.depths.largest,
+        depth: contact.depth,
         fatigue_limit: params.fatigue_limit,
         dang_van_weight: params.dang_van,
         load_share: fine.sums[0] / load,
-        points: rows * contact.x.len() * (params.planes + 1),
+        points: rows * contact.x.len() * planes.unwrap_or(0),
     }
 }
 
@@ -89,23 +97,31 @@ pub fn note(measured: &mut Measured, stresses: &Stresses) {
     let figures = [
         Figure::VonMisesBody1,
         Figure::LargestShearBody1,
+        Figure::TensionBody1,
         Figure::OrthogonalShearBody1,
-        Figure::DangVanBody1,
-        Figure::UtilisationBody1,
+        Figure::InterfaceShearBody1,
+        Figure::InterfacePullBody1,
     ];
-    note_body(measured, one, figures);
+    let over_depth = [Figure::DangVanBody1, Figure::UtilisationBody1];
+    note_body(measured, one, figures, over_depth);
     let figures = [
         Figure::VonMisesBody2,
         Figure::LargestShearBody2,
+        Figure::TensionBody2,
         Figure::OrthogonalShearBody2,
-        Figure::DangVanBody2,
-        Figure::UtilisationBody2,
+        Figure::InterfaceShearBody2,
+        Figure::InterfacePullBody2,
     ];
-    note_body(measured, two, figures);
+    let over_depth = [Figure::DangVanBody2, Figure::UtilisationBody2];
+    note_body(measured, two, figures, over_depth);
 }
 
-fn note_body(measured: &mut Measured, body: &BodyStresses, figures: [Figure; 5]) {
-    let [von_mises, shear, orthogonal, dang_van, utilisation] = figures;
+fn note_body(
+    measured: &mut Measured,
+    body: &BodyStresses,
+    figures: [Figure; 6],
+    over_depth: [Figure; 2],
+) {
     let mut note = |figure, reading, error| {
         measured.figures.note(figure, reading);
         measured.bars.set(
@@ -116,20 +132,26 @@ fn note_body(measured: &mut Measured, body: &BodyStresses, figures: [Figure; 5])
             },
         );
     };
-    let extremes: [(Figure, &Extreme); 3] = [
-        (von_mises, &body.von_mises),
-        (shear, &body.largest_shear),
-        (orthogonal, &body.orthogonal_half_range),
+    let worst = |pick: fn(&Interface) -> &Extreme| {
+        let all = body.interfaces.iter().map(pick);
+        all.max_by(|a, b| a.value.total_cmp(&b.value))
+    };
+    let extremes = [
+        Some(&body.von_mises),
+        Some(&body.largest_shear),
+        Some(&body.tension),
+        Some(&body.orthogonal_half_range),
+        worst(|interface| &interface.shear),
+        worst(|interface| &interface.pull),
     ];
-    for (figure, extreme) in extremes {
-        let reading = Reading::new(extreme.value).at([extreme.x, extreme.y]);
-        note(figure, reading, extreme.error);
+    for (figure, extreme) in figures.into_iter().zip(extremes) {
+        if let Some(extreme) = extreme {
+            let reading = Reading::new(extreme.value).at([extreme.x, extreme.y]);
+            note(figure, reading, extreme.error);
+        }
     }
-    let over_depth: [(Figure, Option<&OverDepth>); 2] = [
-        (dang_van, Some(&body.dang_van)),
-        (utilisation, body.utilisation.as_ref()),
-    ];
-    for (figure, found) in over_depth {
+    let found = [Some(&body.dang_van), body.utilisation.as_ref()];
+    for (figure, found) in over_depth.into_iter().zip(found) {
         if let Some(found) = found {
             note(figure, Reading::new(found.value), found.error);
         }
@@ -154,10 +176,7 @@ fn passing<'a>(params: &'a StressParams, shape: &Shape, hertz: &Hertz, load: &Lo
     };
     Contact {
         params,
-        depths: Depths {
-            largest: depth,
-            planes: params.planes,
-        },
+        depth,
         cut,
         x: match load {
             Load::Grid(load) => load.centres[0].clone(),

@@ -171,22 +171,34 @@ figures! {
     VonMisesBody1, "von_mises_body_1", "", "largest von Mises stress, body 1", Stress, Stress, OfBodies, Place;
     /// Largest shear stress in body 1.
     LargestShearBody1, "largest_shear_body_1", "", "largest shear stress, body 1", Stress, Stress, OfBodies, Place;
+    /// Largest principal stress in body 1.
+    TensionBody1, "tension_body_1", "", "largest tension, body 1", Stress, Stress, OfBodies, Place;
     /// Largest half range of the orthogonal shear in body 1.
     OrthogonalShearBody1, "orthogonal_shear_body_1", "", "half range of orthogonal shear, body 1", Stress, Stress, OfBodies, Place;
     /// Largest index of Dang Van in body 1.
     DangVanBody1, "dang_van_body_1", "", "Dang Van's index, body 1", Stress, Stress, OfBodies, Whole;
     /// Largest stress after von Mises over the yield strength in body 1.
     UtilisationBody1, "utilisation_body_1", "", "von Mises over yield strength, body 1", Share, Stress, OfBodies, Whole;
+    /// Largest shear on the interfaces of the layers of body 1.
+    InterfaceShearBody1, "interface_shear_body_1", "", "largest shear on interfaces, body 1", Stress, Stress, OfBodies, Place;
+    /// Largest σ_zz on the interfaces of the layers of body 1.
+    InterfacePullBody1, "interface_pull_body_1", "", "largest normal stress on interfaces, body 1", Stress, Stress, OfBodies, Place;
     /// Largest stress after von Mises in body 2.
     VonMisesBody2, "von_mises_body_2", "", "largest von Mises stress, body 2", Stress, Stress, OfBodies, Place;
     /// Largest shear stress in body 2.
     LargestShearBody2, "largest_shear_body_2", "", "largest shear stress, body 2", Stress, Stress, OfBodies, Place;
+    /// Largest principal stress in body 2.
+    TensionBody2, "tension_body_2", "", "largest tension, body 2", Stress, Stress, OfBodies, Place;
     /// Largest half range of the orthogonal shear in body 2.
     OrthogonalShearBody2, "orthogonal_shear_body_2", "", "half range of orthogonal shear, body 2", Stress, Stress, OfBodies, Place;
     /// Largest index of Dang Van in body 2.
     DangVanBody2, "dang_van_body_2", "", "Dang Van's index, body 2", Stress, Stress, OfBodies, Whole;
     /// Largest stress after von Mises over the yield strength in body 2.
     UtilisationBody2, "utilisation_body_2", "", "von Mises over yield strength, body 2", Share, Stress, OfBodies, Whole;
+    /// Largest shear on the interfaces of the layers of body 2.
+    InterfaceShearBody2, "interface_shear_body_2", "", "largest shear on interfaces, body 2", Stress, Stress, OfBodies, Place;
+    /// Largest σ_zz on the interfaces of the layers of body 2.
+    InterfacePullBody2, "interface_pull_body_2", "", "largest normal stress on interfaces, body 2", Stress, Stress, OfBodies, Place;
 }
 
 impl Figure {

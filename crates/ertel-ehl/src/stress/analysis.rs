@@ -2,30 +2,27 @@
 
 use super::body::{Body, Both, Contact, Reference, Sampled};
 use super::measures::{layers, lives, shakedown};
-use super::results::BodyStresses;
+use super::results::{BodyStresses, Interface, PartStresses};
 use super::sections::{profile, section};
-use super::{Depths, Load};
+use super::{Depths, Load, Response};
 
 /// The stresses of a body.
 pub fn analyse(contact: &Contact<'_>, body: &Body<'_>, reference: &Reference) -> BodyStresses {
     let cut = contact.cut;
-    let fine = sampled(contact, body, body.load, &contact.x, contact.depths);
+    let depths = contact.depths(body.coated);
+    let coarser = depths.coarser();
+    let fine = sampled(contact, body, body.load, &contact.x, depths);
     let thinned = contact.thinned(body.coarse);
-    let coarse = sampled(
-        contact,
-        body,
-        body.coarse,
-        &thinned,
-        contact.depths.coarser(),
-    );
+    let coarse = sampled(contact, body, body.coarse, &thinned, coarser);
     let both = Both {
         fine: &fine,
         coarse: &coarse,
+        body,
         relative: contact.relative_error,
     };
     let von_mises = both.extreme(&|level| level.von_mises, 0.0);
     BodyStresses {
-        poissons_ratio: body.poisson,
+        poissons_ratio: body.coated.substrate.poissons_ratio,
         traction: body.traction,
         von_mises,
         largest_shear: both.extreme(&|level| level.largest_shear, 0.0),
@@ -36,9 +33,11 @@ pub fn analyse(contact: &Contact<'_>, body: &Body<'_>, reference: &Reference) ->
         utilisation: (body.hardness)
             .map(|_| both.largest(&|layer| layer.utilisation.unwrap_or(0.0), 0.0)),
         lives: lives(contact, &both, reference),
-        axis: profile(contact, body, &fine.levels, [0.0, 0.0]),
-        below_largest: profile(contact, body, &fine.levels, [von_mises.x, von_mises.y]),
-        section: section(contact, &fine.levels),
+        parts: parts(&both),
+        interfaces: interfaces(&both),
+        axis: profile(contact, body, &fine, [0.0, 0.0]),
+        below_largest: profile(contact, body, &fine, [von_mises.x, von_mises.y]),
+        section: section(contact, &fine),
         layers: fine.layers,
     }
 }
@@ -50,10 +49,41 @@ fn sampled(
     x: &[f64],
     depths: Depths,
 ) -> Sampled {
-    let levels = load.levels(x, &depths, body.poisson);
+    let response = Response::new(body.coated, &depths);
+    let levels = load.levels(x, &response);
     Sampled {
         layers: layers(contact, body, &depths, &levels),
         depths,
+        response,
         levels,
     }
+}
+
+/// The largest stresses in each layer and in the substrate of a body with layers.
+fn parts(both: &Both<'_>) -> Vec<PartStresses> {
+    let layers = both.body.coated.layers.len();
+    let of = |part: usize| PartStresses {
+        layer: (part < layers).then_some(part + 1),
+        von_mises: both.extreme_in(&|level| level.von_mises, part),
+        largest_shear: both.extreme_in(&|level| level.largest_shear, part),
+        tension: both.extreme_in(&|level| level.tension, part),
+        utilisation: (both.body.hardness)
+            .map(|_| both.largest_in(&|layer| layer.utilisation.unwrap_or(0.0), part)),
+    };
+    match layers {
+        0 => Vec::new(),
+        _ => (0..both.fine.depths.n_parts()).map(of).collect(),
+    }
+}
+
+/// The largest tractions on each interface.
+fn interfaces(both: &Both<'_>) -> Vec<Interface> {
+    let below = both.fine.depths.n_parts() - 1;
+    (0..below)
+        .map(|part| Interface {
+            interface: part + 1,
+            shear: both.extreme_at(&|level| level.shear, part),
+            pull: both.extreme_at(&|level| level.pull, part),
+        })
+        .collect()
 }

@@ -1,15 +1,15 @@
 //! A body under its load: settings, planes, and the largest values of two samplings.
 
-use super::depths::crest;
-use super::results::{Extreme, Layer, OverDepth, StressParams};
-use super::{Depths, Hardness, Level, Load, Peak};
+use super::results::{Extreme, Layer, OverDepth, Site, StressParams};
+use super::{Depths, Hardness, Level, Load, Peak, Response};
+use crate::layers::Coated;
 
 /// Settings and geometry that both bodies share.
 pub struct Contact<'a> {
     /// Settings.
     pub params: &'a StressParams,
-    /// Depths of the planes.
-    pub depths: Depths,
+    /// Largest depth, m.
+    pub depth: f64,
     /// Depth from which lives are computed.
     pub cut: f64,
     /// Points of a passage, of a grid its own.
@@ -40,8 +40,8 @@ pub struct Body<'a> {
     pub load: &'a Load,
     /// The same half as dense.
     pub coarse: &'a Load,
-    /// Poisson's ratio.
-    pub poisson: f64,
+    /// Its materials.
+    pub coated: &'a Coated,
     /// Traction along x over the load.
     pub traction: f64,
     /// Hardness over depth.
@@ -51,8 +51,26 @@ pub struct Body<'a> {
 /// The planes of a load and what they mean.
 pub(super) struct Sampled {
     pub(super) depths: Depths,
+    pub(super) response: Response,
     pub(super) levels: Vec<Level>,
     pub(super) layers: Vec<Layer>,
+}
+
+impl Body<'_> {
+    /// Layer or substrate of an index of planes, and the interface that it lies at; `None` without layers.
+    pub(super) fn site(&self, depths: &Depths, index: f64) -> Option<Site> {
+        let n = self.coated.layers.len();
+        (n > 0).then(|| {
+            let (part, end) = depths.part(index);
+            Site {
+                layer: (part < n).then_some(part + 1),
+                interface: end.and_then(|below| match below {
+                    true => (part < n).then_some(part + 1),
+                    false => (part > 0).then_some(part),
+                }),
+            }
+        })
+    }
 }
 
 /// The planes of the frictionless dry contact, and those of half as dense a load.
@@ -72,11 +90,18 @@ impl Contact<'_> {
         }
     }
 
-    /// The planes of the frictionless dry contact and of its coarser load.
-    pub fn reference(&self, [fine, coarse]: [&Load; 2], poisson: f64) -> Reference {
+    /// The depths of a body.
+    pub fn depths(&self, body: &Coated) -> Depths {
+        Depths::with_interfaces(self.depth, self.params.planes, &body.interfaces())
+    }
+
+    /// The planes of the frictionless dry contact of bodies without layers and of its coarser load.
+    pub fn reference(&self, [fine, coarse]: [&Load; 2], body: &Coated) -> Reference {
+        let (depths, poisson) = (self.depths(body), body.substrate.poissons_ratio);
+        let rough = Response::bare(poisson, &depths.coarser());
         Reference {
-            fine: fine.levels(&self.x, &self.depths, poisson),
-            coarse: coarse.levels(&self.thinned(coarse), &self.depths.coarser(), poisson),
+            fine: fine.levels(&self.x, &Response::bare(poisson, &depths)),
+            coarse: coarse.levels(&self.thinned(coarse), &rough),
         }
     }
 }
@@ -85,6 +110,8 @@ impl Contact<'_> {
 pub(super) struct Both<'a> {
     pub(super) fine: &'a Sampled,
     pub(super) coarse: &'a Sampled,
+    /// The body.
+    pub(super) body: &'a Body<'a>,
     /// Error bar of the pressure of the solution, relative.
     pub(super) relative: f64,
 }
@@ -92,43 +119,67 @@ pub(super) struct Both<'a> {
 impl Both<'_> {
     /// The largest value of the planes below a depth.
     pub(super) fn extreme(&self, pick: &dyn Fn(&Level) -> Peak, from: f64) -> Extreme {
+        self.found(pick, &|depths, value| depths.largest(from, value))
+    }
+
+    /// The largest value of the planes of a part.
+    pub(super) fn extreme_in(&self, pick: &dyn Fn(&Level) -> Peak, part: usize) -> Extreme {
+        self.found(pick, &|depths, value| depths.largest_in(part, value))
+    }
+
+    /// The largest value of the plane above an interface, which both its sides share.
+    pub(super) fn extreme_at(&self, pick: &dyn Fn(&Level) -> Peak, part: usize) -> Extreme {
+        self.found(pick, &|depths, value| {
+            let last = depths.last_of(part);
+            (value(last), last as f64)
+        })
+    }
+
+    fn found(&self, pick: &dyn Fn(&Level) -> Peak, search: &Search<'_>) -> Extreme {
         let of = |sampled: &Sampled| {
             let value = |t: usize| pick(&sampled.levels[t]).value;
-            let (value, t) = largest(&sampled.depths, sampled.levels.len(), value, from);
-            let at = pick(&sampled.levels[t.round() as usize]);
-            (value, sampled.depths.at(t), at)
+            let (value, t) = search(&sampled.depths, &value);
+            (value, t, pick(&sampled.levels[t.round() as usize]))
         };
-        let ((value, depth, at), (other, other_depth, _)) = (of(self.fine), of(self.coarse));
+        let ((value, t, at), (other, other_t, _)) = (of(self.fine), of(self.coarse));
+        let depth = self.fine.depths.at(t);
         Extreme {
             value,
             error: (value - other).abs() + self.relative * value.abs(),
             x: at.x,
             y: at.y,
             depth,
-            depth_error: (depth - other_depth).abs(),
+            depth_error: (depth - self.coarse.depths.at(other_t)).abs(),
+            site: self.body.site(&self.fine.depths, t),
         }
     }
 
     /// The largest value of the layers below a depth.
     pub(super) fn largest(&self, pick: &dyn Fn(&Layer) -> f64, from: f64) -> OverDepth {
+        self.over_depth(pick, &|depths, value| depths.largest(from, value))
+    }
+
+    /// The same of a part.
+    pub(super) fn largest_in(&self, pick: &dyn Fn(&Layer) -> f64, part: usize) -> OverDepth {
+        self.over_depth(pick, &|depths, value| depths.largest_in(part, value))
+    }
+
+    fn over_depth(&self, pick: &dyn Fn(&Layer) -> f64, search: &Search<'_>) -> OverDepth {
         let of = |sampled: &Sampled| {
             let value = |t: usize| pick(&sampled.layers[t]);
-            let (value, t) = largest(&sampled.depths, sampled.layers.len(), value, from);
-            (value, sampled.depths.at(t))
+            search(&sampled.depths, &value)
         };
-        let ((value, depth), (other, other_depth)) = (of(self.fine), of(self.coarse));
+        let ((value, t), (other, other_t)) = (of(self.fine), of(self.coarse));
+        let depth = self.fine.depths.at(t);
         OverDepth {
             value,
             error: (value - other).abs() + self.relative * value.abs(),
             depth,
-            depth_error: (depth - other_depth).abs(),
+            depth_error: (depth - self.coarse.depths.at(other_t)).abs(),
+            site: self.body.site(&self.fine.depths, t),
         }
     }
 }
 
-/// The largest of `n` values over the depths from one on, and its index.
-fn largest(depths: &Depths, n: usize, value: impl Fn(usize) -> f64, from: f64) -> (f64, f64) {
-    let first = (depths.index(from).ceil() as usize).min(n - 1);
-    let (value, t) = crest(n - first, |i| value(first + i));
-    (value, first as f64 + t)
-}
+/// The largest of the values of planes, and its index.
+type Search<'a> = dyn Fn(&Depths, &dyn Fn(usize) -> f64) -> (f64, f64) + 'a;

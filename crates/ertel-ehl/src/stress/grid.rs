@@ -1,7 +1,7 @@
 //! Half-space under loads on the cells of a regular grid.
 //!
-//! At a point by the sum over the corners of all cells. In a plane of constant depth by fast Fourier transforms: the stresses are those of uniform loads
-//! on the cells, seen from their centres, so that a convolution over twice the lengths is exact and has no periodic images (Liu and Wang 2002).
+//! In planes of constant depth by fast Fourier transforms: the stresses are those of uniform loads on the cells, seen from their centres, so that a convolution over
+//! twice the lengths is exact and has no periodic images (Liu and Wang 2002). Layers add images to the closed forms of a cell ([`super::layered`]).
 
 use std::sync::Arc;
 
@@ -9,8 +9,11 @@ use realfft::num_complex::Complex64;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::Fft;
 
+use rayon::prelude::*;
+
 use super::Stress;
-use super::rectangle::{PARITY, corner};
+use super::layered::Response;
+use super::rectangle::{Image, PARITY, corner, image, images};
 
 /// Pressure and shear, uniform on each cell of a grid.
 #[derive(Clone, Debug)]
@@ -34,40 +37,13 @@ impl GridLoad {
             (centres[centres.len() - 1] - centres[0]) / (centres.len() - 1) as f64
         })
     }
+}
 
-    /// Stress at a point, z ≥ 0.
-    pub fn at(&self, [x, y, z]: [f64; 3], poisson: f64) -> Stress {
-        let ([nx, ny], [dx, dy]) = (self.n(), self.spacing());
-        let value = |load: usize, i: usize, j: usize| match i < nx && j < ny {
-            true => self.values[load][j * nx + i],
-            false => 0.0,
-        };
-        let mut sum = [0.0; 6];
-        for j in 0..=ny {
-            for i in 0..=nx {
-                // The load that begins at this corner, less its neighbours; indices below zero are beyond the grid, too.
-                let (before, below) = (i.wrapping_sub(1), j.wrapping_sub(1));
-                let jump = [0, 1, 2].map(|load| {
-                    value(load, i, j) - value(load, before, j) - value(load, i, below)
-                        + value(load, before, below)
-                });
-                if jump == [0.0; 3] {
-                    continue;
-                }
-                let from = [
-                    x - self.centres[0][0] - (i as f64 - 0.5) * dx,
-                    y - self.centres[1][0] - (j as f64 - 0.5) * dy,
-                ];
-                let parts = corner(from[0], from[1], z, poisson);
-                for (jump, part) in jump.iter().zip(parts) {
-                    for (sum, part) in sum.iter_mut().zip(part) {
-                        *sum += jump * part;
-                    }
-                }
-            }
-        }
-        Stress(sum)
-    }
+/// The corners of a quadrant of cells, from the centre of the first one.
+fn corners(load: &GridLoad) -> Vec<[f64; 2]> {
+    let ([nx, ny], [dx, dy]) = (load.n(), load.spacing());
+    let row = |j: usize| (0..=nx).map(move |i| [(i as f64 - 0.5) * dx, (j as f64 - 0.5) * dy]);
+    (0..=ny).flat_map(row).collect()
 }
 
 /// The next length at least as large that transforms fast.
@@ -87,7 +63,9 @@ fn smooth(least: usize) -> usize {
 /// Stresses in planes of constant depth under a load.
 pub struct Planes<'a> {
     load: &'a GridLoad,
-    poisson: f64,
+    response: &'a Response,
+    /// The images seen from the corners of a quadrant of cells, one row of them per corner.
+    images: Vec<Image>,
     /// Transformed lengths: even, and at least twice those of the grid.
     padded: [usize; 2],
     forward: Arc<dyn RealToComplex<f64>>,
@@ -99,14 +77,18 @@ pub struct Planes<'a> {
 
 impl<'a> Planes<'a> {
     /// Of a body.
-    pub fn new(load: &'a GridLoad, poisson: f64) -> Planes<'a> {
+    pub fn new(load: &'a GridLoad, response: &'a Response) -> Planes<'a> {
         let [nx, ny] = load.n();
+        let seen = corners(load).into_par_iter();
+        let images =
+            seen.flat_map_iter(|[x, y]| response.images.iter().map(move |z| image(x, y, *z)));
         let padded = [2 * smooth(nx), 2 * smooth(ny)];
         let mut real = RealFftPlanner::<f64>::new();
         let mut complex = rustfft::FftPlanner::<f64>::new();
         let mut planes = Planes {
             load,
-            poisson,
+            images: images.collect(),
+            response,
             padded,
             forward: real.plan_fft_forward(padded[0]),
             backward: real.plan_fft_inverse(padded[0]),
@@ -173,12 +155,20 @@ impl<'a> Planes<'a> {
         })
     }
 
-    /// Stresses under the centres of the cells at a depth, `[j * nx + i]`.
-    pub fn at(&self, z: f64) -> Vec<Stress> {
-        let ([nx, ny], [dx, dy]) = (self.load.n(), self.load.spacing());
-        let corners: Vec<[[f64; 6]; 3]> = (0..=ny)
-            .flat_map(|j| (0..=nx).map(move |i| [i, j].map(|k| k as f64 - 0.5)))
-            .map(|[i, j]| corner(i * dx, j * dy, z, self.poisson))
+    /// Stresses under the centres of the cells in a plane of the depths, `[j * nx + i]`.
+    pub fn at(&self, plane: usize) -> Vec<Stress> {
+        let [nx, ny] = self.load.n();
+        let plane = &self.response.planes[plane];
+        let n_images = self.response.images.len();
+        let corners: Vec<[[f64; 6]; 3]> = (corners(self.load).into_iter().enumerate())
+            .map(|(i, [x, y])| {
+                let own = corner(x, y, plane.depth, plane.poisson);
+                let seen = &self.images[i * n_images..(i + 1) * n_images];
+                let more = images(seen.iter().zip(&plane.weights), plane.poisson);
+                std::array::from_fn(|load| {
+                    std::array::from_fn(|component| own[load][component] + more[load][component])
+                })
+            })
             .collect();
         let mut stresses = vec![Stress::default(); nx * ny];
         let mut quadrant = vec![0.0; nx * ny];

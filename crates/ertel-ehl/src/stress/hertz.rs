@@ -45,7 +45,7 @@ impl HertzLoad {
     /// Stress at a point, z ≥ 0.
     pub fn at(&self, x: f64, y: f64, z: f64) -> Stress {
         let Some(b) = self.half_width_y else {
-            return self.line(x, z);
+            return plane_strain(&self.potentials(x, z), z, self.poisson);
         };
         // On the rim at the surface a wave has no limit.
         let z = z.max(SURFACE * self.half_width.min(b));
@@ -65,18 +65,18 @@ impl HertzLoad {
         }
     }
 
-    fn line(&self, x: f64, z: f64) -> Stress {
+    /// G and −G' of a line at (x, z), z ≥ 0.
+    pub(super) fn potentials(&self, x: f64, z: f64) -> Potentials {
         let (a, w) = (self.half_width, Complex64::new(x, z));
         let root = (w - a).sqrt() * (w + a).sqrt();
         let factor = PI * self.pressure / a;
         let g = factor * (w - root);
         let derivative = factor * (w / root - 1.0);
         let loads = [1.0, self.friction];
-        let potentials = Potentials {
+        Potentials {
             first: loads.map(|load| load * g),
             second: loads.map(|load| load * derivative),
-        };
-        plane_strain(&potentials, z, self.poisson)
+        }
     }
 
     /// Sum over n directions of half a turn, which stands for the whole; the first is `offset` steps from x.
@@ -97,7 +97,7 @@ impl HertzLoad {
 }
 
 /// 1 − q arccot q and arccot q − q/(1 + q²).
-fn integrals(q: Complex64) -> [Complex64; 2] {
+pub(super) fn integrals(q: Complex64) -> [Complex64; 2] {
     if q.norm() > SERIES_FROM {
         let inverse = 1.0 / (q * q);
         let (mut power, mut sums) = (inverse, [Complex64::default(); 2]);

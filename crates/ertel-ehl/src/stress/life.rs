@@ -9,7 +9,7 @@
 
 use serde::Serialize;
 
-use super::depths::{Depths, between, crest};
+use super::Depths;
 use super::load::{Level, RowShear};
 
 /// Exponent of the stress.
@@ -61,6 +61,8 @@ pub struct Volume<'a> {
     pub levels: &'a [Level],
     /// Whether the contact is a line or a roller.
     pub is_line: bool,
+    /// Depth from which it is counted: layers are not.
+    pub top: f64,
 }
 
 impl Volume<'_> {
@@ -81,7 +83,7 @@ impl Volume<'_> {
                 let values: Vec<f64> = (self.levels.iter())
                     .map(|level| criterion.of(&level.rows[j]))
                     .collect();
-                self.depths.integral(cut, &values, |z, v| {
+                self.depths.integral(cut.max(self.top), &values, |z, v| {
                     (v - limit).max(0.0).powf(STRESS_EXPONENT) / z.powf(DEPTH_EXPONENT)
                 })
             })
@@ -108,13 +110,12 @@ impl Volume<'_> {
             rows.fold(0.0, f64::max)
         };
         let values: Vec<f64> = self.levels.iter().map(worst).collect();
-        let start = self.depths.index(cut);
-        let first = (start.ceil() as usize).min(values.len() - 1);
-        let (value, t) = crest(values.len() - first, |i| values[first + i]);
-        let at_cut = between(&values, start);
+        let cut = cut.max(self.top);
+        let (value, index) = self.depths.largest(cut, |i| values[i]);
+        let at_cut = self.depths.value(cut, &values);
         match at_cut > value {
             true => [at_cut, cut],
-            false => [value, self.depths.at(first as f64 + t)],
+            false => [value, self.depths.at(index)],
         }
     }
 

@@ -111,6 +111,11 @@ impl LineLoad {
 
     /// Stress at (x, z), z ≥ 0.
     pub fn at(&self, x: f64, z: f64, poisson: f64) -> Stress {
+        plane_strain(&self.potentials(x, z), z, poisson)
+    }
+
+    /// G and −G' at (x, z), z ≥ 0.
+    pub(super) fn potentials(&self, x: f64, z: f64) -> Potentials {
         let mut g = Potentials::default();
         for (node, kink) in self.nodes.iter().zip(&self.kinks) {
             let (zeta, ln) = logarithm(x - node, z);
@@ -132,7 +137,7 @@ impl LineLoad {
                 g.second[k] -= sign * values[k] / zeta;
             }
         }
-        plane_strain(&g, z, poisson)
+        g
     }
 }
 

@@ -2,8 +2,9 @@
 
 use rayon::prelude::*;
 
-use super::depths::{Depths, crest, place};
+use super::depths::{crest, place};
 use super::grid::{GridLoad, Planes};
+use super::layered::{PlaneResponse, Response};
 use super::{HertzLoad, LineLoad, Stress};
 
 /// Pressure and shear on a body.
@@ -13,7 +14,7 @@ pub enum Load {
     Line(LineLoad),
     /// A contact on a grid.
     Grid(GridLoad),
-    /// A dry contact in closed form, in the plane y = 0.
+    /// A dry contact in closed form, in the plane y = 0; that of a line has layers, others have none.
     Hertz(HertzLoad),
 }
 
@@ -48,6 +49,10 @@ pub struct Level {
     pub largest_shear: Peak,
     /// Largest principal stress.
     pub tension: Peak,
+    /// Largest shear on the plane.
+    pub shear: Peak,
+    /// Largest σ_zz: what pulls the sides of the plane apart.
+    pub pull: Peak,
     /// Half the largest range of σ_xz over a passage; x where σ_xz is largest in size.
     pub half_range: Peak,
     /// The same in the middle row.
@@ -56,17 +61,26 @@ pub struct Level {
     pub middle_orthogonal: f64,
     /// Shear row by row.
     pub rows: Vec<RowShear>,
-    /// Stresses along the middle row.
-    pub middle: Vec<Stress>,
+    /// Stresses at all points, row by row.
+    pub stresses: Vec<Stress>,
 }
 
 impl Load {
-    /// Stress at a point.
-    pub fn at(&self, [x, y, z]: [f64; 3], poisson: f64) -> Stress {
+    /// Stresses at all depths below x of a line or of a dry contact; none of a grid.
+    pub(super) fn column(&self, x: f64, response: &Response) -> Vec<Stress> {
         match self {
-            Load::Line(load) => load.at(x, z, poisson),
-            Load::Grid(load) => load.at([x, y, z], poisson),
-            Load::Hertz(load) => HertzLoad { poisson, ..*load }.at(x, y, z),
+            Load::Line(load) => response.line(|z| load.potentials(x, z)),
+            Load::Hertz(load) if load.half_width_y.is_none() => {
+                response.line(|z| load.potentials(x, z))
+            }
+            Load::Hertz(load) => {
+                let at = |plane: &PlaneResponse| {
+                    let poisson = plane.poisson;
+                    HertzLoad { poisson, ..*load }.at(x, 0.0, plane.depth)
+                };
+                response.planes.iter().map(at).collect()
+            }
+            Load::Grid(_) => Vec::new(),
         }
     }
 
@@ -79,25 +93,39 @@ impl Load {
     }
 
     /// The levels at all depths; `x`: the points of a row, of a grid its own.
-    pub fn levels(&self, x: &[f64], depths: &Depths, poisson: f64) -> Vec<Level> {
-        let (depths, rows) = (depths.all(), self.rows());
+    pub fn levels(&self, x: &[f64], response: &Response) -> Vec<Level> {
+        let (planes, rows) = (response.planes.len(), self.rows());
         if let Load::Grid(load) = self {
-            let planes = Planes::new(load, poisson);
-            return (depths.par_iter())
-                .map(|z| Level::new(x, &rows, &planes.at(*z)))
+            let stresses = Planes::new(load, response);
+            return (0..planes)
+                .into_par_iter()
+                .map(|plane| Level::new(x, &rows, stresses.at(plane)))
                 .collect();
         }
-        (depths.par_iter())
-            .map(|z| {
-                let row = |x: &f64| self.at([*x, 0.0, *z], poisson);
-                Level::new(x, &rows, &x.par_iter().map(row).collect::<Vec<_>>())
+        let columns: Vec<Vec<Stress>> = (x.par_iter()).map(|x| self.column(*x, response)).collect();
+        (0..planes)
+            .into_par_iter()
+            .map(|plane| {
+                let row = columns.iter().map(|column| column[plane]);
+                Level::new(x, &rows, row.collect())
             })
             .collect()
     }
 }
 
 impl Level {
-    fn new(x: &[f64], y: &[f64], stresses: &[Stress]) -> Level {
+    /// Stresses along the middle row.
+    pub fn middle(&self) -> &[Stress] {
+        self.row(self.rows.len() / 2)
+    }
+
+    /// Stresses along a row.
+    pub fn row(&self, j: usize) -> &[Stress] {
+        let n = self.stresses.len() / self.rows.len();
+        &self.stresses[j * n..(j + 1) * n]
+    }
+
+    fn new(x: &[f64], y: &[f64], stresses: Vec<Stress>) -> Level {
         let n = x.len();
         let row = |j: usize| &stresses[j * n..(j + 1) * n];
         let of = |f: &dyn Fn(&Stress) -> f64| {
@@ -123,6 +151,8 @@ impl Level {
             von_mises: of(&Stress::von_mises),
             largest_shear: of(&Stress::largest_shear),
             tension: of(&|s| s.principal()[0]),
+            shear: of(&|s| s.0[4].hypot(s.0[5])),
+            pull: of(&|s| s.0[2]),
             half_range: Peak {
                 value,
                 x: orthogonal.x,
@@ -135,7 +165,7 @@ impl Level {
             },
             middle_orthogonal,
             rows,
-            middle: row(middle).to_vec(),
+            stresses,
         }
     }
 }

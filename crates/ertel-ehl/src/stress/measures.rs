@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::body::{Body, Both, Contact, Reference, Sampled};
-use super::depths::{between, crest};
+use super::depths::between;
 use super::hardness::YIELD_PER_HARDNESS;
 use super::life::{Criterion, Volume, lundberg_palmgren};
 use super::results::{AtDepth, DryContact, Layer, Life, Lives, OverDepth, Shakedown, ShakedownBy};
@@ -13,6 +13,9 @@ use super::{Depths, HertzLoad, Level, dang_van, fatemi_socie};
 const SHEAR_YIELD: f64 = 0.577_350_269_189_625_8;
 /// Multiples of the cut in depth at which lives are shown.
 const CUTS: [f64; 3] = [0.5, 1.0, 2.0];
+
+/// Share of its depth below an interface that is below it.
+const BELOW: f64 = 1e-9;
 
 /// The planes with what they mean.
 pub(super) fn layers(
@@ -25,9 +28,10 @@ pub(super) fn layers(
     (levels.par_iter().enumerate())
         .map(|(t, level)| {
             let depth = depths.at(t as f64);
+            let site = body.site(depths, t as f64);
             let hardness = body.hardness.map(|hardness| hardness.at(depth));
             let strength = hardness.map(|hardness| hardness * YIELD_PER_HARDNESS);
-            let many_passages = dang_van(&level.middle, params.dang_van);
+            let many_passages = dang_van(level.middle(), params.dang_van);
             // In lines and rollers residual stresses leave σ_xz as it is; elsewhere they may move the path of the deviator.
             let shakedown_shear = match contact.is_line {
                 true => level.middle_orthogonal,
@@ -35,6 +39,7 @@ pub(super) fn layers(
             };
             Layer {
                 depth,
+                site,
                 von_mises: level.von_mises.value,
                 largest_shear: level.largest_shear.value,
                 tension: level.tension.value,
@@ -42,7 +47,7 @@ pub(super) fn layers(
                 dang_van: many_passages.index,
                 shakedown_shear,
                 fatemi_socie: strength
-                    .map(|strength| fatemi_socie(&level.middle, params.fatemi_socie, strength)),
+                    .map(|strength| fatemi_socie(level.middle(), params.fatemi_socie, strength)),
                 hardness,
                 utilisation: strength.map(|strength| level.von_mises.value / strength),
                 shakedown_use: strength.map(|strength| shakedown_shear / (SHEAR_YIELD * strength)),
@@ -77,8 +82,14 @@ pub(super) fn lives(contact: &Contact<'_>, both: &Both<'_>, reference: &Referenc
     let is_line = contact.is_line;
     let cut_depth = CUTS.map(|factor| factor * contact.cut);
     let limit = contact.params.fatigue_limit;
-    let fine = Pair::new(both.fine, &reference.fine, is_line);
-    let coarse = Pair::new(both.coarse, &reference.coarse, is_line);
+    // Just below the last interface: layers are not counted.
+    let top = both.body.coated.interfaces().pop();
+    let top = top.map_or(0.0, |depth| depth * (1.0 + BELOW));
+    if top >= contact.depth {
+        return Vec::new();
+    }
+    let fine = Pair::new(both.fine, &reference.fine, is_line, top);
+    let coarse = Pair::new(both.coarse, &reference.coarse, is_line, top);
     let life = |own: f64, other: Option<f64>| Life {
         value: own,
         error: other.map_or(own, |other| (own - other).abs())
@@ -109,26 +120,27 @@ struct Pair<'a> {
 }
 
 impl<'a> Pair<'a> {
-    fn new(sampled: &'a Sampled, reference: &'a [Level], is_line: bool) -> Pair<'a> {
-        let of = |levels: &'a [Level]| Volume {
+    fn new(sampled: &'a Sampled, reference: &'a [Level], is_line: bool, top: f64) -> Pair<'a> {
+        let of = |levels: &'a [Level], top: f64| Volume {
             depths: &sampled.depths,
             levels,
             is_line,
+            top,
         };
         Pair {
-            own: of(&sampled.levels),
-            reference: of(reference),
+            own: of(&sampled.levels, top),
+            reference: of(reference, 0.0),
         }
     }
 }
 
 /// The largest stresses of a frictionless dry contact, which are below its centre; `rolls_along_minor`: whether it moves along its smaller half-width.
 pub fn dry_contact(load: &HertzLoad, depths: &Depths, rolls_along_minor: bool) -> DryContact {
-    let along: Vec<_> = (depths.all().iter())
-        .map(|z| load.at(0.0, 0.0, *z))
+    let along: Vec<_> = (depths.values().into_iter())
+        .map(|z| load.at(0.0, 0.0, z))
         .collect();
     let largest = |values: Vec<f64>| {
-        let (_, t) = crest(values.len(), |i| values[i]);
+        let (_, t) = depths.largest(0.0, |i| values[i]);
         AtDepth {
             value: between(&values, t),
             depth: depths.at(t),

@@ -13,6 +13,8 @@
 
 use std::f64::consts::PI;
 
+use crate::layers::Harmonic;
+
 /// Derivatives of the potentials at a corner, times 2π.
 struct Corner {
     g: [f64; 3],
@@ -94,6 +96,61 @@ pub(super) fn corner(x: f64, y: f64, z: f64, nu: f64) -> [[f64; 6]; 3] {
         g_z - z * g_yy,
     ];
     [pressure, shear_x, shear_y].map(|all| all.map(|s| s / (2.0 * PI)))
+}
+
+/// Derivatives of the potentials at a corner, times 2π: G_x, G_y, G_z, then Φ_xx, Φ_yy, Φ_xy, then Ω_xxx, Ω_xxy, Ω_xyy, Ω_yyy.
+pub(super) type Image = [f64; 10];
+
+/// Those of an image at a depth.
+pub(super) fn image(x: f64, y: f64, z: f64) -> Image {
+    let Corner { g, ff, ooo, .. } = Corner::new(x, y, z);
+    std::array::from_fn(|i| match i {
+        0..3 => g[i],
+        3..6 => ff[i - 3],
+        _ => ooo[i - 6],
+    })
+}
+
+/// The part of a corner in the stresses of images with these weights, as [`corner`] has that of the loads themselves.
+pub(super) fn images<'a>(
+    images: impl Iterator<Item = (&'a Image, &'a Harmonic)>,
+    nu: f64,
+) -> [[f64; 6]; 3] {
+    let mut sum = [[0.0; 6]; 3];
+    for (potentials, [f, df, ddf, g, dg, ddg, t, dt]) in images {
+        let [g_x, g_y, g_z, f_xx, f_yy, f_xy, o_xxx, o_xxy, o_xyy, o_yyy] = potentials;
+        let (e, eta) = (nu * (ddf - f), nu * (g - ddg));
+        let parts = [
+            [
+                -ddf * f_xx - e * f_yy,
+                -ddf * f_yy - e * f_xx,
+                f * g_z,
+                -(ddf - e) * f_xy,
+                -df * g_x,
+                -df * g_y,
+            ],
+            [
+                ddg * o_xxx - (eta + 2.0 * t) * o_xyy,
+                (ddg + 2.0 * t) * o_xyy - eta * o_xxx,
+                g * g_x,
+                (ddg + eta + t) * o_xxy - t * o_yyy,
+                dg * f_xx - dt * f_yy,
+                (dg + dt) * f_xy,
+            ],
+            [
+                (ddg + 2.0 * t) * o_xxy - eta * o_yyy,
+                ddg * o_yyy - (eta + 2.0 * t) * o_xxy,
+                g * g_y,
+                (ddg + eta + t) * o_xyy - t * o_xxx,
+                (dg + dt) * f_xy,
+                dg * f_yy - dt * f_xx,
+            ],
+        ];
+        for (sum, part) in sum.iter_mut().flatten().zip(parts.into_iter().flatten()) {
+            *sum += part / (2.0 * PI);
+        }
+    }
+    sum
 }
 
 /// Signs of the stresses where x and where y changes its sign, of the three loads of [`corner`] on a rectangle about the origin.

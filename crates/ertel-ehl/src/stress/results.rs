@@ -52,6 +52,18 @@ pub struct Extreme {
     pub depth: f64,
     /// Error bar of the depth, m.
     pub depth_error: f64,
+    /// Where in a body with layers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub site: Option<Site>,
+}
+
+/// A place in a body with layers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Site {
+    /// The layer, 1 the uppermost; `None`: the substrate.
+    pub layer: Option<usize>,
+    /// The interface whose side it is, 1 the uppermost.
+    pub interface: Option<usize>,
 }
 
 /// A value with its depth.
@@ -74,6 +86,9 @@ pub struct OverDepth {
     pub depth: f64,
     /// Error bar of the depth, m.
     pub depth_error: f64,
+    /// Where in a body with layers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub site: Option<Site>,
 }
 
 /// A relative life; the bar as that of [`Extreme`].
@@ -111,12 +126,23 @@ pub struct Section {
     pub stress: Vec<Stress>,
 }
 
+impl Section {
+    /// Indices of the depths above which cells begin: between both sides of an interface there are none.
+    pub fn rows(&self) -> impl Iterator<Item = usize> {
+        let pairs = self.depth.windows(2).enumerate();
+        pairs.filter_map(|(j, pair)| (pair[1] > pair[0]).then_some(j))
+    }
+}
+
 /// Largest values of a passage at a depth; of the whole plane but for the indices, the shear of the shakedown and the range of σ_xz under
 /// rollers, which are those of the middle.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Layer {
     /// Depth, m.
     pub depth: f64,
+    /// Where in a body with layers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub site: Option<Site>,
     /// Largest stress after von Mises, Pa.
     pub von_mises: f64,
     /// Largest shear stress, Pa.
@@ -182,10 +208,37 @@ pub struct Lives {
     pub largest_stress: [Life; 3],
 }
 
+/// Largest stresses in a layer or in the substrate.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PartStresses {
+    /// The layer, 1 the uppermost; `None`: the substrate.
+    pub layer: Option<usize>,
+    /// Largest stress after von Mises.
+    pub von_mises: Extreme,
+    /// Largest shear stress.
+    pub largest_shear: Extreme,
+    /// Largest principal stress.
+    pub tension: Extreme,
+    /// Largest stress after von Mises over the yield strength.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub utilisation: Option<OverDepth>,
+}
+
+/// Largest tractions on an interface, which both its sides share.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Interface {
+    /// Its number, 1 the uppermost.
+    pub interface: usize,
+    /// Largest shear on it, √(σ_xz² + σ_yz²).
+    pub shear: Extreme,
+    /// Largest σ_zz on it: where positive, it pulls the layer off.
+    pub pull: Extreme,
+}
+
 /// Stresses in a body.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BodyStresses {
-    /// Poisson's ratio.
+    /// Poisson's ratio, of the substrate.
     pub poissons_ratio: f64,
     /// Traction on the body along x over its load.
     pub traction: f64,
@@ -204,7 +257,13 @@ pub struct BodyStresses {
     /// Largest stress after von Mises over the yield strength.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub utilisation: Option<OverDepth>,
-    /// Relative lives.
+    /// Largest stresses of each layer and of the substrate; none without layers.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub parts: Vec<PartStresses>,
+    /// Largest tractions on the interfaces above the largest depth.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub interfaces: Vec<Interface>,
+    /// Relative lives; of bodies with layers those of the substrate.
     pub lives: Vec<Lives>,
     /// Depth by depth.
     pub layers: Vec<Layer>,

@@ -1,8 +1,8 @@
 //! Stresses of a body for output: profiles over depth, and the plane of motion.
 
-use super::body::{Body, Contact};
+use super::Load;
+use super::body::{Body, Contact, Sampled};
 use super::results::{Profile, Section};
-use super::{Level, Load};
 
 /// Most columns of a section.
 const COLUMNS: usize = 200;
@@ -11,7 +11,7 @@ const COLUMNS: usize = 200;
 pub(super) fn profile(
     contact: &Contact<'_>,
     body: &Body<'_>,
-    levels: &[Level],
+    sampled: &Sampled,
     place: [f64; 2],
 ) -> Profile {
     let rows = body.load.rows();
@@ -22,38 +22,37 @@ pub(super) fn profile(
             .unwrap_or(0)
     };
     let row = nearest(&rows, place[1]);
-    let (x, y) = match body.load {
-        Load::Grid(load) => (
-            load.centres[0][nearest(&load.centres[0], place[0])],
-            rows[row],
-        ),
-        _ => (place[0], 0.0),
+    let (x, stress) = match body.load {
+        Load::Grid(_) => {
+            let column = nearest(&contact.x, place[0]);
+            let levels = sampled.levels.iter();
+            let stress = levels.map(|level| level.row(row)[column]);
+            (contact.x[column], stress.collect())
+        }
+        load => (place[0], load.column(place[0], &sampled.response)),
     };
-    let depth = contact.depths.all();
     Profile {
         x,
-        y,
-        stress: (depth.iter())
-            .map(|z| body.load.at([x, y, *z], body.poisson))
-            .collect(),
-        orthogonal_range: (levels.iter())
+        y: rows[row],
+        stress,
+        orthogonal_range: (sampled.levels.iter())
             .map(|level| 2.0 * level.rows[row].half_range)
             .collect(),
-        depth,
+        depth: sampled.depths.values(),
     }
 }
 
 /// The plane of motion through the middle.
-pub(super) fn section(contact: &Contact<'_>, levels: &[Level]) -> Section {
+pub(super) fn section(contact: &Contact<'_>, sampled: &Sampled) -> Section {
     let near = |i: &usize| contact.x[*i].abs() <= contact.reach;
     let columns: Vec<usize> = (0..contact.x.len()).filter(near).collect();
     let step = columns.len().div_ceil(COLUMNS).max(1);
     let columns: Vec<usize> = columns.into_iter().step_by(step).collect();
     Section {
         x: columns.iter().map(|i| contact.x[*i]).collect(),
-        depth: contact.depths.all(),
-        stress: (levels.iter())
-            .flat_map(|level| columns.iter().map(|i| level.middle[*i]))
+        depth: sampled.depths.values(),
+        stress: (sampled.levels.iter())
+            .flat_map(|level| columns.iter().map(|i| level.middle()[*i]))
             .collect(),
     }
 }

@@ -114,10 +114,6 @@ pub(super) fn layers(case: &Case, root: &mut Table<'_>) -> Result<(), InputError
             "finite elements: layers are solved by finite volumes; remove method from [solver]",
         ),
         (
-            case.stress.is_some(),
-            "[stress]: the stresses in layers are not computed",
-        ),
-        (
             case.contact.kind == ContactKind::Roller,
             "rollers of finite length",
         ),

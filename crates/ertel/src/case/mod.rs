@@ -402,7 +402,7 @@ impl Case {
         if self.layers().iter().all(|layers| layers.is_empty()) {
             return bare;
         }
-        let bodies = [&self.body_1, &self.body_2].map(Body::coated);
+        let bodies = self.coated();
         let substrates: f64 = bodies.iter().map(Coated::of_long_waves).sum();
         let contact = self.contact.along_motion();
         let wave = match contact.kind.is_line() {
@@ -427,9 +427,9 @@ impl Case {
         }
     }
 
-    /// Poisson's ratios of both bodies.
-    pub fn poissons_ratios(&self) -> [f64; 2] {
-        [&self.body_1, &self.body_2].map(|body| body.elasticity.poissons_ratio)
+    /// Both bodies with their layers, SI.
+    pub fn coated(&self) -> [Coated; 2] {
+        [&self.body_1, &self.body_2].map(Body::coated)
     }
 
     /// Layers of both bodies.

@@ -7,8 +7,8 @@ use super::lines::Lines;
 use crate::mark::of_figure;
 use crate::solution::{Estimate, Figure, Located, Solution};
 use crate::stress::{
-    BodyStresses, COMPONENTS, Extreme, Life, Lives, OverDepth, Profile, Shakedown, ShakedownBy,
-    Stresses,
+    BodyStresses, COMPONENTS, Extreme, Layer, Life, Lives, OverDepth, Profile, Shakedown,
+    ShakedownBy, Site, Stresses,
 };
 use crate::words::{digits, length, pressure};
 
@@ -30,6 +30,9 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
         write_body(out, role, body, solution, stresses);
     }
     out.note("x, y: along and across the motion; traction: on the body, along x. Lives: over those of the dry contact without friction and without fatigue limit.");
+    if stresses.bodies.iter().any(|body| !body.parts.is_empty()) {
+        out.note("Lives of bodies with layers are those of the substrate, over those of the dry contact of a body without layers. σ_zz above zero pulls at an interface.");
+    }
     for mark in of_figure(solution, Figure::VonMisesBody1).iter() {
         out.note(&format!("stresses: {}", mark.words()));
     }
@@ -90,8 +93,52 @@ fn write_body(
             at_depth(utilisation, percent),
         );
     }
+    write_layers(out, body, solution);
     for lives in &body.lives {
         out.row("  relative life", life(lives));
+    }
+}
+
+/// Each layer, the substrate, and the interfaces.
+fn write_layers(out: &mut Lines, body: &BodyStresses, solution: &Solution) {
+    for part in &body.parts {
+        let name = (part.layer).map_or("substrate".to_owned(), |layer| format!("layer {layer}"));
+        for (what, extreme) in [
+            ("von Mises", &part.von_mises),
+            ("largest shear", &part.largest_shear),
+            ("tension", &part.tension),
+        ] {
+            out.row(&format!("  {name}: {what}"), at_place(extreme, solution));
+        }
+        if let Some(utilisation) = &part.utilisation {
+            out.row(
+                &format!("  {name}: von Mises over yield strength"),
+                at_depth(utilisation, percent),
+            );
+        }
+    }
+    for interface in &body.interfaces {
+        for (what, extreme) in [("shear", &interface.shear), ("σ_zz", &interface.pull)] {
+            out.row(
+                &format!("  interface {}: largest {what}", interface.interface),
+                at_place(extreme, solution),
+            );
+        }
+    }
+}
+
+/// A place in layers, in words.
+fn within(site: Option<Site>) -> String {
+    let Some(site) = site else {
+        return String::new();
+    };
+    let part = (site.layer).map_or("substrate".to_owned(), |layer| format!("layer {layer}"));
+    match site.interface {
+        Some(interface) => format!(", interface {interface}, {part} side"),
+        None => format!(
+            ", in {}{part}",
+            if site.layer.is_none() { "the " } else { "" }
+        ),
     }
 }
 
@@ -117,7 +164,8 @@ fn at_depth(found: &OverDepth, words: impl Fn(Estimate) -> String) -> String {
         value: found.value,
         error: Some(found.error),
     });
-    format!("{value} at depth {}", length(found.depth))
+    let (depth, within) = (length(found.depth), within(found.site));
+    format!("{value} at depth {depth}{within}")
 }
 
 /// Distance from the plane of motion over the half-width that counts as none.
@@ -144,9 +192,10 @@ fn at_place(extreme: &Extreme, solution: &Solution) -> String {
         error: Some(extreme.depth_error),
     };
     format!(
-        "{value} {}, depth {}",
+        "{value} {}, depth {}{}",
         place(solution, &at),
-        estimate(&depth)
+        estimate(&depth),
+        within(extreme.site)
     )
 }
 
@@ -175,17 +224,27 @@ pub(super) fn write_profiles(mut out: impl Write, stresses: &Stresses) -> io::Re
     let components = COMPONENTS.map(|name| format!("stress_{name}_Pa")).join(",");
     writeln!(
         out,
-        "body,below,x_m,y_m,depth_m,{components},von_mises_Pa,largest_shear_Pa,orthogonal_range_Pa"
+        "body,below,x_m,y_m,depth_m,{components},von_mises_Pa,largest_shear_Pa,orthogonal_range_Pa,layer"
     )?;
     for (i, body) in stresses.bodies.iter().enumerate() {
         for (below, profile) in [("middle", &body.axis), ("largest", &body.below_largest)] {
-            write_profile(&mut out, &format!("{},{below}", i + 1), profile)?;
+            write_profile(
+                &mut out,
+                &format!("{},{below}", i + 1),
+                profile,
+                &body.layers,
+            )?;
         }
     }
     Ok(())
 }
 
-fn write_profile(out: &mut impl Write, start: &str, profile: &Profile) -> io::Result<()> {
+fn write_profile(
+    out: &mut impl Write,
+    start: &str,
+    profile: &Profile,
+    layers: &[Layer],
+) -> io::Result<()> {
     for (i, (depth, stress)) in profile.depth.iter().zip(&profile.stress).enumerate() {
         let numbers = [profile.x, profile.y, *depth]
             .into_iter()
@@ -196,7 +255,9 @@ fn write_profile(out: &mut impl Write, start: &str, profile: &Profile) -> io::Re
                 profile.orthogonal_range[i],
             ]);
         let numbers: Vec<String> = numbers.map(|v| format!("{v:e}")).collect();
-        writeln!(out, "{start},{}", numbers.join(","))?;
+        let layer = layers[i].site.and_then(|site| site.layer);
+        let layer = layer.map_or(String::new(), |layer| layer.to_string());
+        writeln!(out, "{start},{},{layer}", numbers.join(","))?;
     }
     Ok(())
 }

@@ -109,7 +109,7 @@ fn stresses(case: &Case, solution: &Solution) -> Option<Stresses> {
         params,
         contact,
         (&solution.surface, error),
-        case.poissons_ratios(),
+        &case.coated(),
     ))
 }
 

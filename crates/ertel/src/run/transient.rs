@@ -338,9 +338,9 @@ impl Collector<'_> {
             &self.hertz,
             instant.film_force * self.load,
         );
-        let poisson = self.case.poissons_ratios();
         let error = super::pressure_error(&measured);
-        let stresses = post::stresses::stresses(params, contact, (&surface, error), poisson);
+        let stresses =
+            post::stresses::stresses(params, contact, (&surface, error), &self.case.coated());
         post::stresses::note(&mut measured, &stresses);
         measured
     }

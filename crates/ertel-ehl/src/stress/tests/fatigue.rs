@@ -2,7 +2,7 @@
 
 use super::super::depths::crest;
 use super::super::{
-    Criterion, Depths, HertzLoad, Level, Load, Stress, Volume, dang_van, fatemi_socie,
+    Criterion, Depths, HertzLoad, Level, Load, Response, Stress, Volume, dang_van, fatemi_socie,
     lundberg_palmgren,
 };
 use super::{hertz_line, passage, worst};
@@ -116,9 +116,7 @@ fn dry(ratio: Option<f64>, friction: f64) -> Load {
 
 /// The largest half range below a depth, its depth, and the level there.
 fn half_range(levels: &[Level], depths: &Depths, from: f64) -> (f64, f64, usize) {
-    let first = depths.index(from).ceil() as usize;
-    let (value, t) = crest(levels.len() - first, |i| levels[first + i].half_range.value);
-    let t = first as f64 + t;
+    let (value, t) = depths.largest(from, |i| levels[i].half_range.value);
     (value, depths.at(t), t.round() as usize)
 }
 
@@ -131,13 +129,10 @@ fn formulas_of_lundberg_and_palmgren() {
     println!("Lundberg and Palmgren: {deviation:.1e}");
     assert!(deviation < 1e-8);
     // The exact field has them, too.
-    let depths = Depths {
-        largest: 1.0,
-        planes: 120,
-    };
+    let depths = Depths::new(1.0, 120);
     for [ratio, _, shear, depth, _] in [ROLLING[0], ROLLING[5], ROLLING[9]] {
         let load = dry((ratio > 0.0).then(|| 1.0 / ratio), 0.0);
-        let levels = load.levels(&passage(1.5, 300), &depths, 0.3);
+        let levels = load.levels(&passage(1.5, 300), &Response::bare(0.3, &depths));
         let found = half_range(&levels, &depths, 0.1);
         assert!(
             (found.0 - shear).abs() < 1e-5 && (found.1 - depth).abs() < 5e-4,
@@ -150,13 +145,10 @@ fn formulas_of_lundberg_and_palmgren() {
 /// under a line 4.0.
 #[test]
 fn shakedown_by_the_smallest_sphere() {
-    let depths = Depths {
-        largest: 1.0,
-        planes: 60,
-    };
+    let depths = Depths::new(1.0, 60);
     for (ratio, known) in [(Some(1.0), 0.213_890_9), (None, 0.25)] {
-        let levels = dry(ratio, 0.0).levels(&passage(3.0, 300), &depths, 0.3);
-        let radius = |level: &Level| dang_van(&level.middle, 0.3).radius / 2.0_f64.sqrt();
+        let levels = dry(ratio, 0.0).levels(&passage(3.0, 300), &Response::bare(0.3, &depths));
+        let radius = |level: &Level| dang_van(&level.middle(), 0.3).radius / 2.0_f64.sqrt();
         let largest = levels.iter().map(radius).fold(0.0, f64::max);
         assert!((largest / known - 1.0).abs() < 3e-3, "{ratio:?} {largest}");
     }
@@ -164,15 +156,13 @@ fn shakedown_by_the_smallest_sphere() {
 
 #[test]
 fn orthogonal_shear_of_lines_with_traction() {
-    let depths = Depths {
-        largest: 2.0,
-        planes: 120,
-    };
+    let depths = Depths::new(2.0, 120);
     let mut deviations = [0.0_f64; 2];
     for [mu, amplitude, depth, mean, below, limit] in
         LINE.map(|r| [r[0], r[1], r[2], r[3], r[4], r[5]])
     {
-        let levels = Load::Line(hertz_line(mu)).levels(&passage(2.0, 800), &depths, 0.3);
+        let levels =
+            Load::Line(hertz_line(mu)).levels(&passage(2.0, 800), &Response::bare(0.3, &depths));
         let (value, at, t) = half_range(&levels, &depths, 0.05);
         let (largest, _) = crest(levels.len() - 1, |i| levels[i + 1].middle_orthogonal);
         let whole = (levels.iter()).fold(largest, |m, level| m.max(level.middle_orthogonal));
@@ -198,13 +188,10 @@ fn orthogonal_shear_of_lines_with_traction() {
 
 #[test]
 fn orthogonal_shear_of_ellipses_with_traction() {
-    let depths = Depths {
-        largest: 1.0,
-        planes: 120,
-    };
+    let depths = Depths::new(1.0, 120);
     let mut deviations = [0.0_f64; 2];
     for [ratio, mu, amplitude, depth] in ELLIPSE {
-        let levels = dry(Some(ratio), mu).levels(&passage(1.5, 300), &depths, 0.3);
+        let levels = dry(Some(ratio), mu).levels(&passage(1.5, 300), &Response::bare(0.3, &depths));
         let (value, at, _) = half_range(&levels, &depths, 0.1);
         deviations = [
             worst([deviations[0], value - amplitude]),
@@ -242,11 +229,10 @@ fn dang_van_of_lines() {
 
 #[test]
 fn relative_lives_of_lines() {
-    let depths = Depths {
-        largest: 6.0,
-        planes: 120,
+    let depths = Depths::new(6.0, 120);
+    let levels = |mu: f64| {
+        Load::Line(hertz_line(mu)).levels(&passage(3.0, 600), &Response::bare(0.3, &depths))
     };
-    let levels = |mu: f64| Load::Line(hertz_line(mu)).levels(&passage(3.0, 600), &depths, 0.3);
     let reference = levels(0.0);
     let mut deviation = 0.0;
     for mu in [0.0, 0.05, 0.1] {
@@ -255,6 +241,7 @@ fn relative_lives_of_lines() {
             depths: &depths,
             levels,
             is_line: true,
+            top: 0.0,
         });
         for [which, _, limit, first, second] in LIVES.into_iter().filter(|row| row[1] == mu) {
             let criterion = Criterion::ALL[which as usize];

@@ -1,7 +1,7 @@
 //! Closed forms of dry contacts with traction against values computed by other means.
 
 use super::super::depths::crest;
-use super::super::{Depths, HertzLoad, Load};
+use super::super::{Depths, HertzLoad, Load, Response};
 use super::{passage, worst};
 
 /// ν = 0.3: b/a, z/a, then σ_xx, σ_yy, σ_zz over p_0 by incomplete elliptic integrals (Thomas and Hoersch; Sackfield and Hills 1983) and
@@ -155,14 +155,11 @@ fn points_under_ellipses() {
 /// Largest stresses of the plane of motion and their places.
 #[test]
 fn largest_stresses() {
-    let depths = Depths {
-        largest: 1.0,
-        planes: 40,
-    };
+    let depths = Depths::new(1.0, 40);
     let mut deviations = [0.0_f64; 2];
     for [nu, ratio, mu, mises, x, z, shear, x_shear, z_shear] in LARGEST {
         let load = Load::Hertz(contact(nu, ratio, mu));
-        let levels = load.levels(&passage(1.2, 80), &depths, nu);
+        let levels = load.levels(&passage(1.2, 80), &Response::bare(nu, &depths));
         let find = |pick: &dyn Fn(usize) -> (f64, f64)| {
             let (value, t) = crest(levels.len(), |i| pick(i).0);
             (value, pick(t.round() as usize).1, depths.at(t))

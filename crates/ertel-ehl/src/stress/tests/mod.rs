@@ -3,6 +3,7 @@
 mod fatigue;
 mod grid;
 mod hertz;
+mod layered;
 
 use std::f64::consts::PI;
 

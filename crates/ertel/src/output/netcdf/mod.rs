@@ -132,35 +132,48 @@ pub(super) fn of_solution(title: &str, solution: &Solution) -> Vec<u8> {
     data.to_bytes()
 }
 
-/// The components of the stresses of both bodies over depth and x, in the plane of motion through the middle of the contact.
+/// The components of the stresses of both bodies over depth and x, in the plane of motion through the middle of the contact. Bodies with different layers have their own depths.
 fn add_stresses(data: &mut Dataset, stresses: &Stresses) {
-    let first = data.dimensions.len();
-    let section = &stresses.bodies[0].section;
-    let axes = [
-        ("depth", &section.depth, "depth below the surface"),
-        ("stress_x", &section.x, "position along the motion"),
-    ];
-    for (i, (name, values, words)) in axes.into_iter().enumerate() {
-        data.dimensions.push((name, values.len()));
-        data.variables.push(Variable {
-            name: name.to_owned(),
-            dimensions: vec![first + i],
-            attributes: named("m", words),
-            values: Values::Double(values.clone()),
-        });
-    }
-    for (body, number) in stresses.bodies.iter().zip(1..) {
+    let sections = stresses.bodies.each_ref().map(|body| &body.section);
+    let x = axis(
+        data,
+        "stress_x",
+        &sections[0].x,
+        "position along the motion",
+    );
+    let words = "depth below the surface, both sides of interfaces";
+    let depths = match sections[0].depth == sections[1].depth {
+        true => [axis(data, "depth", &sections[0].depth, words); 2],
+        false => [
+            axis(data, "depth_body_1", &sections[0].depth, words),
+            axis(data, "depth_body_2", &sections[1].depth, words),
+        ],
+    };
+    for ((section, depth), number) in sections.into_iter().zip(depths).zip(1..) {
         for (i, component) in COMPONENTS.into_iter().enumerate() {
             let words = format!("stress {component} in body {number}");
-            let values = body.section.stress.iter().map(|s| s.0[i]);
+            let values = section.stress.iter().map(|s| s.0[i]);
             data.variables.push(Variable {
                 name: format!("stress_{component}_body_{number}"),
-                dimensions: vec![first, first + 1],
+                dimensions: vec![depth, x],
                 attributes: named("Pa", &words),
                 values: Values::Double(values.collect()),
             });
         }
     }
+}
+
+/// Adds a dimension with its places, m; its index.
+fn axis(data: &mut Dataset, name: &'static str, values: &[f64], words: &str) -> usize {
+    let index = data.dimensions.len();
+    data.dimensions.push((name, values.len()));
+    data.variables.push(Variable {
+        name: name.to_owned(),
+        dimensions: vec![index],
+        attributes: named("m", words),
+        values: Values::Double(values.to_vec()),
+    });
+    index
 }
 
 fn named(unit: &str, words: &str) -> Vec<(&'static str, Attribute)> {

@@ -112,7 +112,7 @@ fn draw_section(
         .flat_map(|z| section.x.iter().map(|x| [*x, *z]))
         .map(at)
         .collect();
-    let triangles: Vec<[u32; 3]> = (0..section.depth.len() - 1)
+    let triangles: Vec<[u32; 3]> = (section.rows())
         .flat_map(|j| (0..n - 1).map(move |i| (j * n + i) as u32))
         .flat_map(|a| {
             let (b, c, d) = (a + 1, a + n as u32, a + n as u32 + 1);

@@ -69,7 +69,7 @@ fn quadrilaterals(section: &Section, first: usize, up: f64) -> Vec<[u32; 4]> {
             false => [a, d, c, b],
         }
     };
-    (0..section.depth.len() - 1)
+    (section.rows())
         .flat_map(|j| (0..n - 1).map(move |i| (i, j)))
         .map(|(i, j)| cell(i, j))
         .collect()
