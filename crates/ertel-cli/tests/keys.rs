@@ -111,6 +111,8 @@ crates/ertel-cli/tests/good/quick.toml
     stress={ depth = "1 mm", planes = 40, cut_depth = "10 um", fatigue_limit = "300 MPa", dang_van_weight = 0.3, fatemi_socie_weight = 1.0, body_1_hardness = { surface = 700, core = 350, case_depth = "1 mm" }, body_2_hardness = { surface = 700, core = 350, case_depth = "1 mm" } }
     stress={ body_1_hardness = { depth = ["0 mm", "1 mm"], hardness = [700, 350] }, body_2_hardness = { depth = ["0 mm", "1 mm"], hardness = [700, 350] } }
     stress={ body_1_hardness = { uniform = 700 }, body_2_hardness = { uniform = 700 } }
+    stress={ body_1_residual_stress = { depth = ["0 mm", "1 mm"], along = ["-1 MPa", "0 MPa"], across = ["-1 MPa", "0 MPa"] }, body_2_residual_stress = { depth = ["0 mm", "1 mm"], along = ["-1 MPa", "0 MPa"], across = ["-1 MPa", "0 MPa"] } }
+    stress={ body_1_residual_stress = { file = "none.csv" }, body_2_residual_stress = { file = "none.csv" } }
     transient={ duration = "1 ms" }
     transient={ duration = "1 ms", load = { course = "ramp", end = "1 ms", to = "50 N" }, entrainment_speed = { course = "sine", amplitude = "0.1 m/s", period = "1 ms" } }
     transient={ duration = "1 ms", body_1_speed = { course = "step", at = "1 ms", to = "1 m/s" }, body_2_speed = { course = "table", file = "none.csv" } }

@@ -225,3 +225,39 @@ fn layer_of_the_same_material() {
         assert!((one / other - 1.0).abs() < 1e-3, "{one} {other}");
     }
 }
+
+/// A residual stress moves Dang Van's index of each depth by its mean over three times the weight, and is in von Mises over yield strength; shakedown and the other body have none of it.
+#[test]
+fn residual_stress_in_a_case() {
+    let (text, _) = LINE.split_once("[mesh]").unwrap();
+    let stresses = |residual: &str| {
+        let text = format!(
+            "{text}\n[mesh]\ntarget_error = \"2 %\"\n[stress]\nplanes = 20\nbody_1_hardness = {{ uniform = 700 }}\n{residual}\n"
+        );
+        let case = Case::from_text("case.toml", &text, Path::new("")).unwrap();
+        let solution = run::solve(&case, &mut NoObserver).unwrap();
+        let report = output::report(&case.echo(), &solution, None);
+        assert_eq!(
+            report.contains("von Mises with residual stress"),
+            !residual.is_empty()
+        );
+        (solution.stresses.unwrap(), solution.hertz.half_width)
+    };
+    let (bare, a) = stresses("");
+    let table = format!(
+        "body_1_residual_stress = {{ depth = [\"0 m\", \"{a} m\"], along = [\"-900 MPa\", \"0 MPa\"], across = [\"-600 MPa\", \"300 MPa\"] }}"
+    );
+    let (own, _) = stresses(&table);
+    let strength = 700.0 * ertel::stress::YIELD_PER_HARDNESS;
+    for (bare, own) in bare.bodies[0].layers.iter().zip(&own.bodies[0].layers) {
+        let share = (own.depth / a).min(1.0);
+        let mean = (-1500e6 + share * 1800e6) / 3.0;
+        assert!((own.dang_van - bare.dang_van - 0.3 * mean).abs() < 1e-6 * mean.abs() + 1.0);
+        let total = own.total_von_mises.unwrap();
+        assert!((own.utilisation.unwrap() / (total / strength) - 1.0).abs() < 1e-12);
+        assert_eq!(own.shakedown_shear, bare.shakedown_shear);
+        assert_eq!(own.von_mises, bare.von_mises);
+    }
+    assert!(own.bodies[0].total_von_mises.is_some() && own.bodies[1].total_von_mises.is_none());
+    assert_eq!(own.bodies[1].dang_van, bare.bodies[1].dang_van);
+}

@@ -69,6 +69,7 @@ pub fn stresses(
             coated: &coated[body],
             traction: fine.sums[1 + body] / fine.sums[0],
             hardness: params.hardness[body].as_ref(),
+            residual: params.residual[body].as_ref(),
         };
         analyse(&contact, &own, &dry)
     });

@@ -30,6 +30,8 @@ pub fn analyse(contact: &Contact<'_>, body: &Body<'_>, reference: &Reference) ->
         orthogonal_half_range: both.extreme(&|level| contact.half_range(level), cut),
         dang_van: both.largest(&|layer| layer.dang_van, cut),
         shakedown: shakedown(contact, &both),
+        total_von_mises: (body.residual)
+            .map(|_| both.largest(&|layer| layer.total_von_mises.unwrap_or(0.0), 0.0)),
         utilisation: (body.hardness)
             .map(|_| both.largest(&|layer| layer.utilisation.unwrap_or(0.0), 0.0)),
         lives: lives(contact, &both, reference),

@@ -1,7 +1,7 @@
 //! A body under its load: settings, planes, and the largest values of two samplings.
 
 use super::results::{Extreme, Layer, OverDepth, Site, StressParams};
-use super::{Depths, Hardness, Level, Load, Peak, Response};
+use super::{Depths, Hardness, Level, Load, Peak, Residual, Response};
 use crate::layers::Coated;
 
 /// Settings and geometry that both bodies share.
@@ -46,6 +46,8 @@ pub struct Body<'a> {
     pub traction: f64,
     /// Hardness over depth.
     pub hardness: Option<&'a Hardness>,
+    /// Residual stress over depth.
+    pub residual: Option<&'a Residual>,
 }
 
 /// The planes of a load and what they mean.

@@ -18,12 +18,12 @@ pub struct DangVan {
     pub index: f64,
 }
 
-/// Dang Van's index of a passage that begins and ends at rest. The residual stress of the shakedown takes the deviator to the centre of the
+/// Dang Van's index of a passage that begins and ends at rest, where the body has its residual stress. That of the shakedown takes the deviator to the centre of the
 /// smallest sphere around its path.
-pub fn dang_van(path: &[Stress], alpha: f64) -> DangVan {
-    let rest = Stress::default();
-    let all = || path.iter().chain([&rest]);
-    let points: Vec<_> = all().map(Stress::deviator).collect();
+pub fn dang_van(path: &[Stress], residual: Stress, alpha: f64) -> DangVan {
+    let rest = [Stress::default()];
+    let all = || path.iter().chain(&rest).map(|stress| *stress + residual);
+    let points: Vec<_> = all().map(|stress| stress.deviator()).collect();
     let (centre, radius) = smallest_sphere(&points);
     let centre = Stress::of_deviator(centre);
     let mut found = DangVan {
@@ -32,7 +32,7 @@ pub fn dang_van(path: &[Stress], alpha: f64) -> DangVan {
         index: f64::NEG_INFINITY,
     };
     for stress in all() {
-        let shear = (*stress - centre).largest_shear();
+        let shear = (stress - centre).largest_shear();
         found.shear = found.shear.max(shear);
         found.index = found.index.max(shear + alpha * stress.hydrostatic());
     }
@@ -43,18 +43,28 @@ pub fn dang_van(path: &[Stress], alpha: f64) -> DangVan {
 const PLANES: usize = 90;
 
 /// Fatemi and Socie's parameter in stresses: the largest τ_a (1 + κ σ_n/σ_y) of all planes across the plane of motion, with half the range τ_a of the
-/// shear and the largest normal stress σ_n of the passage on each (Fatemi and Socie 1988; strains are elastic, γ_a = τ_a/G).
-pub fn fatemi_socie(path: &[Stress], sensitivity: f64, yield_strength: f64) -> f64 {
+/// shear and the largest normal stress σ_n of the passage, with the residual stress, on each (Fatemi and Socie 1988; strains are elastic, γ_a = τ_a/G).
+pub fn fatemi_socie(
+    path: &[Stress],
+    residual: Stress,
+    sensitivity: f64,
+    yield_strength: f64,
+) -> f64 {
     let of_plane = |i: usize| {
         let (s, c) = (PI * i as f64 / PLANES as f64).sin_cos();
-        let rest = (0.0_f64, 0.0_f64, 0.0_f64);
-        let (low, high, normal) = path.iter().fold(rest, |(low, high, normal), stress| {
+        let of = |stress: Stress| {
             let [xx, _, zz, _, xz, _] = stress.0;
             let shear = (zz - xx) * s * c + xz * (c * c - s * s);
-            let own = xx * c * c + zz * s * s + 2.0 * xz * s * c;
+            [shear, xx * c * c + zz * s * s + 2.0 * xz * s * c]
+        };
+        let [shear, normal] = of(residual);
+        let rest = (shear, shear, normal);
+        let (low, high, normal) = path.iter().fold(rest, |(low, high, normal), stress| {
+            let [shear, own] = of(*stress + residual);
             (low.min(shear), high.max(shear), normal.max(own))
         });
-        0.5 * (high - low) * (1.0 + sensitivity * normal / yield_strength)
+        // A plane under compression is closed: more compression changes nothing.
+        0.5 * (high - low) * (1.0 + sensitivity * normal.max(0.0) / yield_strength)
     };
     (0..PLANES).map(of_plane).fold(0.0, f64::max)
 }

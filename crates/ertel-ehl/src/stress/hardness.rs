@@ -72,15 +72,19 @@ impl Hardness {
 
     /// Hardness at a depth, HV.
     pub fn at(&self, z: f64) -> f64 {
-        let next = self.points.partition_point(|p| p[0] <= z);
-        match (
-            next.checked_sub(1).map(|i| self.points[i]),
-            self.points.get(next),
-        ) {
-            (Some([a, low]), Some([b, high])) => low + (z - a) / (b - a) * (high - low),
-            (Some([_, value]), None) => value,
-            (None, Some([_, value])) => *value,
-            (None, None) => f64::NAN,
+        between(&self.points, 1, z)
+    }
+}
+
+/// A column of rows that begin with ascending depths at a depth, linear between them and constant outside.
+pub(super) fn between<const N: usize>(rows: &[[f64; N]], column: usize, z: f64) -> f64 {
+    let next = rows.partition_point(|row| row[0] <= z);
+    match (next.checked_sub(1).map(|i| &rows[i]), rows.get(next)) {
+        (Some(low), Some(high)) => {
+            let share = (z - low[0]) / (high[0] - low[0]);
+            low[column] + share * (high[column] - low[column])
         }
+        (Some(row), None) | (None, Some(row)) => row[column],
+        (None, None) => f64::NAN,
     }
 }

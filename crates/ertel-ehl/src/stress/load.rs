@@ -114,6 +114,14 @@ impl Load {
 }
 
 impl Level {
+    /// Largest stress after von Mises with a residual stress everywhere.
+    pub(super) fn von_mises_with(&self, residual: Stress) -> f64 {
+        let rows = (0..self.rows.len()).map(|j| self.row(j));
+        let of_row = |row: &[Stress]| crest(row.len(), |i| (row[i] + residual).von_mises()).0;
+        let rows: Vec<f64> = rows.map(of_row).collect();
+        crest(rows.len(), |j| rows[j]).0
+    }
+
     /// Stresses along the middle row.
     pub fn middle(&self) -> &[Stress] {
         self.row(self.rows.len() / 2)

@@ -31,7 +31,12 @@ pub(super) fn layers(
             let site = body.site(depths, t as f64);
             let hardness = body.hardness.map(|hardness| hardness.at(depth));
             let strength = hardness.map(|hardness| hardness * YIELD_PER_HARDNESS);
-            let many_passages = dang_van(level.middle(), params.dang_van);
+            // Below a jump on the planes that begin a part.
+            let below = depths.part(t as f64).1 == Some(false);
+            let given = body.residual.map(|residual| residual.at(depth, below));
+            let residual = given.unwrap_or_default();
+            let total = given.map(|residual| level.von_mises_with(residual));
+            let many_passages = dang_van(level.middle(), residual, params.dang_van);
             // In lines and rollers residual stresses leave σ_xz as it is; elsewhere they may move the path of the deviator.
             let shakedown_shear = match contact.is_line {
                 true => level.middle_orthogonal,
@@ -46,10 +51,14 @@ pub(super) fn layers(
                 orthogonal_half_range: contact.half_range(level).value,
                 dang_van: many_passages.index,
                 shakedown_shear,
-                fatemi_socie: strength
-                    .map(|strength| fatemi_socie(level.middle(), params.fatemi_socie, strength)),
+                fatemi_socie: strength.map(|strength| {
+                    fatemi_socie(level.middle(), residual, params.fatemi_socie, strength)
+                }),
                 hardness,
-                utilisation: strength.map(|strength| level.von_mises.value / strength),
+                residual: given.map(|residual| [residual.0[0], residual.0[1]]),
+                total_von_mises: total,
+                utilisation: strength
+                    .map(|strength| total.unwrap_or(level.von_mises.value) / strength),
                 shakedown_use: strength.map(|strength| shakedown_shear / (SHEAR_YIELD * strength)),
             }
         })

@@ -19,6 +19,7 @@ mod line;
 mod load;
 mod measures;
 mod rectangle;
+mod residual;
 mod results;
 mod sections;
 mod sphere;
@@ -39,6 +40,7 @@ pub use life::{Criterion, Volume, lundberg_palmgren};
 pub use line::LineLoad;
 pub use load::{Level, Load, Peak, RowShear};
 pub use measures::dry_contact;
+pub use residual::Residual;
 pub use results::{
     AtDepth, BodyStresses, DryContact, Extreme, Interface, Layer, Life, Lives, OverDepth,
     PartStresses, Profile, Section, Shakedown, ShakedownBy, Site, StressParams, Stresses,

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Criterion, Hardness, Stress};
+use super::{Criterion, Hardness, Residual, Stress};
 
 /// Settings.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +21,8 @@ pub struct StressParams {
     pub fatemi_socie: f64,
     /// Hardness of each body over depth, if given.
     pub hardness: [Option<Hardness>; 2],
+    /// Residual stress of each body over depth, if given.
+    pub residual: [Option<Residual>; 2],
 }
 
 impl Default for StressParams {
@@ -33,6 +35,7 @@ impl Default for StressParams {
             dang_van: 0.3,
             fatemi_socie: 1.0,
             hardness: [None, None],
+            residual: [None, None],
         }
     }
 }
@@ -151,18 +154,24 @@ pub struct Layer {
     pub tension: f64,
     /// Half the largest range of σ_xz, Pa.
     pub orthogonal_half_range: f64,
-    /// Dang Van's index, Pa.
+    /// Dang Van's index, with the residual stress, Pa.
     pub dang_van: f64,
     /// Least yield strength in shear that shakes down: |σ_xz| of lines and rollers, else the radius of the smallest sphere around the path of the
     /// deviator over √2, Pa.
     pub shakedown_shear: f64,
-    /// Fatemi and Socie's parameter, Pa; where there is a hardness.
+    /// Fatemi and Socie's parameter, with the residual stress, Pa; where there is a hardness.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fatemi_socie: Option<f64>,
     /// Hardness, HV.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hardness: Option<f64>,
-    /// Stress after von Mises over the yield strength.
+    /// Residual stress along and across the motion, Pa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub residual: Option<[f64; 2]>,
+    /// Largest stress after von Mises with the residual stress, Pa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub total_von_mises: Option<f64>,
+    /// Stress after von Mises, with the residual stress, over the yield strength.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub utilisation: Option<f64>,
     /// The shear of the shakedown over the yield strength in shear.
@@ -254,6 +263,9 @@ pub struct BodyStresses {
     pub dang_van: OverDepth,
     /// Shakedown.
     pub shakedown: Shakedown,
+    /// Largest stress after von Mises with the residual stress.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub total_von_mises: Option<OverDepth>,
     /// Largest stress after von Mises over the yield strength.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub utilisation: Option<OverDepth>,

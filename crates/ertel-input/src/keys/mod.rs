@@ -23,7 +23,7 @@ pub use machine::MACHINES;
 pub use paths::{all, rows_of};
 pub use row::{Kind, Law, Laws, Row};
 pub use settings::{
-    CODES, COMPARE, HARDNESS, INTERFEROGRAM, MESH, OUTPUT, SOLVER, STRESS, THERMAL,
+    CODES, COMPARE, HARDNESS, INTERFEROGRAM, MESH, OUTPUT, RESIDUAL_STRESS, SOLVER, STRESS, THERMAL,
 };
 pub use unknown::{unknown_first, unknown_path};
 

@@ -86,6 +86,14 @@ rows! {
         fatemi_socie_weight: Number, bounds [0.0, 2.0], default "1" => "weight κ of the normal stress in Fatemi and Socie's parameter";
         body_1_hardness, body_2_hardness: Table(HARDNESS) => r"hardness of the body over depth: `surface`, `core` and `case_depth`, or a
             table `depth` and `hardness`, or `uniform`";
+        body_1_residual_stress, body_2_residual_stress: Table(RESIDUAL_STRESS) => r"residual stress of the body over depth: `depth`, `along` and `across`, or
+            a `file` with these columns";
+    }
+    /// `[stress.body_1_residual_stress]`.
+    pub RESIDUAL_STRESS {
+        depth: Quantities(&[D::LENGTH]) => "ascending depths, from 0 to 1 m; a depth that is given twice is a jump";
+        along, across: Quantities(&[D::PRESSURE]) => "residual stress at these depths along and across the motion, tension positive, -20 to 20 GPa; linear between them, constant outside";
+        file: Text => "instead: a CSV table with the columns depth, along and across, each with its unit";
     }
     /// `[stress.body_1_hardness]`.
     pub HARDNESS {

@@ -233,7 +233,7 @@ class Result(Warned, Stored):
         """Stresses in a body over depth, Pa and m, below the ``"middle"`` of the contact or the ``"largest"`` stress after von Mises.
 
         Keys: ``depth``, the components ``xx``, ``yy``, ``zz``, ``xy``, ``xz``, ``yz`` (x along the motion, z into the body, tension positive) and
-        ``orthogonal_range``, the range of ``xz`` that points of this depth see while the contact passes.
+        ``orthogonal_range``, the range of ``xz`` that points of this depth see while the contact passes. Interfaces of layers have two depths, one for each side.
 
         Raises
         ------

@@ -75,7 +75,7 @@ impl Settings {
             None => Supply::Flooded,
         };
         let stress = root.optional_table("stress")?;
-        let stress = stress.map(|table| stress::read(table, &geometry.hertz));
+        let stress = stress.map(|table| stress::read(table, folder, &geometry.hertz));
         let (stress, unusual) = stress.transpose()?.unzip();
         warnings.extend(unusual.unwrap_or_default());
         let is_in_time = root.contains("transient");

@@ -1,10 +1,14 @@
 //! `[stress]`: stresses in the bodies below the contact.
 
+use std::path::Path;
+
+use ertel_input::csv::{CsvError, CsvTable};
+use ertel_input::file::{LARGEST_TABLE, read_text};
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 
 use crate::contact::Hertz;
-use crate::stress::{Hardness, StressParams};
+use crate::stress::{Hardness, Residual, StressParams};
 use crate::warning::{Warning, WarningKind};
 use crate::words::{digits, length, pressure};
 
@@ -14,6 +18,8 @@ const DEPTH: Bounds = Bounds::closed(1e-8, 1.0);
 const TABLE_DEPTH: Bounds = Bounds::closed(0.0, 1.0);
 /// Fatigue limits, Pa.
 const LIMIT: Bounds = Bounds::closed(0.0, 1e10);
+/// Residual stresses, Pa.
+const RESIDUAL: Bounds = Bounds::closed(-2e10, 2e10);
 /// Vickers hardness of metals.
 const HARDNESS: Bounds = Bounds::closed(10.0, 2000.0);
 
@@ -25,12 +31,13 @@ const USUAL_CUT: [f64; 2] = [0.03, 0.35];
 /// No shear of a dry contact exceeds this share of its pressure, by either criterion.
 const LARGEST_SHEAR: f64 = 0.32;
 
-/// Reads the section; `hertz`: the dry contact.
+/// Reads the section, whose files are in `folder`; `hertz`: the dry contact.
 pub(super) fn read(
     table: Table<'_>,
+    folder: &Path,
     hertz: &Hertz,
 ) -> Result<(StressParams, Vec<Warning>), InputError> {
-    let params = read_params(table)?;
+    let params = read_params(table, folder)?;
     let warnings = warnings(&params, hertz);
     Ok((params, warnings))
 }
@@ -82,7 +89,7 @@ fn warnings(params: &StressParams, hertz: &Hertz) -> Vec<Warning> {
     all
 }
 
-fn read_params(mut table: Table<'_>) -> Result<StressParams, InputError> {
+fn read_params(mut table: Table<'_>, folder: &Path) -> Result<StressParams, InputError> {
     let usual = StressParams::default();
     let weight = Bounds::closed(0.0, 2.0);
     let depth = table.optional_quantity("depth", Dimension::LENGTH, DEPTH)?;
@@ -103,6 +110,10 @@ fn read_params(mut table: Table<'_>) -> Result<StressParams, InputError> {
         hardness(&mut table, "body_1_hardness")?,
         hardness(&mut table, "body_2_hardness")?,
     ];
+    let residual = [
+        residual(&mut table, "body_1_residual_stress", folder)?,
+        residual(&mut table, "body_2_residual_stress", folder)?,
+    ];
     table.finish()?;
     Ok(StressParams {
         depth,
@@ -112,7 +123,102 @@ fn read_params(mut table: Table<'_>) -> Result<StressParams, InputError> {
         dang_van: dang_van.unwrap_or(usual.dang_van),
         fatemi_socie: fatemi_socie.unwrap_or(usual.fatemi_socie),
         hardness,
+        residual,
     })
+}
+
+/// A column over depth: its key, unit and limits.
+type Over = (&'static str, Dimension, Bounds);
+
+/// The depths of a table and columns over them.
+fn over_depth<const N: usize>(
+    table: &mut Table<'_>,
+    columns: [Over; N],
+) -> Result<(Vec<f64>, [Vec<f64>; N]), InputError> {
+    let depths = table.required_quantities("depth", Dimension::LENGTH, TABLE_DEPTH)?;
+    let mut all = [const { Vec::new() }; N];
+    for (column, (key, dimension, bounds)) in all.iter_mut().zip(columns) {
+        *column = table.required_quantities(key, dimension, bounds)?;
+        if column.len() != depths.len() {
+            let text = format!(
+                "`{key}` needs as many values as `depth`: {}, not {}",
+                depths.len(),
+                column.len()
+            );
+            return Err(table.error(key, text));
+        }
+    }
+    Ok((depths, all))
+}
+
+/// Residual stress over depth: a table, or a file with one.
+fn residual(
+    outer: &mut Table<'_>,
+    key: &str,
+    folder: &Path,
+) -> Result<Option<Residual>, InputError> {
+    let Some(mut table) = outer.optional_table(key)? else {
+        return Ok(None);
+    };
+    let (points, at) = match table.optional_str("file")? {
+        Some(file) => {
+            let path = folder.join(file);
+            let text = read_text(&path, LARGEST_TABLE)
+                .map_err(|error| table.error("file", format!("{} {error}", path.display())))?;
+            let points = residual_rows(file, &text).map_err(|error| {
+                table.error("file", error.to_string()).with_help(
+                    "residual stresses are a CSV table with columns of depth, along and across, each with its unit: depth_um, along_MPa, across_MPa",
+                )
+            })?;
+            (points, "file")
+        }
+        None => {
+            let stress = |key| (key, Dimension::PRESSURE, RESIDUAL);
+            let (depths, [along, across]) =
+                over_depth(&mut table, [stress("along"), stress("across")])?;
+            let rows = depths.into_iter().zip(along.into_iter().zip(across));
+            let points = rows.map(|(depth, (along, across))| [depth, along, across]);
+            (points.collect(), "depth")
+        }
+    };
+    let found = Residual::of_table(points).map_err(|text| table.error(at, text))?;
+    table.finish()?;
+    Ok(Some(found))
+}
+
+/// The rows of a CSV table of residual stress.
+fn residual_rows(file: &str, text: &str) -> Result<Vec<[f64; 3]>, CsvError> {
+    let csv = CsvTable::parse(file, text)?;
+    let stress = Dimension::PRESSURE;
+    let mut columns = Vec::new();
+    for (name, dimension) in [
+        ("depth", Dimension::LENGTH),
+        ("along", stress),
+        ("across", stress),
+    ] {
+        let found = csv.find_with_unit(name, dimension)?;
+        columns.push(found.ok_or_else(|| {
+            csv.error(
+                csv.header(),
+                0,
+                format!("there is no column `{name}` with its unit"),
+            )
+        })?);
+    }
+    let mut rows = Vec::new();
+    for row in csv.rows() {
+        let mut values = [0.0; 3];
+        let limits = [(TABLE_DEPTH, "m"), (RESIDUAL, "Pa"), (RESIDUAL, "Pa")];
+        for (value, (column, (bounds, unit))) in values.iter_mut().zip(columns.iter().zip(limits)) {
+            *value = csv.required_number(row, column)?;
+            if !bounds.contains(*value) {
+                let problem = format!("must be {}", bounds.describe(unit));
+                return Err(csv.error(row, column.index, problem));
+            }
+        }
+        rows.push(values);
+    }
+    Ok(rows)
 }
 
 /// Hardness over depth: one value, a table, or that of a case.
@@ -126,16 +232,8 @@ fn hardness(outer: &mut Table<'_>, key: &str) -> Result<Option<Hardness>, InputE
     }
     let is_table = table.contains("depth") || table.contains("hardness");
     let (found, at) = if is_table {
-        let depths = table.required_quantities("depth", Dimension::LENGTH, TABLE_DEPTH)?;
-        let values = table.required_numbers("hardness", HARDNESS)?;
-        if depths.len() != values.len() {
-            let text = format!(
-                "`hardness` needs as many values as `depth`: {}, not {}",
-                depths.len(),
-                values.len()
-            );
-            return Err(table.error("hardness", text));
-        }
+        let column = ("hardness", Dimension::DIMENSIONLESS, HARDNESS);
+        let (depths, [values]) = over_depth(&mut table, [column])?;
         let points = depths.into_iter().zip(values);
         let points = points.map(|(depth, value)| [depth, value]).collect();
         (Hardness::of_table(points), "hardness")
@@ -192,6 +290,53 @@ mod tests {
         );
     }
 
+    const TABLE: &str = "body_2_residual_stress = { depth = [\"0 um\", \"100 um\", \"0.5 mm\"], along = [\"-800 MPa\", \"-400 MPa\", \"50 MPa\"], across = [\"-600 MPa\", \"-300 MPa\", \"0 MPa\"] }";
+
+    /// A table in the case and the same in a file; linear between the depths.
+    #[test]
+    fn residual_stress() {
+        let params = read(TABLE).unwrap().stress.unwrap();
+        let [None, Some(residual)] = &params.residual else {
+            panic!("{params:?}");
+        };
+        let [along, across, ..] = residual.at(50e-6, true).0;
+        assert!((along + 600e6).abs() < 1.0 && (across + 450e6).abs() < 1.0);
+        assert_eq!(residual.at(1e-3, true).0[0], 50e6);
+        let folder = tempfile::tempdir().unwrap();
+        let table = "depth_um,along_MPa,across_MPa\n0,-800,-600\n100,-400,-300\n500,50,0\n";
+        std::fs::write(folder.path().join("peened.csv"), table).unwrap();
+        let of_file = |text: &str| {
+            let text =
+                format!("{CASE}\n[stress]\nbody_2_residual_stress = {{ file = \"{text}\" }}");
+            Case::from_text("case.toml", &text, folder.path())
+        };
+        let found = of_file("peened.csv").unwrap().stress.unwrap();
+        for depth in [0.0, 30e-6, 0.2e-3, 2e-3] {
+            let [one, other] = [&found, &params]
+                .map(|params| params.residual[1].as_ref().unwrap().at(depth, true));
+            assert!((one.0[0] - other.0[0]).abs() < 1.0 && (one.0[1] - other.0[1]).abs() < 1.0);
+        }
+        for (table, words) in [
+            ("depth_um,along_MPa\n0,-800\n100,0\n", "across"),
+            (
+                "depth_um,along_MPa,across_MPa\n0,-800,nan\n100,0,0\n",
+                "line 2",
+            ),
+            (
+                "depth_um,along_MPa,across_MPa\n0,-800,-1e6\n100,0,0\n",
+                "must be",
+            ),
+            (
+                "depth_um,along_MPa,across_MPa\n100,-800,-600\n0,0,0\n",
+                "ascend",
+            ),
+        ] {
+            std::fs::write(folder.path().join("bad.csv"), table).unwrap();
+            let error = of_file("bad.csv").unwrap_err().to_string();
+            assert!(error.contains(words), "{error}");
+        }
+    }
+
     /// Other ones are among the bad cases of the command.
     #[test]
     fn refused() {
@@ -212,6 +357,15 @@ mod tests {
                 "as many values",
             ),
             ("body_1_hardness = {}", "surface"),
+            ("body_1_residual_stress = {}", "depth"),
+            (&TABLE.replace("\"0 um\"", "\"200 um\""), "ascend"),
+            (&TABLE.replace("\"-600 MPa\", ", ""), "as many values"),
+            (&TABLE.replace("-600 MPa", "-600 GPa"), "must be between"),
+            (&TABLE.replace("\"-600 MPa\"", "nan"), "across"),
+            (
+                "body_1_residual_stress = { file = \"none.csv\" }",
+                "none.csv",
+            ),
         ] {
             let error = read(section).unwrap_err();
             assert!(error.contains(expected), "{error}");

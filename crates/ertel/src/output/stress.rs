@@ -30,6 +30,13 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
         write_body(out, role, body, solution, stresses);
     }
     out.note("x, y: along and across the motion; traction: on the body, along x. Lives: over those of the dry contact without friction and without fatigue limit.");
+    if stresses
+        .bodies
+        .iter()
+        .any(|body| body.total_von_mises.is_some())
+    {
+        out.note("The given residual stress is in the indices of Dang Van and of Fatemi and Socie and in von Mises over yield strength. Shakedown does not depend on it: its theorem takes the best one.");
+    }
     if stresses.bodies.iter().any(|body| !body.parts.is_empty()) {
         out.note("Lives of bodies with layers are those of the substrate, over those of the dry contact of a body without layers. σ_zz above zero pulls at an interface.");
     }
@@ -87,6 +94,12 @@ fn write_body(
         at_depth(&body.dang_van, pressure_estimate),
     );
     out.row("  shakedown", shakedown(&body.shakedown));
+    if let Some(total) = &body.total_von_mises {
+        out.row(
+            "  von Mises with residual stress",
+            at_depth(total, pressure_estimate),
+        );
+    }
     if let Some(utilisation) = &body.utilisation {
         out.row(
             "  von Mises over yield strength",

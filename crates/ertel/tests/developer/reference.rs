@@ -140,6 +140,7 @@ fn tables_of_the_reference_are_those_of_the_keys() {
         ("thermal", keys::THERMAL),
         ("stress", keys::STRESS),
         ("hardness", keys::HARDNESS),
+        ("residual_stress", keys::RESIDUAL_STRESS),
         ("layer", keys::LAYER),
         ("mesh", keys::MESH),
         ("solver", keys::SOLVER),

@@ -2,8 +2,8 @@
 
 use super::super::depths::crest;
 use super::super::{
-    Criterion, Depths, HertzLoad, Level, Load, Response, Stress, Volume, dang_van, fatemi_socie,
-    lundberg_palmgren,
+    Criterion, Depths, HertzLoad, Level, Load, Residual, Response, Stress, Volume, dang_van,
+    fatemi_socie, lundberg_palmgren,
 };
 use super::{hertz_line, passage, worst};
 
@@ -104,6 +104,9 @@ const LIVES: [[f64; 5]; 36] = [
     [1.0, 0.1, 0.15, 492.627674, 462.866156],
 ];
 
+/// No residual stress.
+const NONE: Stress = Stress([0.0; 6]);
+
 fn dry(ratio: Option<f64>, friction: f64) -> Load {
     Load::Hertz(HertzLoad {
         half_width: 1.0,
@@ -148,7 +151,7 @@ fn shakedown_by_the_smallest_sphere() {
     let depths = Depths::new(1.0, 60);
     for (ratio, known) in [(Some(1.0), 0.213_890_9), (None, 0.25)] {
         let levels = dry(ratio, 0.0).levels(&passage(3.0, 300), &Response::bare(0.3, &depths));
-        let radius = |level: &Level| dang_van(&level.middle(), 0.3).radius / 2.0_f64.sqrt();
+        let radius = |level: &Level| dang_van(level.middle(), NONE, 0.3).radius / 2.0_f64.sqrt();
         let largest = levels.iter().map(radius).fold(0.0, f64::max);
         assert!((largest / known - 1.0).abs() < 3e-3, "{ratio:?} {largest}");
     }
@@ -214,7 +217,7 @@ fn dang_van_of_lines() {
         let path: Vec<Stress> = (passage(12.0, 1200).iter())
             .map(|x| load.at(*x, z, 0.3))
             .collect();
-        let found = [0.2, 0.4].map(|alpha| dang_van(&path, alpha));
+        let found = [0.2, 0.4].map(|alpha| dang_van(&path, NONE, alpha));
         deviation = worst([
             deviation,
             found[0].radius / radius - 1.0,
@@ -262,11 +265,64 @@ fn relative_lives_of_lines() {
 #[test]
 fn plane_of_fatemi_and_socie() {
     let cycle = |normal: f64| [1.0, -1.0].map(|s| Stress([normal, 0.0, normal, 0.0, s, 0.0]));
-    assert!((fatemi_socie(&cycle(0.0), 1.0, 1e9) - 1.0).abs() < 1e-8);
-    let found = fatemi_socie(&cycle(2.0), 0.5, 10.0);
+    assert!((fatemi_socie(&cycle(0.0), NONE, 1.0, 1e9) - 1.0).abs() < 1e-8);
+    let found = fatemi_socie(&cycle(2.0), NONE, 0.5, 10.0);
     let [plane, turned] = [0.0_f64, 4.0].map(|degrees| {
         let (s, c) = (2.0 * degrees.to_radians()).sin_cos();
         c * (1.0 + 0.5 * (2.0 + s) / 10.0)
     });
     assert!(found >= plane.max(turned) && found < 1.01 * plane.max(turned));
+}
+
+/// By hand: the residual stress shifts the path of the deviator and its centre alike, so that Dang Van's index changes by α (σ_x + σ_y)/3. On a plane at an angle
+/// from the surface, alternating shear has the half range |cos 2θ| and the largest normal stress |sin 2θ| + σ_x cos²θ.
+#[test]
+fn residual_stress_in_criteria() {
+    let load = hertz_line(0.1);
+    let path: Vec<Stress> = (passage(6.0, 400).iter())
+        .map(|x| load.at(*x, 0.4, 0.3))
+        .collect();
+    let residual = Stress([-0.5, 0.2, 0.0, 0.0, 0.0, 0.0]);
+    let [bare, own] = [NONE, residual].map(|residual| dang_van(&path, residual, 0.3));
+    assert!((own.index - bare.index + 0.3 * 0.1).abs() < 1e-9);
+    assert!((own.radius - bare.radius).abs() < 1e-9 && (own.shear - bare.shear).abs() < 1e-9);
+    let cycle = [1.0, -1.0].map(|s| Stress([0.0, 0.0, 0.0, 0.0, s, 0.0]));
+    let known = (0..20_000)
+        .map(|i| std::f64::consts::PI * f64::from(i) / 20_000.0)
+        .map(|a| {
+            let normal = (2.0 * a).sin().abs() + 2.0 * a.cos().powi(2);
+            (2.0 * a).cos().abs() * (1.0 + 0.5 * normal / 10.0)
+        })
+        .fold(0.0, f64::max);
+    let found = fatemi_socie(&cycle, Stress([2.0, 0.0, 0.0, 0.0, 0.0, 0.0]), 0.5, 10.0);
+    assert!((found / known - 1.0).abs() < 1e-3, "{found} {known}");
+    // Under compression along the surface the plane of the surface decides.
+    let pressed = fatemi_socie(&cycle, Stress([-3.0, 0.0, 0.0, 0.0, 0.0, 0.0]), 0.5, 10.0);
+    assert!((1.0..known).contains(&pressed), "{pressed}");
+}
+
+/// At the surface under Hertz's line, ν = 0.3, stresses are −p, −0.6 p, −p: with σ_x = σ_y = r the stress after von Mises is √(0.16 p² − 0.4 p r + r²), largest at p = 0 for
+/// −½ and at p = 1 for +½. A depth that is given twice is a jump.
+#[test]
+fn residual_stress_and_von_mises() {
+    let response = Response::bare(0.3, &Depths::new(1.0, 10));
+    let level = &dry(None, 0.0).levels(&passage(1.5, 300), &response)[0];
+    for (r, known) in [(-0.5, 0.5), (0.5, (0.16_f64 + 0.2 + 0.25).sqrt())] {
+        let found = level.von_mises_with(Stress([r, r, 0.0, 0.0, 0.0, 0.0]));
+        assert!((found - known).abs() < 1e-6, "{found} {known}");
+    }
+    let coat = vec![[0.0, -2e9, -1e9], [2e-6, -1e9, -1e9], [2e-6, 3e8, 1e8]];
+    let residual = Residual::of_table(coat).unwrap();
+    let at = |depth, below| residual.at(depth, below).0[0];
+    assert!((at(1e-6, true) + 1.5e9).abs() < 10.0);
+    assert!((at(2e-6, false) + 1e9).abs() < 10.0 && (at(2e-6, true) - 3e8).abs() < 10.0);
+    for bad in [
+        vec![[0.0, 1.0, 1.0]],
+        vec![[1.0, 1.0, 1.0], [0.5, 1.0, 1.0]],
+        vec![[0.0, 1.0, 1.0], [0.0, 2.0, 1.0], [0.0, 3.0, 1.0]],
+        vec![[0.0, f64::NAN, 1.0], [0.5, 1.0, 1.0]],
+        vec![[-1.0, 1.0, 1.0], [0.5, 1.0, 1.0]],
+    ] {
+        assert!(Residual::of_table(bad).is_err());
+    }
 }
