@@ -283,6 +283,8 @@ definitions! {
         FILM_TEMPERATURE_MAXIMUM_HIGHEST, "film_temperature_maximum_highest", "highest film temperature", Temperature, Instants;
         VON_MISES_BODY_1_HIGHEST, "von_mises_body_1_highest", "highest von Mises stress, body 1", Stress, Instants;
         VON_MISES_BODY_2_HIGHEST, "von_mises_body_2_highest", "highest von Mises stress, body 2", Stress, Instants;
+        NEAR_SURFACE_DANG_VAN_BODY_1_HIGHEST, "near_surface_dang_van_body_1_highest", "highest Dang Van's index near the surface, body 1", Stress, Instants;
+        NEAR_SURFACE_DANG_VAN_BODY_2_HIGHEST, "near_surface_dang_van_body_2_highest", "highest Dang Van's index near the surface, body 2", Stress, Instants;
         AMPLITUDE_RATIO_LOWEST, "amplitude_ratio_lowest", "lowest amplitude ratio of the waves", Coefficient, Run;
         AMPLITUDE_RATIO_HIGHEST, "amplitude_ratio_highest", "highest amplitude ratio of the waves", Coefficient, Run;
         AMPLITUDE_RATIO_LAST, "amplitude_ratio_last", "amplitude ratio of the waves at the end", Coefficient, Run;

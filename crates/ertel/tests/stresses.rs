@@ -125,6 +125,12 @@ fn line_in_time() {
     let highest = ertel::figures::find(&rows, "von_mises_body_2_highest").unwrap();
     let of_instants = of(Figure::VonMisesBody2).into_iter().flatten();
     assert_eq!(highest.estimate.value, of_instants.fold(0.0, f64::max));
+    let highest = ertel::figures::find(&rows, "near_surface_dang_van_body_1_highest").unwrap();
+    let of_instants = of(Figure::NearSurfaceDangVanBody1).into_iter().flatten();
+    assert_eq!(
+        highest.estimate.value,
+        of_instants.fold(f64::NEG_INFINITY, f64::max)
+    );
 }
 
 const COATED: &str = include_str!("../../../cases/coated-ball-stresses.toml");

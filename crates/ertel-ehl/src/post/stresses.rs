@@ -103,7 +103,11 @@ pub fn note(measured: &mut Measured, stresses: &Stresses) {
         Figure::InterfaceShearBody1,
         Figure::InterfacePullBody1,
     ];
-    let over_depth = [Figure::DangVanBody1, Figure::UtilisationBody1];
+    let over_depth = [
+        Figure::DangVanBody1,
+        Figure::NearSurfaceDangVanBody1,
+        Figure::UtilisationBody1,
+    ];
     note_body(measured, one, figures, over_depth);
     let figures = [
         Figure::VonMisesBody2,
@@ -113,7 +117,11 @@ pub fn note(measured: &mut Measured, stresses: &Stresses) {
         Figure::InterfaceShearBody2,
         Figure::InterfacePullBody2,
     ];
-    let over_depth = [Figure::DangVanBody2, Figure::UtilisationBody2];
+    let over_depth = [
+        Figure::DangVanBody2,
+        Figure::NearSurfaceDangVanBody2,
+        Figure::UtilisationBody2,
+    ];
     note_body(measured, two, figures, over_depth);
 }
 
@@ -121,7 +129,7 @@ fn note_body(
     measured: &mut Measured,
     body: &BodyStresses,
     figures: [Figure; 6],
-    over_depth: [Figure; 2],
+    over_depth: [Figure; 3],
 ) {
     let mut note = |figure, reading, error| {
         measured.figures.note(figure, reading);
@@ -151,7 +159,11 @@ fn note_body(
             note(figure, reading, extreme.error);
         }
     }
-    let found = [Some(&body.dang_van), body.utilisation.as_ref()];
+    let found = [
+        Some(&body.dang_van),
+        Some(&body.near_surface_dang_van),
+        body.utilisation.as_ref(),
+    ];
     for (figure, found) in over_depth.into_iter().zip(found) {
         if let Some(found) = found {
             note(figure, Reading::new(found.value), found.error);

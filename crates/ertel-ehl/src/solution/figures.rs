@@ -177,6 +177,8 @@ figures! {
     OrthogonalShearBody1, "orthogonal_shear_body_1", "", "half range of orthogonal shear, body 1", Stress, Stress, OfBodies, Place;
     /// Largest index of Dang Van in body 1.
     DangVanBody1, "dang_van_body_1", "", "Dang Van's index, body 1", Stress, Stress, OfBodies, Whole;
+    /// Largest index of Dang Van near the surface of body 1.
+    NearSurfaceDangVanBody1, "near_surface_dang_van_body_1", "", "Dang Van's index near the surface, body 1", Stress, Stress, OfBodies, Whole;
     /// Largest stress after von Mises over the yield strength in body 1.
     UtilisationBody1, "utilisation_body_1", "", "von Mises over yield strength, body 1", Share, Stress, OfBodies, Whole;
     /// Largest shear on the interfaces of the layers of body 1.
@@ -193,6 +195,8 @@ figures! {
     OrthogonalShearBody2, "orthogonal_shear_body_2", "", "half range of orthogonal shear, body 2", Stress, Stress, OfBodies, Place;
     /// Largest index of Dang Van in body 2.
     DangVanBody2, "dang_van_body_2", "", "Dang Van's index, body 2", Stress, Stress, OfBodies, Whole;
+    /// Largest index of Dang Van near the surface of body 2.
+    NearSurfaceDangVanBody2, "near_surface_dang_van_body_2", "", "Dang Van's index near the surface, body 2", Stress, Stress, OfBodies, Whole;
     /// Largest stress after von Mises over the yield strength in body 2.
     UtilisationBody2, "utilisation_body_2", "", "von Mises over yield strength, body 2", Share, Stress, OfBodies, Whole;
     /// Largest shear on the interfaces of the layers of body 2.

@@ -29,6 +29,7 @@ pub fn analyse(contact: &Contact<'_>, body: &Body<'_>, reference: &Reference) ->
         tension: both.extreme(&|level| level.tension, 0.0),
         orthogonal_half_range: both.extreme(&|level| contact.half_range(level), cut),
         dang_van: both.largest(&|layer| layer.dang_van, cut),
+        near_surface_dang_van: both.largest_above(&|layer| layer.dang_van, cut),
         shakedown: shakedown(contact, &both),
         total_von_mises: (body.residual)
             .map(|_| both.largest(&|layer| layer.total_von_mises.unwrap_or(0.0), 0.0)),

@@ -161,7 +161,12 @@ impl Both<'_> {
         self.over_depth(pick, &|depths, value| depths.largest(from, value))
     }
 
-    /// The same of a part.
+    /// The largest value of the layers down to a depth.
+    pub(super) fn largest_above(&self, pick: &dyn Fn(&Layer) -> f64, to: f64) -> OverDepth {
+        self.over_depth(pick, &|depths, value| depths.largest_above(to, value))
+    }
+
+    /// The largest value of the layers of a part.
     pub(super) fn largest_in(&self, pick: &dyn Fn(&Layer) -> f64, part: usize) -> OverDepth {
         self.over_depth(pick, &|depths, value| depths.largest_in(part, value))
     }

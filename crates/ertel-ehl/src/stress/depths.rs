@@ -159,7 +159,18 @@ impl Depths {
         found
     }
 
-    /// The same of one part.
+    /// The largest value of the planes down to a depth, and its index.
+    pub fn largest_above(&self, to: f64, value: impl Fn(usize) -> f64) -> (f64, f64) {
+        let planes = self.values().into_iter().enumerate();
+        let near = planes.filter(|(_, depth)| *depth <= to);
+        let found = near.map(|(i, _)| (value(i), i as f64));
+        found.fold(
+            (f64::NEG_INFINITY, 0.0),
+            |m, v| if v.0 > m.0 { v } else { m },
+        )
+    }
+
+    /// The largest value of the planes of a part and its index, by a parabola.
     pub fn largest_in(&self, part: usize, value: impl Fn(usize) -> f64) -> (f64, f64) {
         self.largest_of(&self.parts[part], 0.0, &value)
     }

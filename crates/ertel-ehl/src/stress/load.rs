@@ -51,7 +51,7 @@ pub struct Level {
     pub tension: Peak,
     /// Largest shear on the plane.
     pub shear: Peak,
-    /// Largest σ_zz: what pulls the sides of the plane apart.
+    /// Largest σ_zz: the tension across the plane.
     pub pull: Peak,
     /// Half the largest range of σ_xz over a passage; x where σ_xz is largest in size.
     pub half_range: Peak,

@@ -261,6 +261,8 @@ pub struct BodyStresses {
     pub orthogonal_half_range: Extreme,
     /// Largest index of Dang Van below the cut, Pa.
     pub dang_van: OverDepth,
+    /// Largest index of Dang Van from the surface to the cut, Pa: an index of micropitting.
+    pub near_surface_dang_van: OverDepth,
     /// Shakedown.
     pub shakedown: Shakedown,
     /// Largest stress after von Mises with the residual stress.

@@ -93,6 +93,10 @@ fn write_body(
         &format!("  Dang Van (α {})", digits(stresses.dang_van_weight, 3)),
         at_depth(&body.dang_van, pressure_estimate),
     );
+    out.row(
+        "  Dang Van near the surface",
+        at_depth(&body.near_surface_dang_van, pressure_estimate),
+    );
     out.row("  shakedown", shakedown(&body.shakedown));
     if let Some(total) = &body.total_von_mises {
         out.row(

@@ -13,6 +13,7 @@ use crate::figures::run::{
     FILM_CENTRAL_LAST, FILM_CENTRAL_LOWEST, FILM_FORCE_HIGHEST, FILM_MINIMUM_LAST,
     FILM_MINIMUM_LOWEST, FILM_TEMPERATURE_MAXIMUM_HIGHEST, FRICTION_POWER_MEAN,
     FRICTION_TOTAL_HIGHEST, FRICTION_TOTAL_MEAN, MASS_ERROR_HIGHEST, MEAN_GAP_MINIMUM_LOWEST,
+    NEAR_SURFACE_DANG_VAN_BODY_1_HIGHEST, NEAR_SURFACE_DANG_VAN_BODY_2_HIGHEST,
     PRESSURE_MAXIMUM_HIGHEST, TRACTION_COEFFICIENT_HIGHEST, TRACTION_COEFFICIENT_MEAN,
     VON_MISES_BODY_1_HIGHEST, VON_MISES_BODY_2_HIGHEST,
 };
@@ -30,7 +31,7 @@ enum Over {
 }
 
 /// Reported reductions of the figures of instants, in order. The sign of friction is its direction: extremes are of its magnitude.
-const REDUCTIONS: [(Figure, Over, Definition); 16] = [
+const REDUCTIONS: [(Figure, Over, Definition); 18] = [
     (Figure::FilmCentral, Over::Lowest, FILM_CENTRAL_LOWEST),
     (Figure::FilmCentral, Over::Highest, FILM_CENTRAL_HIGHEST),
     (Figure::FilmCentral, Over::Last, FILM_CENTRAL_LAST),
@@ -78,6 +79,16 @@ const REDUCTIONS: [(Figure, Over, Definition); 16] = [
         Figure::VonMisesBody2,
         Over::Highest,
         VON_MISES_BODY_2_HIGHEST,
+    ),
+    (
+        Figure::NearSurfaceDangVanBody1,
+        Over::Highest,
+        NEAR_SURFACE_DANG_VAN_BODY_1_HIGHEST,
+    ),
+    (
+        Figure::NearSurfaceDangVanBody2,
+        Over::Highest,
+        NEAR_SURFACE_DANG_VAN_BODY_2_HIGHEST,
     ),
 ];
 

@@ -2,8 +2,8 @@
 
 use super::super::depths::crest;
 use super::super::{
-    Criterion, Depths, HertzLoad, Level, Load, Residual, Response, Stress, Volume, dang_van,
-    fatemi_socie, lundberg_palmgren,
+    Criterion, Depths, HertzLoad, Level, LineLoad, Load, Residual, Response, Stress, Volume,
+    dang_van, fatemi_socie, lundberg_palmgren,
 };
 use super::{hertz_line, passage, worst};
 
@@ -325,4 +325,28 @@ fn residual_stress_and_von_mises() {
     ] {
         assert!(Residual::of_table(bad).is_err());
     }
+}
+
+/// Under a ripple r cos kx of the pressure the shear of a passage is r kz e^(−kz) in all directions of the plane of motion: Dang Van's index without hydrostatic stress is r/e at
+/// the depth 1/k. The largest one near the surface finds it, and a cut above it does not.
+#[test]
+fn index_near_the_surface_of_a_ripple() {
+    let k = 50.0;
+    let nodes: Vec<f64> = passage(5.0, 10_000);
+    let values = nodes.iter().map(|x| [0.2 * (k * x).cos(), 0.0]).collect();
+    let load = Load::Line(LineLoad::new(nodes, values));
+    let depths = Depths::new(1.0, 200);
+    let levels = load.levels(&passage(0.15, 120), &Response::bare(0.3, &depths));
+    let index = |i: usize| dang_van(levels[i].middle(), NONE, 0.0).index;
+    let (value, at) = depths.largest_above(0.1, index);
+    assert!(
+        (value / (0.2 * (-1.0_f64).exp()) - 1.0).abs() < 0.01,
+        "{value}"
+    );
+    assert!((k * depths.at(at) - 1.0).abs() < 0.15, "{}", depths.at(at));
+    let (above, _) = depths.largest_above(0.5 / k, index);
+    assert!(
+        (above / (0.2 * 0.5 * (-0.5_f64).exp()) - 1.0).abs() < 0.1,
+        "{above}"
+    );
 }
