@@ -16,6 +16,7 @@
 //! | [`solve`] | finite elements: Newton's method, continuation, refinement, heat |
 //! | [`volumes`] | finite volumes: a monotone scheme for line and point contacts and rollers between half-spaces |
 //! | [`transient`] | contacts in time, by finite volumes |
+//! | [`wear`] | contacts that wear, by finite volumes |
 
 pub mod contact;
 pub mod elastic;
@@ -33,6 +34,7 @@ pub mod stress;
 pub mod transient;
 pub mod volumes;
 pub mod warning;
+pub mod wear;
 pub mod words;
 
 #[cfg(test)]

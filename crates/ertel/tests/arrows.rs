@@ -10,7 +10,7 @@ use circles::CIRCLES;
 use files::{arrows, circles};
 
 /// The modules of the solver, each above those that it may use.
-pub const SOLVER: [&str; 17] = [
+pub const SOLVER: [&str; 18] = [
     "words",
     "warning",
     "contact",
@@ -27,6 +27,7 @@ pub const SOLVER: [&str; 17] = [
     "post",
     "solve",
     "volumes",
+    "wear",
     "transient",
 ];
 

@@ -470,6 +470,17 @@ impl Measured {
         self
     }
 
+    /// Adds to each bar the change of its figure to another solution.
+    pub fn widen_by_changes(&mut self, other: &Measured) {
+        for figure in Figure::ALL {
+            let values = [self, other].map(|of| of.figures.value(figure));
+            if let ([Some(own), Some(other)], Some(bar)) = (values, self.bars.get(figure)) {
+                let value = bar.value + (other - own).abs();
+                self.bars.set(figure, Bar { value, ..bar });
+            }
+        }
+    }
+
     /// A figure with its bar, if there is one.
     pub fn find(&self, figure: Figure) -> Option<Estimate> {
         Some(self.find_located(figure)?.estimate())

@@ -25,6 +25,7 @@ mod thermal;
 mod traction;
 mod uncertainty;
 mod unresolved;
+mod wear;
 mod whole;
 
 pub use asked::Asked;
@@ -58,4 +59,5 @@ pub use thermal::{
 pub use traction::{Traction, TractionAcross};
 pub use uncertainty::{FigureUncertainty, Uncertainties};
 pub use unresolved::{OPEN_MASS_BALANCE, Unresolved, Why};
+pub use wear::{BodyWear, Wear, WearStep};
 pub use whole::Solution;

@@ -3,7 +3,7 @@
 use super::{
     BodyField, Centreline, Checks, ElementFields, Estimate, Figure, FilmReduction, FormulaFilm,
     IterationRecord, Located, Measured, MixedLubrication, Neglected, Sensitivities, Starvation,
-    Stats, Summary, SummedTo, SurfaceField, Thermal, Traction, Uncertainties, Unresolved,
+    Stats, Summary, SummedTo, SurfaceField, Thermal, Traction, Uncertainties, Unresolved, Wear,
 };
 use crate::contact::{ContactKind, Groups, Hertz, Scales, Shape};
 use crate::stress::Stresses;
@@ -49,6 +49,8 @@ pub struct Solution {
     pub thermal: Option<Thermal>,
     /// Stresses in the bodies, where requested.
     pub stresses: Option<Stresses>,
+    /// Wear of the bodies, where requested.
+    pub wear: Option<Wear>,
     /// Sensitivities to the inputs, where requested and computable.
     pub sensitivities: Option<Sensitivities>,
     /// Uncertainty of the figures from that of the inputs; `None` where inputs have none.

@@ -167,6 +167,19 @@ impl FiniteVolumes {
         problem: &Problem<Plan>,
         observer: &mut dyn Observer,
     ) -> Result<Volumes, SolveError> {
+        self.solve_from(problem, None, observer)
+    }
+
+    /// Solves a problem on each grid from a solution of a similar one on that grid, where there is one.
+    ///
+    /// # Errors
+    /// As [`FiniteVolumes::solve`].
+    pub fn solve_from(
+        self,
+        problem: &Problem<Plan>,
+        similar: Option<&Volumes>,
+        observer: &mut dyn Observer,
+    ) -> Result<Volumes, SolveError> {
         let [mut h, _] = first_cells(problem);
         let mut found = Volumes {
             levels: Vec::new(),
@@ -203,6 +216,10 @@ impl FiniteVolumes {
                 }
                 Some(before) => refined(problem, before, grid, deflection),
             };
+            let similar = similar.and_then(|similar| similar.levels.get(n));
+            if let Some(similar) = similar.filter(|level| level.system.grid == system.grid) {
+                state = similar.state.clone();
+            }
             let rounds = Rounds::new(problem, problem.plan.heat);
             let start =
                 (rounds.as_ref()).map(|rounds| rounds.start(&system, found.levels.last(), None));

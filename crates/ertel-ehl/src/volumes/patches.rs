@@ -138,10 +138,10 @@ pub fn grid(problem: &Problem<Plan>, h: f64, first: Option<&Grid>) -> Grid {
     };
     let (inner, margin) = match is_line {
         true => (
-            1.0 + WIDE * problem.start_film.sqrt(),
+            problem.plan.inner + WIDE * problem.start_film.sqrt(),
             MARGIN_OF_LINES * margin,
         ),
-        false => (1.0, margin),
+        false => (problem.plan.inner, margin),
     };
     let [along, across] = first.unit_cell();
     let cell = [h, across / along * h];

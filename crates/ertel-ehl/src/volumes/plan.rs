@@ -22,6 +22,8 @@ pub struct Plan {
     pub largest_cell: f64,
     /// Margin of a patch around the dry contact, in its cells.
     pub margin: f64,
+    /// Half-widths from the centre to which that margin is added: 1 for the dry contact, more where a worn one is wider.
+    pub inner: f64,
     /// Heat, in thermal contacts.
     pub heat: Params,
 }
@@ -40,6 +42,7 @@ impl Plan {
                 ..NewtonParams::default()
             },
             margin: 45.0,
+            inner: 1.0,
             heat: Params::default(),
         }
     }

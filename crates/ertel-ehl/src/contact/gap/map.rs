@@ -73,6 +73,17 @@ impl HeightMap {
         self.largest
     }
 
+    /// Volume under all of it; under a profile, area. Each spline has that of a cell.
+    pub fn integral(&self) -> f64 {
+        let sum: f64 = self.coefficients.iter().sum();
+        let across = if self.is_profile() {
+            1.0
+        } else {
+            self.spacing[1]
+        };
+        sum * self.spacing[0] * across
+    }
+
     /// Height and slopes at a place from the middle.
     pub fn at(&self, place: [f64; 2]) -> Height {
         let [Some((i, x, dx)), Some((j, y, dy))] = [0, 1].map(|d| self.weights(d, place[d])) else {

@@ -58,6 +58,12 @@ impl SolveError {
                 .into_iter()
                 .find(|error| !matches!(***error, SolveError::GridNotConverged { .. }))
                 .and_then(|error| error.advice()),
+            SolveError::Worn { error: Some(_), .. } => Some(
+                "a smaller [wear] step, or a shorter sliding distance, at which the figures are known",
+            ),
+            SolveError::Worn { error: None, .. } => {
+                Some("a larger [wear] max_steps or step, or a shorter sliding distance")
+            }
             SolveError::Thinned { .. } => Some(
                 "checking the constants of [lubricant.shear_thinning] and their units (stresses of oils are 1 to 20 MPa; a second \
                  plateau mu_2 keeps blended oils from thinning without end), or less load or sliding to begin with",

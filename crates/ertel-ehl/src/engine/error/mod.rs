@@ -149,6 +149,21 @@ pub enum SolveError {
         /// Why it failed.
         second: Box<SolveError>,
     },
+    /// A contact that wears did not reach its sliding distance.
+    #[error(
+        "the wear came to {distance:.4e} m of {of:.4e} m in {steps} steps: {}",
+        error.as_ref().map_or("[wear] max_steps allows no more".to_owned(), ToString::to_string)
+    )]
+    Worn {
+        /// Distance at the last solution, m.
+        distance: f64,
+        /// Sliding distance of the case, m.
+        of: f64,
+        /// Steps until then.
+        steps: usize,
+        /// Why the next one failed; `None` where the steps ran out.
+        error: Option<Box<SolveError>>,
+    },
     /// The solve failed where shear thins the fluid in the inlet far more than oils.
     #[error(
         "{error}; [lubricant.shear_thinning] leaves about {:.2} % of the Newtonian film, by formula: shear stresses in the inlet are far \
