@@ -405,6 +405,7 @@ impl From<SolveError> for Failure {
             | SolveError::ReliefNotResolved { .. }
             | SolveError::NotCoupled { .. }
             | SolveError::Thinned { .. }
+            | SolveError::Worn { .. }
             | SolveError::BothFailed { .. }
             | SolveError::Heat(_)
             | SolveError::Krylov(_)

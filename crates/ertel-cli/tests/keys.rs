@@ -154,6 +154,8 @@ cases/machine/ball-on-disc.toml
 cases/stribeck.toml
     surface_roughness={ body_1_rms_height = "0.2 um", body_2_rms_height = "0.15 um", asperity_law = "persson", rms_slope = 0.1, decay_length_to_rms_height = 0.45, pressure_factor = 0.02 }
     surface_roughness={ body_1_rms_height = "0.2 um", body_2_rms_height = "0.15 um", asperity_law = "table", asperity_distances = ["0 nm", "250 nm", "500 nm"], asperity_pressures = ["200 MPa", "20 MPa", "1 MPa"] }
+cases/wear.toml
+    motion={ body_1_speed = "20 mm/s", body_2_speed = "10 mm/s" }
 cases/machine/cam-turn.toml
     machine={ kind = "cam", follower = "flat", base_radius = "16 mm", eccentricity = "4 mm", cam_speed = "100 rad/s", width = "14 mm", load = "200 N", angle = "40 deg" }
 cases/machine/roller-bearing.toml

@@ -43,6 +43,72 @@ fn rough_ball() -> (TempDir, String) {
     (folder, text)
 }
 
+/// Results of the shipped case with wear: label, conserved volumes of both bodies, error bars of the steps, tables, and a contact that runs in.
+fn assert_worn(folder: &Path, report: &str) {
+    let label = "trend: Archard's law with an assumed coefficient";
+    contains(report, label);
+    let json = std::fs::read_to_string(folder.join("result.json")).unwrap();
+    let json: Value = serde_json::from_str(&json).unwrap();
+    let wear = &json["wear"];
+    assert_eq!(wear["label"], label);
+    let course = wear["course"].as_array().unwrap();
+    assert_eq!(course.len() as u64 - 1, wear["steps"].as_u64().unwrap());
+    let at = |row: &Value, key: &str| row[key].as_f64().unwrap();
+    let worn: f64 = (course.windows(2))
+        .map(|pair| {
+            let distance = at(&pair[1], "sliding_distance") - at(&pair[0], "sliding_distance");
+            1e-7 / 7e9 * 20e3 * at(&pair[0], "asperity_load_share") * distance
+        })
+        .sum();
+    for body in [&wear["body_1"], &wear["body_2"]] {
+        let volume = at(&body["volume"], "value");
+        close(volume, worn, 1e-12);
+        assert!(at(body, "volume_deviation").abs() < 1e-12);
+        assert!(at(&body["volume"], "error") < 0.1 * volume);
+    }
+    assert!(wear["body_1"].get("length").is_none() && at(&wear["body_2"], "length") > 0.0);
+    let (first, last) = (&course[0], course.last().unwrap());
+    assert!(at(last, "film_central") > at(first, "film_central"));
+    assert!(at(last, "pressure_maximum") < at(first, "pressure_maximum"));
+    close(
+        at(&json["figures"]["asperity_load_share"], "value"),
+        at(last, "asperity_load_share"),
+        1e-12,
+    );
+    let table = std::fs::read_to_string(folder.join("wear.csv")).unwrap();
+    assert_eq!(table.lines().next(), Some(&*format!("# {label}")));
+    assert_eq!(table.lines().count(), course.len() + 2);
+    let depths = std::fs::read_to_string(folder.join("wear-depth.csv")).unwrap();
+    contains(&depths, "\n2,along,");
+    assert!(!depths.contains("\n1,") && folder.join("wear.svg").is_file());
+}
+
+/// Steps that run out end with exit code 3, how far the wear came and what to try, and write nothing.
+#[test]
+fn wear_that_ends_on_the_way() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = root().join("cases/wear.toml");
+    let arguments = [
+        "solve",
+        case.to_str().unwrap(),
+        "--set",
+        "wear.max_steps=1",
+        "--output",
+        "worn",
+    ];
+    let output = ertel(folder.path(), &arguments);
+    let message = stderr_of(output, 3);
+    for words in [
+        "the wear came to",
+        "of 2.0000e2 m in 1 steps",
+        "max_steps",
+        "nothing was written",
+    ] {
+        contains(&message, words);
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
 /// The commands of the guide, run by the built program; the picture, the table and its sums.
 #[test]
 fn commands_of_the_guide_give_a_stribeck_curve() {
@@ -52,8 +118,9 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
         .filter_map(|l| l.strip_prefix("    cargo run --release -- "));
     let folder = tempfile::tempdir().unwrap();
     std::fs::create_dir(folder.path().join("cases")).unwrap();
-    let case = "cases/stribeck.toml";
-    std::fs::copy(root().join(case), folder.path().join(case)).unwrap();
+    for case in ["cases/stribeck.toml", "cases/wear.toml"] {
+        std::fs::copy(root().join(case), folder.path().join(case)).unwrap();
+    }
     let mut outputs = Vec::new();
     for command in commands {
         let arguments: Vec<&str> = command.split_whitespace().collect();
@@ -66,9 +133,10 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
         );
         outputs.push(text(&output.stdout).to_owned());
     }
-    let [estimate, solved] = &outputs[..] else {
+    let [estimate, solved, worn] = &outputs[..] else {
         panic!("{} commands", outputs.len());
     };
+    assert_worn(&folder.path().join("results/wear"), worn);
     for words in [
         "σβη 0.06, σ/β 0.01, boundary friction 0.12",
         "lambda ratio",

@@ -42,7 +42,7 @@
 
 pub use ertel_ehl::{
     contact, elastic, engine, film, forms, interference, layers, mixed, params, post, solution,
-    solve, stress, transient, volumes, warning, words,
+    solve, stress, transient, volumes, warning, wear, words,
 };
 
 pub mod case;

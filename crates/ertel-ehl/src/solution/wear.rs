@@ -35,7 +35,7 @@ impl Wear {
     }
 }
 
-/// Wear of a body; error bars are those of the steps.
+/// Wear of a body; error bars are those of the steps and of the load of the asperities.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BodyWear {
     /// k.

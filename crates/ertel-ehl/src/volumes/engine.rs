@@ -141,6 +141,25 @@ fn ended(info: NewtonInfo) -> Result<NewtonInfo, SolveError> {
     }
 }
 
+/// Takes the unknowns of a similar solution on the same grid, with its film at the centre; pressures at the edges remain those of the grid before.
+fn start_from(system: &System, state: &mut State, similar: &Level) {
+    let (grid, other) = (&system.grid, &similar.state);
+    let unknown = |k: usize| grid.is_unknown(k % grid.n[0], k / grid.n[0]);
+    for (own, other) in [
+        (&mut state.pressure, &other.pressure),
+        (&mut state.oil, &other.oil),
+        (&mut state.contents, &other.contents),
+    ] {
+        let pairs = own.iter_mut().zip(other).enumerate();
+        (pairs.filter(|(k, _)| unknown(*k))).for_each(|(_, (own, other))| *own = *other);
+    }
+    let pairs = state.wetted.iter_mut().zip(&other.wetted).enumerate();
+    (pairs.filter(|(k, _)| unknown(*k))).for_each(|(_, (own, other))| *own = *other);
+    let [i, j] = grid.centre();
+    let centre = grid.index(i, j);
+    state.separation += similar.films[centre] - system.films(state)[centre];
+}
+
 /// Relative errors of the films of a level, from those before.
 fn film_errors(stats: &[LevelStats]) -> [f64; 2] {
     let mut newest = stats.iter().rev().map(|level| &level.figures);
@@ -218,7 +237,7 @@ impl FiniteVolumes {
             };
             let similar = similar.and_then(|similar| similar.levels.get(n));
             if let Some(similar) = similar.filter(|level| level.system.grid == system.grid) {
-                state = similar.state.clone();
+                start_from(&system, &mut state, similar);
             }
             let rounds = Rounds::new(problem, problem.plan.heat);
             let start =

@@ -82,8 +82,12 @@ impl Pressures {
     pub fn of(film: &impl Film, shape: &Shape, lattice: Lattice) -> Pressures {
         let [nx, ny] = lattice.counts();
         let at = |k: usize| [lattice.at(0, k % nx), lattice.at(1, k / nx)];
+        let is_inner = |i: usize, n: usize| n == 1 || (RIM..n - RIM).contains(&i);
         let mut values: Vec<f64> = (0..nx * ny)
-            .map(|k| film.at(at(k)).map_or(0.0, |at| at.asperity_pressure))
+            .map(|k| match is_inner(k % nx, nx) && is_inner(k / nx, ny) {
+                true => film.at(at(k)).map_or(0.0, |at| at.asperity_pressure),
+                false => 0.0,
+            })
             .collect();
         let parts = film.points().iter();
         let load = shape.symmetry.multiplicity()

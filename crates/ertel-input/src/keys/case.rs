@@ -26,6 +26,7 @@ rows! {
         bodies: Table(BODIES) => "both bodies: elastic constants, thermal properties, radii of ellipses, composite roughness";
         surface_roughness: Table(ROUGHNESS) => "optional: rough surfaces and their asperities, which share the load with the oil";
         stress: Table(STRESS) => "optional: this section, even if empty, asks for the stresses in both bodies, in time at the output times";
+        wear: Table(WEAR) => "optional: wear of the bodies over a sliding distance, which changes the contact";
         inlet: Table(INLET) => "optional: how much oil reaches the contact; without this section the inlet is fully flooded";
         lubricant: FluidOrTable(LUBRICANT) => "the lubricant by its name, its laws or its data sheet, and the temperature of the film";
         temperature: TEMPERATURE => "temperature of the film, where `lubricant` is a name";
@@ -132,6 +133,19 @@ rows! {
             key the report adds the results of `"distance"`"#;
         orientation: Choice(&["1/9", "1/6", "1/3", "1", "3", "6", "9"]), default "1" => r#"correlation length of the heights along the motion over that across it, with
             `flow = "patir-cheng"`: `"1"` (default) isotropic, above 1 grooves along the motion"#;
+    }
+    /// `[wear]`.
+    pub WEAR {
+        body_1_wear_coefficient, body_2_wear_coefficient: Number, bounds [0.0, 1.0] => r"dimensionless coefficient k of Archard's law{}: worn volume = k × load of the asperities
+            × sliding distance / hardness. A body wears if it has one. A specific wear rate w (m²/N, or 1e-9 times mm³/(N m)) is k = w × hardness";
+        body_1_hardness, body_2_hardness: PRESSURE => r#"hardness H of a body that wears, as a pressure, such as `"7 GPa"`"#;
+        body_1_track_length, body_2_track_length: LENGTH => r"length of the track of a body that wears and moves through the contact, 2π times the radius of the track; not of a
+            body at rest, which has a scar";
+        sliding_distance: LENGTH => "distance by which the surfaces slide over each other";
+        duration: TIME => "instead of it: time over which they slide";
+        step: Number, bounds [1e-3, 0.5], default "0.1" => r"largest depth that both bodies together lose in a step, over the composite rms height{}; the error bars of the results contain
+            those of the steps";
+        max_steps: Count, bounds [1.0, 100_000.0], default "400" => "maximum number of steps";
     }
     /// `[inlet]`.
     pub INLET {

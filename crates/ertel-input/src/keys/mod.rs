@@ -14,6 +14,7 @@ mod unknown;
 
 pub use case::{
     AXIS, CASE, CONTACT, COURSE, CURVE, INLET, LAYER, MOTION, ROUGHNESS, STUDY, SURFACE, TRANSIENT,
+    WEAR,
 };
 pub use describe::{plain, table, table_of_laws};
 pub use lubricant::{

@@ -22,6 +22,7 @@ _SECTIONS = (
     "output",
     "transient",
     "stress",
+    "wear",
     "surface",
     "curve",
     "compare",

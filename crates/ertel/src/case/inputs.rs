@@ -133,6 +133,8 @@ impl Case {
         match self.output.sensitivities {
             // The load changes a relief measured in half-widths, and so the problem.
             _ if !self.reliefs.is_empty() => false,
+            // Derivatives at a given shape are not those of the contact that wears.
+            _ if self.wear.is_some() => false,
             SensitivityDemand::Off => false,
             SensitivityDemand::WhereUncertain => uncertain(is_cheap),
             SensitivityDemand::WhereCheap => {

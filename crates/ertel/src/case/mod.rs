@@ -22,7 +22,7 @@
 //! viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
 //! ```
 //!
-//! `[stress]` asks for the stresses in the bodies. `[surface_roughness]` describes rough surfaces and their asperities. `kind = "roller"` also needs `length` and `profile`.
+//! `[stress]` asks for the stresses in the bodies, `[wear]` for their wear. `[surface_roughness]` describes rough surfaces and their asperities. `kind = "roller"` also needs `length` and `profile`.
 //!
 //! `[machine]` describes a bearing, a gear or a cam instead of `[contact]` and `[motion]`.
 //!
@@ -62,6 +62,7 @@ mod thermal;
 mod time_warnings;
 mod transient;
 mod usual;
+mod wear;
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -81,6 +82,7 @@ use crate::params::{
 use crate::layers::Coated;
 use crate::stress::StressParams;
 use crate::warning::{Warning, WarningKind, silence};
+use crate::wear::WearParams;
 pub use bodies::{Body, BodyLayer};
 pub use builder::{CaseBuilder, Setting};
 pub use check::{finite_volumes_refuse, mesh_of_bodies as check_mesh_of_bodies};
@@ -144,6 +146,8 @@ pub struct Case {
     pub thermal: Option<ThermalParams>,
     /// Stresses in the bodies, if the file asks for them.
     pub stress: Option<StressParams>,
+    /// Wear over a sliding distance, if the file asks for it.
+    pub wear: Option<WearParams>,
     /// Output settings.
     pub output: OutputParams,
     /// Warnings about the input.
@@ -301,6 +305,7 @@ impl Case {
         if let Some(table) = root.optional_table("compare")? {
             CsvParams::of_table(table)?;
         }
+        let wear = root.optional_table("wear")?;
         root.read_correlations()?;
         geometry.tables.clone().finish()?;
         root.finish()?;
@@ -322,6 +327,7 @@ impl Case {
             solver: settings.solver,
             thermal: settings.thermal,
             stress: settings.stress,
+            wear: None,
             output: settings.output,
             warnings: [geometry.warnings, settings.warnings].concat(),
             source: document.text().to_owned(),
@@ -334,6 +340,9 @@ impl Case {
             contacts: None,
         };
         case.check_sections(document, geometry.tables.main(), &geometry.hertz)?;
+        case.wear = wear
+            .map(|table| wear::read(table, &case, &mut document.root()))
+            .transpose()?;
         Ok(case)
     }
 

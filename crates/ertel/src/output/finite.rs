@@ -34,6 +34,7 @@ pub(super) fn first_not_finite(case: &CaseEcho, solution: &Solution) -> Option<S
         film_reduction,
         thermal,
         stresses,
+        wear,
         sensitivities,
         uncertainty,
         formulas,
@@ -66,6 +67,7 @@ pub(super) fn first_not_finite(case: &CaseEcho, solution: &Solution) -> Option<S
         .or_else(|| find("film_reduction", film_reduction))
         .or_else(|| find("thermal", thermal))
         .or_else(|| find("stresses", stresses))
+        .or_else(|| find("wear", wear))
         .or_else(|| find("sensitivities", sensitivities))
         .or_else(|| find("uncertainty", uncertainty))
         .or_else(|| find("formulas", formulas))

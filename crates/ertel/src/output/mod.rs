@@ -31,6 +31,7 @@ mod surfaces;
 mod target;
 pub mod transient;
 pub mod vtu;
+pub mod wear;
 mod workplace;
 
 #[cfg(test)]
@@ -124,7 +125,7 @@ impl OutputError {
 
 /// Writes a result folder: `result.json`, `report.txt`, `report.html`, `case.toml`, `centreline.csv`,
 /// `surface.vtu`, `body.vtu`, `result.nc` and the pictures, as `params` requests (its `folder` is ignored); for a thermal contact
-/// also `cross-film.csv` and `temperature.vtu`; with stresses in the bodies `stress.csv` and `stress.vtu`.
+/// also `cross-film.csv` and `temperature.vtu`; with stresses in the bodies `stress.csv` and `stress.vtu`; with wear `wear.csv` and `wear-depth.csv`.
 ///
 /// The files are written next to the target, synced to disk, and then moved into place; a
 /// former result is replaced, anything else is refused.
@@ -207,6 +208,11 @@ fn write_files(
     if let Some(stresses) = &solution.stresses {
         folder.file("stress.csv", |out| stress::write_profiles(out, stresses))?;
         folder.file("stress.vtu", |out| vtu::write_stresses(out, stresses))?;
+    }
+    if let Some(wear) = &solution.wear {
+        let is_line = solution.shape.is_line();
+        folder.file("wear.csv", |out| wear::write_course(out, wear, is_line))?;
+        folder.file("wear-depth.csv", |out| wear::write_depths(out, wear))?;
     }
     if let Some(field) = thermal.and_then(|t| t.field.as_ref()) {
         folder.file("temperature.vtu", |out| {

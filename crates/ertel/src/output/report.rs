@@ -5,7 +5,7 @@ use std::path::Path;
 use super::figure::{BODIES, estimate, number, percent, percent_or_power, power};
 use super::lines::{Lines, NAME_WIDTH, Table, VALUE_WIDTH, two_columns};
 use super::results::write_section;
-use super::{heat, inputs, mixed, stress, surfaces};
+use super::{heat, inputs, mixed, stress, surfaces, wear};
 use crate::case::CaseEcho;
 use crate::contact::roller::Profile;
 use crate::contact::{Contact, ContactKind, Groups, Hertz, Supply};
@@ -32,6 +32,7 @@ pub fn report(case: &CaseEcho, solution: &Solution, folder: Option<&Path>) -> St
         heat::write_results(&mut out, solution, thermal);
     }
     stress::write_results(&mut out, solution);
+    wear::write_results(&mut out, solution);
     write_checks(&mut out, solution);
     inputs::write(&mut out, solution);
     write_formulas(&mut out, solution);

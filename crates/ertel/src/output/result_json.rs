@@ -102,6 +102,9 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
     if let Some(stresses) = &solution.stresses {
         document["stress"] = serde_json::to_value(stresses)?;
     }
+    if let Some(wear) = &solution.wear {
+        document["wear"] = serde_json::to_value(wear)?;
+    }
     if let Some(thermal) = &solution.thermal {
         document["thermal"] = serde_json::to_value(thermal)?;
     }
@@ -154,6 +157,11 @@ pub(super) fn units(is_line: bool) -> Value {
                 "depth",
                 "depth_error",
                 "cut_depth",
+                "width",
+                "sliding_distance",
+                "track_length",
+                "body_1_depth",
+                "body_2_depth",
             ],
         ),
         (
@@ -211,7 +219,10 @@ pub(super) fn units(is_line: bool) -> Value {
             Some((name.to_owned(), figure.unit(is_line))).filter(|(_, unit)| !unit.is_empty());
         own.into_iter().chain(place)
     });
+    let volume = if is_line { "m^2" } else { "m^3" };
+    let volumes = ["volume", "body_1_volume", "body_2_volume"].map(|key| (key.to_owned(), volume));
     others
+        .chain(volumes)
         .chain(figures)
         .map(|(key, unit)| (key, Value::from(unit)))
         .collect()

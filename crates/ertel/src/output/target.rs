@@ -22,7 +22,7 @@ pub const REPORT_PAGE: &str = "report.html";
 pub(super) const FIELDS: [&str; 2] = ["fields-", ".vtu"];
 
 /// Files of a result that are no pictures; a folder with any other file is not replaced.
-const FILES: [&str; 21] = [
+const FILES: [&str; 23] = [
     "result.json",
     REPORT_PAGE,
     "curve.json",
@@ -36,6 +36,8 @@ const FILES: [&str; 21] = [
     "cross-film.csv",
     "stress.csv",
     "stress.vtu",
+    "wear.csv",
+    "wear-depth.csv",
     "temperature.vtu",
     "cross-check.csv",
     "shaft.csv",
@@ -55,9 +57,10 @@ const FORMER: [&str; 4] = [
 ];
 
 /// Pictures of a result without suffix, in addition to those of [`DRAWN`].
-const PICTURES: [&str; 17] = [
+const PICTURES: [&str; 18] = [
     "stribeck",
     "stress",
+    "wear",
     "centreline",
     "pressure",
     "film",

@@ -152,7 +152,7 @@ pub fn words(neglected: &Neglected) -> String {
     ));
     parts.push(match neglected.lambda {
         Some(_) if neglected.has_asperities => {
-            "wear of asperities, flow factors but those of `flow`".to_owned()
+            "wear but that of [wear], flow factors but those of `flow`".to_owned()
         }
         Some(lambda) => format!(
             "roughness in the film (h_min is {} times the rms height)",

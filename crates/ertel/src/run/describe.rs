@@ -146,6 +146,7 @@ pub(super) fn describe<Plan>(
         film_reduction: found.film_reduction,
         sensitivities: None,
         stresses: None,
+        wear: None,
         uncertainty: None,
         thermal,
         history,

@@ -133,7 +133,8 @@ fn solve_flooded(
     start: Option<&sequence::Start>,
     observer: &mut dyn Observer,
 ) -> Result<Option<Ended>, SolveError> {
-    if !case.supply.is_limited() {
+    // The flooded film would be that of another worn shape.
+    if !case.supply.is_limited() || case.wear.is_some() {
         return Ok(None);
     }
     let mut flooded = Case {

@@ -16,6 +16,10 @@ impl Observer for Recorder<'_> {
     }
 
     fn grid(&mut self, grid: usize, n_pressure: usize) {
+        if grid == 0 {
+            // A further solve of the same contact, as it wears: the last one counts.
+            self.history.clear();
+        }
         self.observer.grid(grid, n_pressure);
     }
 

@@ -14,6 +14,7 @@ use crate::volumes::heat::{Params, output};
 use crate::volumes::roller_zone::with_rows_by_film;
 use crate::volumes::tangents::Tangents;
 use crate::volumes::{FiniteVolumes, Plan, fields, other_gap, reduction, summary};
+use crate::wear::run_in;
 
 /// Default limit on the unknowns of a refined grid: some seconds.
 const MAX_UNKNOWNS: usize = 400_000;
@@ -23,12 +24,25 @@ const MAX_UNKNOWNS: usize = 400_000;
 /// # Errors
 /// As [`super::solve`].
 pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
-    let problem = with_rows_by_film(own_problem(case), observer)?;
+    let mut problem = with_rows_by_film(own_problem(case), observer)?;
     let mut recorder = Recorder {
         observer,
         history: Vec::new(),
     };
-    let solved = FiniteVolumes.solve(&problem, &mut recorder)?;
+    let (solved, worn) = match &case.wear {
+        None => (FiniteVolumes.solve(&problem, &mut recorder)?, None),
+        Some(params) => {
+            let worn = run_in(&mut problem, params, &mut recorder)?;
+            (worn.solved, Some((worn.measured, worn.wear)))
+        }
+    };
+    // The same contact, worn as it is.
+    let own_problem = |case: &Case| {
+        let mut own = own_problem(case);
+        own.shape.gap = problem.shape.gap.clone();
+        own.plan.inner = problem.plan.inner;
+        own
+    };
     let cell = (solved.levels.last()).map_or(0.0, |level| level.system.grid.spacing[0]);
     if cell > problem.plan.largest_cell {
         return Err(SolveError::ReliefNotResolved {
@@ -73,7 +87,9 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
         }
     };
     let film = PatchedFilm::new(&problem.shape, &solved.levels);
-    let measured = solved.measured(&problem).with_meniscus(&case.supply);
+    let (measured, wear) = worn.unzip();
+    let measured = measured.unwrap_or_else(|| solved.measured(&problem));
+    let measured = measured.with_meniscus(&case.supply);
     let (surface, elements) = fields::surface(&problem, &film);
     let thermal = (case.thermal()).and_then(|params| {
         let isothermal = isothermal.as_ref();
@@ -98,6 +114,7 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
         measured,
     };
     let mut solution = describe(case, &problem, &film, found, stats, recorder.history);
+    solution.wear = wear;
     drop(film);
     if case.wants_sensitivities() {
         let own = problem::problem(case);

@@ -91,6 +91,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
         source: String::new(),
         given: serde_json::Value::Null,
         reliefs: Vec::new(),
+        wear: None,
         transient: None,
         curve: None,
         whole: None,

@@ -139,6 +139,7 @@ fn tables_of_the_reference_are_those_of_the_keys() {
         ("lubricant", lubricant),
         ("thermal", keys::THERMAL),
         ("stress", keys::STRESS),
+        ("wear", keys::WEAR),
         ("hardness", keys::HARDNESS),
         ("residual_stress", keys::RESIDUAL_STRESS),
         ("layer", keys::LAYER),

@@ -11,6 +11,7 @@ mod profile;
 mod sampling;
 mod shared;
 mod stress;
+mod wear;
 
 pub use convergence::convergence;
 pub use fluid::{ViscosityCurve, viscosity_chart};
@@ -109,6 +110,9 @@ pub fn pictures_in(
     if solution.stresses.is_some() {
         let draw = || stress_map(title, solution).expect("there are stresses");
         tasks.push(("stress", Box::new(draw)));
+    }
+    if let Some(wear) = &solution.wear {
+        tasks.push(("wear", Box::new(|| wear::picture(title, solution, wear))));
     }
     tasks.push((
         "convergence",
