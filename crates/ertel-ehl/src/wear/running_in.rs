@@ -4,7 +4,7 @@
 //! errors are of the first order.
 
 use super::depth::{Depth, Lattice, Pressures};
-use super::{WearParams, WearingBody};
+use super::params::{WearParams, WearingBody};
 use crate::contact::gap::Body;
 use crate::engine::{Observer, Problem, SolveError};
 use crate::solution::{BodyWear, Estimate, Figure, Measured, Wear, WearStep};

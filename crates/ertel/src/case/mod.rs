@@ -340,9 +340,10 @@ impl Case {
             contacts: None,
         };
         case.check_sections(document, geometry.tables.main(), &geometry.hertz)?;
-        case.wear = wear
-            .map(|table| wear::read(table, &case, &mut document.root()))
-            .transpose()?;
+        if let Some(table) = wear {
+            check::wear(&case, &table, &mut document.root())?;
+            case.wear = Some(wear::read(table, &case.motion)?);
+        }
         Ok(case)
     }
 

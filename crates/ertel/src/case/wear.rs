@@ -3,9 +3,7 @@
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 
-use super::Case;
-use crate::contact::ContactKind;
-use crate::params::SensitivityDemand;
+use crate::contact::Motion;
 use crate::wear::{WearParams, WearingBody};
 
 /// Archard's k: at most every meeting of asperities makes a particle.
@@ -34,14 +32,8 @@ const BODIES: [[&str; 3]; 2] = [
 ];
 const DISTANCES: [&str; 2] = ["sliding_distance", "duration"];
 
-/// Reads the section of a case that is read otherwise; `root` has the other sections.
-pub(super) fn read(
-    mut table: Table<'_>,
-    case: &Case,
-    root: &mut Table<'_>,
-) -> Result<WearParams, InputError> {
-    check(case, &table, root)?;
-    let motion = case.motion;
+/// Reads the section of a contact with this motion.
+pub(super) fn read(mut table: Table<'_>, motion: &Motion) -> Result<WearParams, InputError> {
     let speeds = motion.surfaces(1.0).map(|body| body.centre[0]);
     let at_rest = speeds.map(|u| u.abs() <= AT_REST * motion.entrainment_speed.abs());
     let mut bodies = [None; 2];
@@ -139,55 +131,6 @@ fn body(
         hardness: own,
         track_length,
     }))
-}
-
-/// Refuses contacts whose wear is not computed.
-fn check(case: &Case, table: &Table<'_>, root: &mut Table<'_>) -> Result<(), InputError> {
-    if case.asperities.is_none() {
-        let text = "[wear] needs asperities, whose load wears the bodies, and [surface_roughness] describes none";
-        return Err(table.error_here(text).with_help(
-            "give the rms heights of both bodies, `asperity_group` and `rms_height_to_asperity_radius`, or another `asperity_law`",
-        ));
-    }
-    if !case.motion.slides() {
-        return Err(table
-            .error_here(
-                "[wear] needs surfaces that slide: without sliding there is no sliding distance",
-            )
-            .with_help("give a slide_to_roll_ratio other than 0, or remove [wear]"));
-    }
-    let refused = [
-        (
-            root.contains("transient"),
-            "[transient]: wear takes far longer than passages, and its contacts are steady",
-        ),
-        (
-            case.machine.is_some() || case.whole.is_some(),
-            "[machine]: it has many contacts with different sliding distances; write one of them as [contact] and [motion]",
-        ),
-        (
-            case.contact.kind == ContactKind::Roller,
-            "rollers of finite length: the wear of their ends is not computed",
-        ),
-        (
-            !case.motion.is_straight(),
-            "surfaces that slide across the entrainment or spin: tracks lie along the entrainment",
-        ),
-        (
-            root.contains("surface"),
-            "[[surface]]: asperities on reliefs wear differently, and reliefs of moving bodies do not stay where they are",
-        ),
-        (
-            case.output.sensitivities == SensitivityDemand::All,
-            "[output] sensitivities: derivatives of worn contacts are not computed",
-        ),
-    ];
-    match refused.iter().find(|(applies, _)| *applies) {
-        None => Ok(()),
-        Some((_, reason)) => {
-            Err(table.error_here(format!("[wear] cannot be combined with {reason}")))
-        }
-    }
 }
 
 #[cfg(test)]
