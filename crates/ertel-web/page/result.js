@@ -8,6 +8,7 @@ const PICTURES = {
   temperature: "Temperatures on the centreline",
   "cross-film": "Temperature across the film",
   stress: "Stress after von Mises in the bodies",
+  wear: "Wear over the sliding distance",
   interferogram: "Interferogram",
 };
 const TYPES = { json: "application/json", svg: "image/svg+xml", png: "image/png", html: "text/html", nc: "application/x-netcdf" };
