@@ -88,8 +88,8 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
     };
     let film = PatchedFilm::new(&problem.shape, &solved.levels);
     let (measured, wear) = worn.unzip();
-    let measured = measured.unwrap_or_else(|| solved.measured(&problem));
-    let measured = measured.with_meniscus(&case.supply);
+    let of_grids = solved.measured(&problem);
+    let measured = (measured.unwrap_or(of_grids)).with_meniscus(&case.supply);
     let (surface, elements) = fields::surface(&problem, &film);
     let thermal = (case.thermal()).and_then(|params| {
         let isothermal = isothermal.as_ref();
@@ -110,7 +110,7 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
         surface,
         elements,
         body: None,
-        warnings: summary::warnings(&problem, &solved, &film, &measured),
+        warnings: summary::warnings(&problem, &solved, &film, &of_grids),
         measured,
     };
     let mut solution = describe(case, &problem, &film, found, stats, recorder.history);
