@@ -395,19 +395,6 @@ pub(super) fn asperities(case: &Case, roughness: Option<&Table<'_>>) -> Result<(
 
 /// Refuses contacts whose wear is not computed; `table` is `[wear]`.
 pub(super) fn wear(case: &Case, table: &Table<'_>, root: &mut Table<'_>) -> Result<(), InputError> {
-    if case.asperities.is_none() {
-        let text = "[wear] needs asperities, whose load wears the bodies, and [surface_roughness] describes none";
-        return Err(table.error_here(text).with_help(
-            "give the rms heights of both bodies, `asperity_group` and `rms_height_to_asperity_radius`, or another `asperity_law`",
-        ));
-    }
-    if !case.motion.slides() {
-        return Err(table
-            .error_here(
-                "[wear] needs surfaces that slide: without sliding there is no sliding distance",
-            )
-            .with_help("give a slide_to_roll_ratio other than 0, or remove [wear]"));
-    }
     let refused = [
         (
             root.contains("transient"),
@@ -434,12 +421,23 @@ pub(super) fn wear(case: &Case, table: &Table<'_>, root: &mut Table<'_>) -> Resu
             "[output] sensitivities: derivatives of worn contacts are not computed",
         ),
     ];
-    match refused.iter().find(|(applies, _)| *applies) {
-        None => Ok(()),
-        Some((_, reason)) => {
-            Err(table.error_here(format!("[wear] cannot be combined with {reason}")))
-        }
+    if let Some((_, reason)) = refused.iter().find(|(applies, _)| *applies) {
+        return Err(table.error_here(format!("[wear] cannot be combined with {reason}")));
     }
+    if case.asperities.is_none() {
+        let text = "[wear] needs asperities, whose load wears the bodies, and [surface_roughness] describes none";
+        return Err(table.error_here(text).with_help(
+            "give the rms heights of both bodies, `asperity_group` and `rms_height_to_asperity_radius`, or another `asperity_law`",
+        ));
+    }
+    if !case.motion.slides() {
+        return Err(table
+            .error_here(
+                "[wear] needs surfaces that slide: without sliding there is no sliding distance",
+            )
+            .with_help("give a slide_to_roll_ratio other than 0, or remove [wear]"));
+    }
+    Ok(())
 }
 
 /// Refuses finite volumes for contacts that they do not solve, and keys that have no effect on them.
