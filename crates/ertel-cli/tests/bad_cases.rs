@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::bad::{BadCase, bad_cases};
-use crate::common::ertel;
+use crate::common::{ertel, write};
 
 #[test]
 fn every_bad_case_is_refused_with_its_reason() {
@@ -27,8 +27,8 @@ fn every_bad_case_is_refused_with_its_reason() {
     let mut failures = Vec::new();
     for case in cases {
         let name = format!("{}.toml", case.name);
-        std::fs::write(folder.path().join(&name), &case.text).unwrap();
-        let output = ertel(&folder, &["solve", "--check", &name]);
+        write(&folder, &name, &case.text);
+        let output = ertel(&folder, &format!("solve --check {name}"));
         let message = String::from_utf8(output.stderr).unwrap();
         if output.status.code() != Some(2) {
             failures.push(format!("{name}: {}\n{message}", output.status));

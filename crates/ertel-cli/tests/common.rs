@@ -12,30 +12,26 @@ use tempfile::TempDir;
 
 pub use contains::contains;
 
-/// The command with arguments, in a folder.
-pub fn command(folder: impl AsRef<Path>, arguments: &[&str]) -> Command {
+/// The command in a folder, with arguments as a shell reads them: quotes hold words with blanks together.
+pub fn command(folder: impl AsRef<Path>, arguments: &str) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
-    command.args(arguments).current_dir(folder);
+    let words = shlex::split(arguments).expect("every quote has its end");
+    command.args(words).current_dir(folder);
     command
 }
 
-/// `ertel solve` in a folder.
-pub fn solve_command(folder: &TempDir, arguments: &[&str]) -> Command {
-    command(folder, &[&["solve"], arguments].concat())
-}
-
 /// Runs the command in a folder.
-pub fn ertel(folder: impl AsRef<Path>, arguments: &[&str]) -> Output {
+pub fn ertel(folder: impl AsRef<Path>, arguments: &str) -> Output {
     command(folder, arguments).output().unwrap()
 }
 
 /// Runs `ertel solve` in a folder.
-pub fn solve(folder: &TempDir, arguments: &[&str]) -> Output {
-    solve_command(folder, arguments).output().unwrap()
+pub fn solve(folder: &TempDir, arguments: &str) -> Output {
+    ertel(folder, &format!("solve {arguments}"))
 }
 
 /// Runs the command in the folder of the crate.
-pub fn ertel_here(arguments: &[&str]) -> Output {
+pub fn ertel_here(arguments: &str) -> Output {
     ertel(env!("CARGO_MANIFEST_DIR"), arguments)
 }
 
@@ -81,7 +77,7 @@ pub fn read(folder: &TempDir, name: &str) -> String {
 }
 
 /// Writes a file of a folder, and the folders in between.
-pub fn write(folder: &TempDir, name: &str, text: &str) {
+pub fn write(folder: &TempDir, name: &str, text: impl AsRef<[u8]>) {
     let path = folder.path().join(name);
     std::fs::create_dir_all(path.parent().unwrap()).unwrap();
     std::fs::write(path, text).unwrap();
@@ -90,7 +86,7 @@ pub fn write(folder: &TempDir, name: &str, text: &str) {
 /// Copies a file of the crate into a folder.
 pub fn copy(from: &str, folder: &TempDir, to: &str) {
     let from = Path::new(env!("CARGO_MANIFEST_DIR")).join(from);
-    write(folder, to, &std::fs::read_to_string(from).unwrap());
+    write(folder, to, std::fs::read(from).unwrap());
 }
 
 /// The lines of a table, each a map from column to field. Only the last field may hold a comma.
@@ -144,17 +140,17 @@ impl Workspace {
         self.0.path().join(name)
     }
 
-    pub fn ertel(&self, arguments: &[&str]) -> Output {
+    pub fn ertel(&self, arguments: &str) -> Output {
         ertel(&self.0, arguments)
     }
 
     /// Runs a command that must succeed; its standard output.
-    pub fn succeed(&self, arguments: &[&str]) -> String {
+    pub fn succeed(&self, arguments: &str) -> String {
         stdout_of(self.ertel(arguments), 0)
     }
 
     /// The message for bad input.
-    pub fn refused(&self, arguments: &[&str]) -> String {
+    pub fn refused(&self, arguments: &str) -> String {
         stderr_of(self.ertel(arguments), 2)
     }
 

@@ -1,12 +1,12 @@
 //! `ertel compare`, end to end.
 
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{contains, ertel, read, stderr_of, text};
+use crate::common::{code, contains, ertel, read, stderr_of, text, write};
 
 const TABLE: &str = "speed [m/s],load [kN/m],film_central [nm],film_central_uncertainty [%],film_minimum [nm]\n\
     0.5,20,300,5,\n1,20,600,5,400\n2,20,700,,\n1,20,550,5,\n";
@@ -14,30 +14,21 @@ const TABLE: &str = "speed [m/s],load [kN/m],film_central [nm],film_central_unce
 /// A folder with `tests/good/quick.toml` as `case.toml`, and a table.
 fn workspace(table: &str) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(
-        folder.path().join("case.toml"),
-        include_str!("good/quick.toml"),
-    )
-    .unwrap();
-    std::fs::write(folder.path().join("films.csv"), table).unwrap();
+    write(&folder, "case.toml", include_str!("good/quick.toml"));
+    write(&folder, "films.csv", table);
     folder
 }
 
-fn compare(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .arg("compare")
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap()
+fn compare(folder: &TempDir, arguments: &str) -> Output {
+    ertel(folder, &format!("compare {arguments}"))
 }
 
 #[test]
 fn films_are_compared_with_those_of_a_sweep() {
     let folder = workspace(TABLE);
-    let output = compare(folder.path(), &["case.toml", "films.csv"]);
+    let output = compare(&folder, "case.toml films.csv");
     let (report, progress) = (text(&output.stdout), text(&output.stderr));
-    assert_eq!(output.status.code(), Some(0), "{progress}");
+    code(&output, 0);
     contains(progress, "3/3: point");
     for words in [
         "central film thickness, computed against measured",
@@ -58,7 +49,7 @@ fn films_are_compared_with_those_of_a_sweep() {
     ] {
         contains(&page, words);
     }
-    let checked = compare(folder.path(), &["case.toml", "films.csv", "--check"]);
+    let checked = compare(&folder, "case.toml films.csv --check");
     let checked = text(&checked.stdout);
     for words in [
         "column `speed [m/s]`: sets motion.entrainment_speed",
@@ -69,9 +60,9 @@ fn films_are_compared_with_those_of_a_sweep() {
     }
     // The same contact solved alone has the same film.
     let case = read(&folder, "case.toml").replace("1 m/s", "2 m/s");
-    std::fs::write(folder.path().join("alone.toml"), case).unwrap();
-    let alone = ertel(&folder, &["solve", "alone.toml", "-q", "-o", "alone"]);
-    assert_eq!(alone.status.code(), Some(0));
+    write(&folder, "alone.toml", case);
+    let alone = ertel(&folder, "solve alone.toml -q -o alone");
+    code(&alone, 0);
     let alone: Value = serde_json::from_str(&read(&folder, "alone/result.json")).unwrap();
     let film = &alone["summary"]["film_central"];
     let json: Value =
@@ -95,7 +86,7 @@ fn films_are_compared_with_those_of_a_sweep() {
     assert!(svg.contains("measured") && svg.contains("computed"));
 
     // A second run solves nothing; the folder of the study is a study.
-    let error = stderr_of(compare(folder.path(), &["case.toml", "films.csv"]), 0);
+    let error = stderr_of(compare(&folder, "case.toml films.csv"), 0);
     assert!(!error.contains("point 1"), "{error}");
     assert!(
         folder
@@ -109,7 +100,7 @@ fn films_are_compared_with_those_of_a_sweep() {
 fn failed_points_are_reported_and_omitted() {
     let folder =
         workspace("speed [m/s],film_central [nm],solver.max_iterations\n0.5,300,40\n1,600,1\n");
-    let output = compare(folder.path(), &["case.toml", "films.csv", "-o", "out"]);
+    let output = compare(&folder, "case.toml films.csv -o out");
     let report = text(&output.stdout);
     assert_eq!(output.status.code(), Some(3), "{report}");
     contains(text(&output.stderr), "1 of 2 points failed and are omitted");
@@ -131,7 +122,7 @@ fn files_of_others_stay() {
     std::fs::write(place("own/comparison.csv"), "mine").unwrap();
     std::fs::write(place("file"), "mine").unwrap();
     for target in ["mine", "own", "file", "."] {
-        let output = compare(folder.path(), &["case.toml", "films.csv", "-o", target]);
+        let output = compare(&folder, &format!("case.toml films.csv -o {target}"));
         let message = text(&output.stderr);
         assert!(
             matches!(output.status.code(), Some(1 | 2)),
@@ -154,10 +145,10 @@ fn a_bad_table_exits_with_2_and_writes_nothing() {
         ("load [N],film_central [nm]\n20,100\n", "films.csv:2:1"),
     ] {
         let folder = workspace(table);
-        for more in [&["--check"][..], &[]] {
-            let output = compare(folder.path(), &[&["case.toml", "films.csv"], more].concat());
+        for more in ["--check", ""] {
+            let output = compare(&folder, &format!("case.toml films.csv {more}"));
             let message = text(&output.stderr);
-            assert_eq!(output.status.code(), Some(2), "{message}");
+            code(&output, 2);
             contains(message, words);
             assert!(!folder.path().join("results").exists());
         }
@@ -165,8 +156,8 @@ fn a_bad_table_exits_with_2_and_writes_nothing() {
     let folder = workspace(TABLE);
     let curve = "\n[curve]\nquantity = \"contact.load\"\nvalues = [\"20 kN/m\", \"30 kN/m\"]\n";
     let case = read(&folder, "case.toml") + curve;
-    std::fs::write(folder.path().join("case.toml"), case).unwrap();
-    let message = stderr_of(compare(folder.path(), &["case.toml", "films.csv"]), 2);
+    write(&folder, "case.toml", case);
+    let message = stderr_of(compare(&folder, "case.toml films.csv"), 2);
     contains(&message, "case.toml:");
     contains(&message, "[curve]");
 }
@@ -194,7 +185,7 @@ fn the_commands_of_the_guide_run() {
         if line.contains("my-") {
             continue;
         }
-        let output = compare(folder.path(), &line.split_whitespace().collect::<Vec<_>>());
+        let output = compare(&folder, line);
         assert_eq!(
             output.status.code(),
             Some(0),
@@ -212,8 +203,5 @@ fn the_commands_of_the_guide_run() {
     );
     let json: Value = serde_json::from_str(&json.unwrap()).unwrap();
     let bias = 100.0 * json["statistics"]["film_central"]["bias"].as_f64().unwrap();
-    assert!(
-        page.contains(&format!("bias (mean)           {bias:+.1} %")),
-        "{bias}"
-    );
+    contains(&page, &format!("bias (mean)           {bias:+.1} %"));
 }

@@ -2,7 +2,7 @@
 
 use tempfile::TempDir;
 
-use crate::common::{contains, read, solve, stderr, stderr_of, stdout_of, write};
+use crate::common::{code, contains, read, solve, stderr, stderr_of, stdout_of, write};
 
 const CASE: &str = concat!(
     "[contact]\nkind = \"circular\"\nradius = \"16 mm\"\nload = \"30 N\"\n",
@@ -17,18 +17,9 @@ const CASE: &str = concat!(
 fn both_methods_side_by_side() {
     let folder = TempDir::new().unwrap();
     write(&folder, "case.toml", CASE);
-    for extra in [&[][..], &["--set", "solver.method=\"finite-elements\""]] {
-        let arguments = [
-            &[
-                "case.toml",
-                "--cross-check",
-                "-o",
-                "out",
-                "--accept-unresolved",
-            ],
-            extra,
-        ];
-        let text = stdout_of(solve(&folder, &arguments.concat()), 0);
+    for extra in ["", "--set solver.method=finite-elements"] {
+        let arguments = format!("case.toml --cross-check -o out --accept-unresolved {extra}");
+        let text = stdout_of(solve(&folder, &arguments), 0);
         contains(&text, "Cross-check by finite");
         contains(&text, "agree within the sum of both error bars, 0 differ");
         let table = read(&folder, "out/cross-check.csv");
@@ -63,9 +54,9 @@ fn refusals() {
     write(
         &folder,
         "roller.toml",
-        &format!("{roller}[thermal]\nfield = true\n"),
+        format!("{roller}[thermal]\nfield = true\n"),
     );
-    let error = stderr_of(solve(&folder, &["roller.toml", "--cross-check"]), 2);
+    let error = stderr_of(solve(&folder, "roller.toml --cross-check"), 2);
     contains(
         &error,
         "finite volumes find no temperatures within the bodies",
@@ -80,20 +71,11 @@ fn refusals() {
             "`pressure_order` has no effect on finite volumes",
         ),
     ] {
-        let arguments = [
-            "case.toml",
-            "--set",
-            "solver.method=\"finite-volumes\"",
-            "--set",
-            set,
-        ];
+        let arguments = format!("case.toml --set solver.method=finite-volumes --set {set}");
         let error = stderr_of(solve(&folder, &arguments), 2);
         contains(&error, words);
     }
-    let output = solve(
-        &folder,
-        &["roller.toml", "--set", "solver.method=\"finite-volumes\""],
-    );
-    assert_eq!(output.status.code(), Some(2));
+    let output = solve(&folder, "roller.toml --set solver.method=finite-volumes");
+    code(&output, 2);
     contains(stderr(&output), "no temperatures within the bodies");
 }

@@ -5,7 +5,9 @@ use std::path::Path;
 
 use tempfile::TempDir;
 
-use crate::common::{Running, contains, ertel, rows_of, solve, solve_command, stderr_of, text};
+use crate::common::{
+    Running, code, command, contains, ertel, read, rows_of, solve, stderr_of, text, write,
+};
 
 const SPEEDS: &str = r#"
 [curve]
@@ -18,7 +20,7 @@ fn workspace(change: impl Fn(&str) -> String, curve: &str) -> TempDir {
     let good = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/good/quick.toml");
     let folder = tempfile::tempdir().unwrap();
     let text = change(&std::fs::read_to_string(good).unwrap()) + curve;
-    std::fs::write(folder.path().join("case.toml"), text).unwrap();
+    write(&folder, "case.toml", text);
     folder
 }
 
@@ -30,9 +32,9 @@ fn table(folder: &TempDir) -> Vec<HashMap<String, String>> {
 #[test]
 fn a_curve_is_solved_and_written() {
     let folder = workspace(str::to_owned, &format!("{SPEEDS}folders = true\n"));
-    let output = solve(&folder, &["case.toml"]);
+    let output = solve(&folder, "case.toml");
     let (report, progress) = (text(&output.stdout), text(&output.stderr));
-    assert_eq!(output.status.code(), Some(0), "{progress}");
+    code(&output, 0);
     contains(report, "3 of 3 points solved");
     contains(progress, "point 2/3 (1.3 m/s)");
     let rows = table(&folder);
@@ -52,12 +54,12 @@ fn a_curve_is_solved_and_written() {
     let point = results.join("points/3");
     assert!(point.join("centreline.csv").exists());
     std::fs::copy(point.join("case.toml"), folder.path().join("point.toml")).unwrap();
-    let output = solve(&folder, &["point.toml"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let output = solve(&folder, "point.toml");
+    code(&output, 0);
     // Its folder is replaced by a former result of any kind, but not with something else in it.
-    assert_eq!(solve(&folder, &["case.toml", "-q"]).status.code(), Some(0));
+    code(&solve(&folder, "case.toml -q"), 0);
     std::fs::write(point.join("notes.txt"), "mine").unwrap();
-    let error = stderr_of(solve(&folder, &["case.toml"]), 1);
+    let error = stderr_of(solve(&folder, "case.toml"), 1);
     contains(&error, "notes.txt");
     assert!(point.join("notes.txt").exists());
 }
@@ -71,7 +73,7 @@ fn a_sliding_curve_shows_its_traction() {
     };
     let ratios = "[curve]\nquantity = \"motion.slide_to_roll_ratio\"\nvalues = [0.0, 0.1, 0.2]\nnewtonian = true\n";
     let folder = workspace(thins, ratios);
-    let progress = stderr_of(solve(&folder, &["case.toml"]), 0);
+    let progress = stderr_of(solve(&folder, "case.toml"), 0);
     contains(&progress, "point 2/3 (0.1, Newtonian)");
     assert!(
         folder
@@ -114,9 +116,9 @@ fn a_failed_point_leaves_the_others_standing() {
         |case: &str| format!("{case}\n[solver]\nmax_iterations = 6\nformulation = \"galerkin\"\n");
     let loads = "[curve]\nquantity = \"contact.load\"\nvalues = [\"20 kN/m\", \"2000 kN/m\", \"22 kN/m\"]\n";
     let folder = workspace(few, loads);
-    let output = solve(&folder, &["case.toml"]);
+    let output = solve(&folder, "case.toml");
     let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(3), "{message}");
+    code(&output, 3);
     contains(message, "1 of 3 points failed");
     contains(text(&output.stdout), "point 2 failed");
     let rows = table(&folder);
@@ -133,7 +135,7 @@ fn a_failed_point_leaves_the_others_standing() {
 fn an_interrupted_curve_keeps_its_points() {
     let range = "[curve]\nquantity = \"contact.load\"\nfrom = \"20 kN/m\"\nto = \"40 kN/m\"\npoints = 1000\n";
     let folder = workspace(str::to_owned, range);
-    let mut run = Running::start(solve_command(&folder, &["case.toml"]));
+    let mut run = Running::start(command(&folder, "solve case.toml"));
     let third = run
         .lines
         .by_ref()
@@ -152,9 +154,9 @@ fn a_thermal_curve_shows_the_isothermal_one() {
     let slides = "\n[curve]\nquantity = \"motion.slide_to_roll_ratio\"\nvalues = [0, 0.2, 0.4]\nisothermal = true\n";
     let thermal = |_: &str| include_str!("good/thermal.toml").to_owned();
     let folder = workspace(thermal, slides);
-    let output = solve(&folder, &["case.toml"]);
+    let output = solve(&folder, "case.toml");
     let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{message}");
+    code(&output, 0);
     contains(message, "isothermal");
     let report = text(&output.stdout);
     for words in ["central film without heat", "traction without heat", " °C"] {
@@ -181,7 +183,7 @@ fn a_thermal_curve_shows_the_isothermal_one() {
     assert!(column("heat_balance_error").iter().all(|e| e.abs() < 0.01));
     let [made, friction] = ["heat_shear_W_per_m", "friction_power_W_per_m"].map(column);
     assert!((made[2] / friction[2] - 1.0).abs() < 0.01);
-    let json = std::fs::read_to_string(folder.path().join("results/case/curve.json")).unwrap();
+    let json = read(&folder, "results/case/curve.json");
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     assert_eq!(json["points"][2]["isothermal"]["converged"], true);
     let mean = &json["points"][2]["figures"]["film_temperature_mean"]["value"];
@@ -201,16 +203,16 @@ fn the_guide_makes_a_study_of_a_curve() {
         .map(|rest| rest.split("```").next().unwrap())
         .collect();
     let folder = workspace(str::to_owned, blocks[0]);
-    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    let write = |name: &str, text: &str| write(&folder, name, text);
     write("ball-on-disc.toml", include_str!("good/quick.toml"));
     write("film-over-speed.toml", blocks[1]);
-    let output = solve(&folder, &["case.toml", "-q"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let output = solve(&folder, "case.toml -q");
+    code(&output, 0);
     let curve = table(&folder);
 
     assert!(section.contains("    ertel sweep film-over-speed.toml\n"));
-    let output = ertel(&folder, &["sweep", "film-over-speed.toml", "-q"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let output = ertel(&folder, "sweep film-over-speed.toml -q");
+    code(&output, 0);
     let study = rows_of(&folder.path().join("results/film-over-speed/results.csv"));
     assert_eq!((curve.len(), study.len()), (5, 5));
     for (point, row) in curve.iter().zip(&study) {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::common::{contains, ertel, root, stdout_of};
 
-fn report(arguments: &[&str]) -> String {
+fn report(arguments: &str) -> String {
     stdout_of(ertel(root(), arguments), 0)
 }
 
@@ -12,12 +12,10 @@ fn report(arguments: &[&str]) -> String {
 fn the_shipped_case_is_solved_and_shows_its_estimates() {
     let folder = tempfile::tempdir().unwrap();
     let results = folder.path().join("results");
-    let report = report(&[
-        "solve",
-        "cases/data-sheet-oil.toml",
-        "--output",
-        results.to_str().unwrap(),
-    ]);
+    let report = report(&format!(
+        "solve cases/data-sheet-oil.toml --output {}",
+        results.display()
+    ));
     for words in [
         "given by its data sheet: viscosity walther, density dowson-higginson",
         "22.93 1/GPa (estimate, ± 21 %)",
@@ -65,7 +63,7 @@ fn estimates_of_the_database_are_shown_as_such() {
         ("ester-iso-vg-320", 0.6605, 0.1360, 299.6, "± 21 %"),
         ("pag-iso-vg-320", 0.5489, 0.1485, 287.3, "± 30 %"),
     ] {
-        let shown = report(&["fluids", "show", oil]);
+        let shown = report(&format!("fluids show {oil}"));
         let [value, unit, status] = datum(&shown, "pressure_viscosity_coefficient")[..] else {
             panic!("{shown}");
         };
@@ -81,10 +79,10 @@ fn estimates_of_the_database_are_shown_as_such() {
         contains(&shown, "Gold, P. W.");
     }
     // A value from a source is no estimate.
-    let shown = report(&["fluids", "show", "fva-3"]);
+    let shown = report("fluids show fva-3");
     let given = datum(&shown, "pressure_viscosity_coefficient");
     assert_eq!(given, ["20", "1/GPa", "code"]);
-    let shown = report(&["fluids", "show", "iso-vg-46-pao"]);
+    let shown = report("fluids show iso-vg-46-pao");
     let given = datum(&shown, "kinematic_viscosity_40");
     assert_eq!(given, ["45.81", "cSt", "code"]);
 }
@@ -92,7 +90,7 @@ fn estimates_of_the_database_are_shown_as_such() {
 /// Estimates of heat and shear by the kind of an oil are shown apart from its data, with their ranges.
 #[test]
 fn estimates_by_kind_are_shown_apart() {
-    let shown = report(&["fluids", "show", "iso-vg-46-pao"]);
+    let shown = report("fluids show iso-vg-46-pao");
     let (own, by_kind) = shown
         .split_once("Estimates by the kind of the base oil (PAO)")
         .unwrap_or_else(|| panic!("{shown}"));
@@ -111,7 +109,7 @@ fn estimates_by_kind_are_shown_apart() {
         assert_eq!(datum(by_kind, key), value);
     }
     contains(by_kind, "shear_thinning.limit.lambda: estimate, ± 30 %:");
-    let shown = report(&["fluids", "show", "water"]);
+    let shown = report("fluids show water");
     assert!(!shown.contains("kind of the base oil"), "{shown}");
 }
 
@@ -126,7 +124,7 @@ fn every_fluid_is_listed() {
         .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
         .collect();
     files.sort();
-    let list = report(&["fluids"]);
+    let list = report("fluids");
     let lines = list.lines().filter(|line| line.starts_with("  "));
     let listed: Vec<&str> = (lines.filter_map(|line| line.split_whitespace().next())).collect();
     assert_eq!(listed, files);
@@ -143,7 +141,7 @@ fn a_second_coefficient_moves_the_film_of_its_temperature() {
         let text = case.replace("temperature = \"40 degC\"", &at) + lines;
         let path = folder.path().join("case.toml");
         std::fs::write(&path, text).unwrap();
-        let json = report(&["estimate", path.to_str().unwrap(), "--json"]);
+        let json = report(&format!("estimate {} --json", path.display()));
         let json: serde_json::Value = serde_json::from_str(&json).unwrap();
         json["film"]["film_central"].as_f64().unwrap()
     };

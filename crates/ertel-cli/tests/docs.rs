@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::Path;
+
+use crate::common::{ertel, root};
 
 /// Pages whose commands are run, each in one folder from the first to the last.
 const RUN: [&str; 12] = [
@@ -24,23 +25,6 @@ const RUN: [&str; 12] = [
 /// Results of a command that are no failure: a figure that the mesh does not resolve is written with a warning; and the
 /// page on debugging shows a solve that does not converge.
 const DONE: [i32; 2] = [0, 3];
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../..")
-        .canonicalize()
-        .unwrap()
-}
-
-/// The words of a command, quoted ones whole.
-fn words(command: &str) -> Vec<String> {
-    let parts = command.split('"').enumerate();
-    let words = parts.flat_map(|(i, part)| match i % 2 {
-        0 => part.split_whitespace().map(str::to_owned).collect(),
-        _ => vec![part.to_owned()],
-    });
-    words.collect()
-}
 
 /// Copies a folder of shipped files.
 fn copy(from: &Path, to: &Path) {
@@ -80,11 +64,7 @@ fn every_command_of_the_guides_runs() {
             if !done.insert(same) && page == "gallery.md" {
                 continue;
             }
-            let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
-                .args(words(command))
-                .current_dir(folder.path())
-                .output()
-                .unwrap();
+            let output = ertel(&folder, command);
             let code = output.status.code().unwrap();
             let errors = String::from_utf8_lossy(&output.stderr);
             assert!(
@@ -124,11 +104,7 @@ fn what_the_docs_print_is_what_the_program_prints() {
         assert!(!shown.is_empty(), "{page} shows nothing of {command}");
         let folder = tempfile::tempdir().unwrap();
         copy(&root.join("cases"), &folder.path().join("cases"));
-        let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
-            .args(words(command).into_iter().skip(1))
-            .current_dir(folder.path())
-            .output()
-            .unwrap();
+        let output = ertel(&folder, command.strip_prefix("ertel ").unwrap());
         let printed = [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text));
         let printed = printed.concat();
         for line in shown {

@@ -1,20 +1,14 @@
 //! `ertel estimate` end to end.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 
-use crate::common::{contains, stderr, stdout};
+use crate::common::{code, contains, ertel, stderr, stdout};
 
 /// Runs `ertel estimate` in an empty folder, which must stay so.
-fn estimate(case: &Path, options: &[&str]) -> Output {
+fn estimate(case: &Path, options: &str) -> Output {
     let folder = tempfile::tempdir().unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .arg("estimate")
-        .arg(case)
-        .args(options)
-        .current_dir(folder.path())
-        .output()
-        .unwrap();
+    let output = ertel(&folder, &format!("estimate {} {options}", case.display()));
     assert!(folder.path().read_dir().unwrap().next().is_none());
     output
 }
@@ -28,8 +22,8 @@ fn shipped(name: &str) -> PathBuf {
 /// Figures of an independent script for the case (Habchi 2008, Tables 3.3 and 3.4).
 #[test]
 fn text_has_the_figures() {
-    let output = estimate(&shipped("ball-on-disc.toml"), &[]);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let output = estimate(&shipped("ball-on-disc.toml"), "");
+    code(&output, 0);
     for words in [
         "218.3 µm",
         "1.002 GPa",
@@ -48,8 +42,8 @@ fn text_has_the_figures() {
 
 #[test]
 fn json_has_the_figures_with_units() {
-    let output = estimate(&shipped("ball-on-disc.toml"), &["--json"]);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let output = estimate(&shipped("ball-on-disc.toml"), "--json");
+    code(&output, 0);
     let json: serde_json::Value = serde_json::from_str(stdout(&output)).unwrap();
     assert_eq!(json["format"], "ertel-estimate");
     let near = |path: &str, value: f64| {
@@ -76,8 +70,8 @@ fn warnings_and_errors() {
     let path = folder.path().join("rough.toml");
     let rough = text.replace("[bodies]", "[bodies]\nroughness = \"1 um\"");
     std::fs::write(&path, rough).unwrap();
-    let output = estimate(&path, &[]);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let output = estimate(&path, "");
+    code(&output, 0);
     for words in [
         "composite roughness σ (rms)",
         "mixed lubrication",
@@ -88,24 +82,20 @@ fn warnings_and_errors() {
     }
 
     std::fs::write(&path, text.replace("[bodies]", "[bodies]\nroughness = 3")).unwrap();
-    let output = estimate(&path, &[]);
-    assert_eq!(output.status.code(), Some(2));
+    let output = estimate(&path, "");
+    code(&output, 2);
     contains(stderr(&output), "`roughness` has no unit");
     assert_eq!(stdout(&output), "");
-    let output = estimate(Path::new("no/such/case.toml"), &[]);
-    assert_eq!(output.status.code(), Some(2));
+    let output = estimate(Path::new("no/such/case.toml"), "");
+    code(&output, 2);
 }
 
 /// The template of a machine in a folder.
 fn template(kind: &str) -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("machine.toml");
-    let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .args(["init", kind, "--output"])
-        .arg(&path)
-        .output()
-        .unwrap();
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let output = ertel(&folder, &format!("init {kind} --output machine.toml"));
+    code(&output, 0);
     (folder, path)
 }
 
@@ -160,8 +150,8 @@ fn whole_machines_are_estimated() {
     ];
     for (kind, words, of_check) in machines {
         let (folder, path) = template(kind);
-        let output = estimate(&path, &[]);
-        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        let output = estimate(&path, "");
+        code(&output, 0);
         let text = stdout(&output);
         for words in words {
             assert!(text.contains(words), "{kind}: {words}: {text}");
@@ -171,13 +161,8 @@ fn whole_machines_are_estimated() {
         for line in table.lines() {
             assert!(line.chars().count() <= 80, "{kind}: {line}");
         }
-        let check = Command::new(env!("CARGO_BIN_EXE_ertel"))
-            .args(["solve", "--check"])
-            .arg(&path)
-            .current_dir(folder.path())
-            .output()
-            .unwrap();
-        assert_eq!(check.status.code(), Some(0), "{}", stderr(&check));
+        let check = ertel(&folder, "solve --check machine.toml");
+        code(&check, 0);
         for words in of_check {
             assert!(
                 stdout(&check).contains(words),
@@ -193,7 +178,7 @@ fn whole_machines_are_estimated() {
                 .replace(" rpm\"", "\""),
         )
         .unwrap();
-        let output = estimate(&path, &[]);
+        let output = estimate(&path, "");
         assert_eq!(output.status.code(), Some(2), "{kind}");
         assert!(
             stderr(&output).contains("has no unit"),
@@ -209,8 +194,8 @@ fn whole_machines_are_estimated() {
 fn json_of_whole_machines() {
     let document = |kind: &str| -> serde_json::Value {
         let (_folder, path) = template(kind);
-        let output = estimate(&path, &["--json"]);
-        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        let output = estimate(&path, "--json");
+        code(&output, 0);
         serde_json::from_str(stdout(&output)).unwrap()
     };
     let number = |json: &serde_json::Value, path: &str| {
@@ -253,13 +238,8 @@ fn solve_shows_the_lambda_ratio() {
     let path = folder.path().join("rough.toml");
     let rough = text.replace("[bodies]", "[bodies]\nroughness = \"1 um\"");
     std::fs::write(&path, rough).unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .arg("solve")
-        .arg(&path)
-        .current_dir(folder.path())
-        .output()
-        .unwrap();
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let output = ertel(&folder, "solve rough.toml");
+    code(&output, 0);
     let result = folder.path().join("results/rough/result.json");
     let json: serde_json::Value =
         serde_json::from_str(&std::fs::read_to_string(result).unwrap()).unwrap();

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
 
-use crate::common::{copy, ertel, text, write};
+use crate::common::{code, copy, ertel, read, text, write};
 
 /// All that a folder holds: texts of files, targets of links.
 fn content(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
@@ -28,7 +28,7 @@ fn content(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 }
 
 /// Exit code and words on stderr, and nothing has changed.
-fn refused(folder: &TempDir, arguments: &[&str], code: i32, words: &str) {
+fn refused(folder: &TempDir, arguments: &str, code: i32, words: &str) {
     let before = content(folder.path());
     let output = ertel(folder, arguments);
     let message = text(&output.stderr);
@@ -77,43 +77,27 @@ fn a_fit_does_not_overwrite_what_it_reads() {
         std::os::unix::fs::symlink("mine.csv", folder.path().join("soft.toml")).unwrap();
         names.push("soft.toml");
     }
-    let fit = |more: &[&'static str]| {
-        let base = ["fit", "viscosity", "mine.csv", "--law", "roelands"];
-        [&base[..], more].concat()
-    };
+    let fit = |more: &str| format!("fit viscosity mine.csv --law roelands {more}");
     for name in names {
-        let mut arguments: Vec<&str> = fit(&["-o"]);
-        arguments.push(name);
-        refused(&folder, &arguments, 2, "would overwrite");
+        refused(&folder, &fit(&format!("-o {name}")), 2, "would overwrite");
     }
-    refused(&folder, &fit(&["--plot", "hard.svg"]), 2, "would overwrite");
+    refused(&folder, &fit("--plot hard.svg"), 2, "would overwrite");
     // Two outputs of one command in one place.
     refused(
         &folder,
-        &fit(&["-o", "entry.svg"]),
+        &fit("-o entry.svg"),
         2,
         "both the entry and the picture",
     );
-    assert_eq!(
-        ertel(&folder, &fit(&["-o", "entry.toml"])).status.code(),
-        Some(0)
-    );
+    code(&ertel(&folder, &fit("-o entry.toml")), 0);
 
     write(
         &folder,
         "films.svg",
         "speed_m_per_s,film_central_m\n1,1e-7\n2,1.6e-7\n4,2.6e-7\n8,4.1e-7\n",
     );
-    let film = [
-        "fit",
-        "film",
-        "films.svg",
-        "--form",
-        "speed",
-        "--plot",
-        "./films.svg",
-    ];
-    refused(&folder, &film, 2, "would overwrite");
+    let film = "fit film films.svg --form speed --plot ./films.svg";
+    refused(&folder, film, 2, "would overwrite");
 }
 
 #[test]
@@ -129,30 +113,20 @@ fn the_volume_of_a_law_is_not_overwritten() {
         "volume.toml",
         "[density]\nlaw = \"tait\"\nrho_0 = \"800 kg/m^3\"\nk_0r = \"9 GPa\"\nk_0r_prime = 11.0\n",
     );
-    let arguments = [
-        "fit",
-        "viscosity",
-        "mine.csv",
-        "--law",
-        "doolittle",
-        "--density",
-        "volume.toml",
-        "-o",
-        "volume.toml",
-    ];
-    refused(&folder, &arguments, 2, "would overwrite");
+    let arguments = "fit viscosity mine.csv --law doolittle --density volume.toml -o volume.toml";
+    refused(&folder, arguments, 2, "would overwrite");
 }
 
 #[test]
 fn results_are_not_written_over_their_case() {
     let folder = workspace();
-    let solve = ["solve", "base.toml", "-q", "-o", "out"];
-    assert!(ertel(&folder, &solve).status.success());
+    let solve = "solve base.toml -q -o out";
+    code(&ertel(&folder, solve), 0);
     // A change that the results would undo.
-    let case = std::fs::read_to_string(folder.path().join("out/case.toml")).unwrap();
+    let case = read(&folder, "out/case.toml");
     write(&folder, "out/case.toml", &(case + "# mine\n"));
-    let again = ["solve", "out/case.toml", "-q", "-o", "./out"];
-    refused(&folder, &again, 2, "out/case.toml");
+    let again = "solve out/case.toml -q -o ./out";
+    refused(&folder, again, 2, "out/case.toml");
 
     // A table that the lubricant names.
     write(
@@ -160,28 +134,28 @@ fn results_are_not_written_over_their_case() {
         "out/centreline.csv",
         "temperature [degC], pressure [MPa], viscosity [mPa.s]\n40,0,40\n40,500,4000\n40,2000,90000\n",
     );
-    let base = std::fs::read_to_string(folder.path().join("base.toml")).unwrap();
+    let base = read(&folder, "base.toml");
     let law = "{ law = \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"20 1/GPa\" }";
     assert!(base.contains(law));
     let table = "{ law = \"table\", file = \"out/centreline.csv\" }";
-    write(&folder, "table.toml", &base.replace(law, table));
-    let arguments = ["solve", "table.toml", "-q", "-o", "out"];
-    refused(&folder, &arguments, 2, "out/centreline.csv");
+    write(&folder, "table.toml", base.replace(law, table));
+    let arguments = "solve table.toml -q -o out";
+    refused(&folder, arguments, 2, "out/centreline.csv");
 }
 
 #[test]
 fn a_study_does_not_overwrite_what_it_reads() {
     let folder = workspace();
-    let sweep = ["sweep", "study.toml", "-q", "-o", "out"];
-    assert!(ertel(&folder, &sweep).status.success());
+    let sweep = "sweep study.toml -q -o out";
+    code(&ertel(&folder, sweep), 0);
     write(&folder, "out/results.csv", "contact.load [kN/m]\n25\n35\n");
     write(
         &folder,
         "second.toml",
         "case = \"base.toml\"\npoints = \"out/results.csv\"\n",
     );
-    let arguments = ["sweep", "second.toml", "-q", "-o", "out"];
-    refused(&folder, &arguments, 2, "out/results.csv");
+    let arguments = "sweep second.toml -q -o out";
+    refused(&folder, arguments, 2, "out/results.csv");
 }
 
 #[test]
@@ -195,7 +169,7 @@ fn a_table_of_comparisons_does_not_overwrite_a_study() {
          [[check]]\nquantity = \"central-film\"\nvalue = 1.0\ntolerance = \"1 %\"\nreason = \"none\"\n",
     );
     for table in ["studies/roller/case.toml", "studies/roller/reference.toml"] {
-        let arguments = ["validate", "--folder", "studies", "--table", table];
+        let arguments = format!("validate --folder studies --table {table}");
         refused(&folder, &arguments, 2, "would overwrite");
     }
 }
@@ -206,12 +180,12 @@ fn journals_of_others_are_not_adopted() {
     let folder = workspace();
     let foreign = "{\"event\": \"start\"}\nthe last line has no end";
     write(&folder, "theirs/journal.jsonl", foreign);
-    let sweep = |out: &'static str| ["sweep", "study.toml", "-q", "-o", out];
+    let sweep = |out: &str| format!("sweep study.toml -q -o {out}");
     refused(&folder, &sweep("theirs"), 1, "theirs");
-    let dry = ["sweep", "study.toml", "--dry-run", "-o", "theirs"];
-    refused(&folder, &dry, 1, "theirs");
+    let dry = "sweep study.toml --dry-run -o theirs";
+    refused(&folder, dry, 1, "theirs");
 
-    assert!(ertel(&folder, &sweep("out")).status.success());
+    code(&ertel(&folder, &sweep("out")), 0);
     write(&folder, "out/journal.jsonl", foreign);
     refused(&folder, &sweep("out"), 1, "out/journal.jsonl");
     write(&folder, "empty/journal.jsonl", "not a line");
@@ -219,41 +193,32 @@ fn journals_of_others_are_not_adopted() {
     write(&folder, "locked/.lock", "1234\n");
     refused(&folder, &sweep("locked"), 1, ".lock");
     // A part to be joined.
-    refused(
-        &folder,
-        &["sweep", "--merge", "whole", "out"],
-        1,
-        "out/journal.jsonl",
-    );
+    refused(&folder, "sweep --merge whole out", 1, "out/journal.jsonl");
 }
 
 /// Without a list of points of ertel a folder is no study, whatever its files are called.
 #[test]
 fn a_folder_without_a_list_of_points_is_no_study() {
     let folder = workspace();
-    assert!(
-        ertel(&folder, &["sweep", "study.toml", "-q", "-o", "part"])
-            .status
-            .success()
-    );
-    let journal = std::fs::read_to_string(folder.path().join("part/journal.jsonl")).unwrap();
+    code(&ertel(&folder, "sweep study.toml -q -o part"), 0);
+    let journal = read(&folder, "part/journal.jsonl");
     for (name, records) in [("empty", ""), ("copied", &journal)] {
         write(&folder, &format!("{name}/journal.jsonl"), records);
         write(&folder, &format!("{name}/results.csv"), "mine");
         write(&folder, &format!("{name}/report.html"), "mine");
         refused(
             &folder,
-            &["sweep", "study.toml", "-q", "-o", name],
+            &format!("sweep study.toml -q -o {name}"),
             1,
             "no study.json of ertel",
         );
         refused(
             &folder,
-            &["sweep", "--merge", name, "part"],
+            &format!("sweep --merge {name} part"),
             1,
             "no study.json of ertel",
         );
-        refused(&folder, &["sweep", "--merge", "whole", name], 2, name);
+        refused(&folder, &format!("sweep --merge whole {name}"), 2, name);
     }
     for shard in [
         "9223372036854775808/18446744073709551615",
@@ -263,7 +228,7 @@ fn a_folder_without_a_list_of_points_is_no_study() {
     ] {
         refused(
             &folder,
-            &["sweep", "study.toml", "-q", "--shard", shard],
+            &format!("sweep study.toml -q --shard {shard}"),
             2,
             "of eight parts",
         );
@@ -276,27 +241,27 @@ fn links_in_the_folder_of_a_study_are_not_followed() {
     use std::os::unix::fs::symlink;
     let folder = workspace();
     write(&folder, "precious.txt", "precious, without an end");
-    let arguments = ["sweep", "study.toml", "-q", "-o", "out"];
+    let arguments = "sweep study.toml -q -o out";
     let out = folder.path().join("out");
     std::fs::create_dir(&out).unwrap();
     for name in [".lock", "journal.jsonl", "study.json"] {
         for target in ["../precious.txt", "../nothing"] {
             symlink(target, out.join(name)).unwrap();
-            refused(&folder, &arguments, 1, name);
+            refused(&folder, arguments, 1, name);
             std::fs::remove_file(out.join(name)).unwrap();
         }
     }
     // Likewise where there is a study.
-    assert!(ertel(&folder, &arguments).status.success());
+    code(&ertel(&folder, arguments), 0);
     for name in [".lock", "journal.jsonl", "results.csv", "study.json"] {
         let copy = folder.path().join(format!("copy-{name}"));
         std::fs::rename(out.join(name), &copy).unwrap();
         symlink(&copy, out.join(name)).unwrap();
-        refused(&folder, &arguments, 1, name);
+        refused(&folder, arguments, 1, name);
         std::fs::remove_file(out.join(name)).unwrap();
         std::fs::rename(&copy, out.join(name)).unwrap();
     }
-    assert!(ertel(&folder, &arguments).status.success());
+    code(&ertel(&folder, arguments), 0);
 }
 
 /// A user's own things under the names of ertel's files, in a former result.
@@ -304,12 +269,12 @@ fn links_in_the_folder_of_a_study_are_not_followed() {
 fn a_former_result_with_things_of_others_is_kept() {
     let folder = workspace();
     let curve = "[curve]\nquantity = \"contact.load\"\nvalues = [\"20 kN/m\", \"30 kN/m\"]\nfolders = true\n";
-    let base = std::fs::read_to_string(folder.path().join("base.toml")).unwrap();
+    let base = read(&folder, "base.toml");
     write(&folder, "curve.toml", &(base + curve));
     for case in ["base.toml", "curve.toml"] {
-        let arguments = ["solve", case, "-q", "-o", "out"];
+        let arguments = format!("solve {case} -q -o out");
         let out = folder.path().join("out");
-        let solved = || assert!(ertel(&folder, &arguments).status.success());
+        let solved = || code(&ertel(&folder, &arguments), 0);
         solved();
         // One of ertel's own names as a folder.
         std::fs::remove_file(out.join("report.txt")).unwrap();

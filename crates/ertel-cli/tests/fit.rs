@@ -1,48 +1,31 @@
 //! `ertel fit` end to end: report, entry, picture, and exit codes.
 
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::Path;
 
-use crate::common::{contains, ertel_here, stderr_of, stdout_of, text};
+use crate::common::{code, contains, copy, ertel, read, root, stderr_of, stdout_of, text, write};
 
-fn published(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../validation/appendix-c")
-        .join(name)
-}
+/// Published viscosities.
+const FLUID_A: &str = "../../validation/appendix-c/fluid-a.csv";
 
 /// The entry goes into a case file's lubricant and passes the check.
 #[test]
 fn an_entry_serves_in_a_case_file() {
     let folder = tempfile::tempdir().unwrap();
-    let entry = folder.path().join("a.toml");
-    let data = published("fluid-a.csv");
-    let output = ertel_here(&[
-        "fit",
-        "viscosity",
-        data.to_str().unwrap(),
-        "--law",
-        "cheng",
-        "--hold",
-        "mu_0=0.465 mPa.s",
-        "--reference-temperature",
-        "24.5 degC",
-        "--absolute",
-        "--source",
-        "habchi2008",
-        "-v",
-        "-o",
-        entry.to_str().unwrap(),
-    ]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    copy(FLUID_A, &folder, "fluid-a.csv");
+    let output = ertel(
+        &folder,
+        "fit viscosity fluid-a.csv --law cheng --hold 'mu_0=0.465 mPa.s' --reference-temperature '24.5 degC' \
+         --absolute --source habchi2008 -v -o a.toml",
+    );
+    code(&output, 0);
     let report = text(&output.stdout);
     // 23 states, and what Gauss-Newton steps in another program give: β = 1397.93 K
     contains(report, "23 states");
     contains(report, "1397.9 K");
-    let svg = std::fs::read_to_string(folder.path().join("a.svg")).unwrap();
+    let svg = read(&folder, "a.svg");
     assert!(svg.contains("<svg") && svg.contains("24.5"));
 
-    let written = std::fs::read_to_string(&entry).unwrap();
+    let written = read(&folder, "a.toml");
     contains(&written, "source = \"habchi2008\"");
     assert!(written.contains("temperature = [\"257.15 K\", \"297.65 K\"]"));
     let section = written.split("[viscosity]").nth(1).unwrap();
@@ -50,54 +33,42 @@ fn an_entry_serves_in_a_case_file() {
     let case = std::fs::read_to_string(quick).unwrap();
     let lines = case.lines().filter(|line| !line.starts_with("viscosity"));
     let case = lines.collect::<Vec<_>>().join("\n") + "\n[lubricant.viscosity]" + section;
-    let path = folder.path().join("case.toml");
-    std::fs::write(&path, case).unwrap();
-    let output = ertel_here(&["solve", "--check", path.to_str().unwrap()]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    write(&folder, "case.toml", case);
+    let output = ertel(&folder, "solve --check case.toml");
+    code(&output, 0);
 }
 
 #[test]
 fn bad_data_and_usage_exit_with_2() {
     let folder = tempfile::tempdir().unwrap();
-    let bad = folder.path().join("bad.csv");
-    std::fs::write(
-        &bad,
-        "pressure_MPa,temperature_K,viscosity_mPa_s\n1,300,x\n",
-    )
-    .unwrap();
-    let good = published("fluid-a.csv");
-    let (bad, good) = (bad.to_str().unwrap(), good.to_str().unwrap());
+    let bad = "pressure_MPa,temperature_K,viscosity_mPa_s\n1,300,x\n";
+    write(&folder, "bad.csv", bad);
+    copy(FLUID_A, &folder, "good.csv");
     for (arguments, part) in [
-        (&[bad, "--law", "cheng"][..], "bad.csv:2:3"),
-        (&["none.csv", "--law", "cheng"], "cannot be read"),
+        ("bad.csv --law cheng", "bad.csv:2:3"),
+        ("none.csv --law cheng", "cannot be read"),
         (
-            &[good, "--law", "tait"],
+            "good.csv --law tait",
             "cheng, roelands, wlf, yasutomi, doolittle, barus, mcewen, paluch, mcewen-paluch",
         ),
-        (&[good, "--law", "doolittle"], "--density"),
+        ("good.csv --law doolittle", "--density"),
         (
-            &[good, "--law", "doolittle", "--density", "r123"],
+            "good.csv --law doolittle --density r123",
             "`tait` is needed",
         ),
         (
-            &[good, "--law", "cheng", "--hold", "delta=1"],
+            "good.csv --law cheng --hold delta=1",
             "mu_0, alpha, beta, gamma",
         ),
+        ("good.csv --law cheng --hold 'beta=1 MPa'", "temperature"),
+        ("good.csv --law cheng --confidence 1.5", "confidence"),
+        ("good.csv --law cheng --plot x.jpg", ".svg, .pdf"),
         (
-            &[good, "--law", "cheng", "--hold", "beta=1 MPa"],
-            "temperature",
-        ),
-        (
-            &[good, "--law", "cheng", "--confidence", "1.5"],
-            "confidence",
-        ),
-        (&[good, "--law", "cheng", "--plot", "x.jpg"], ".svg, .pdf"),
-        (
-            &[good, "--law", "all", "--hold", "mu_0=1 Pa.s"],
+            "good.csv --law all --hold 'mu_0=1 Pa.s'",
             "instead of `all` in --law",
         ),
     ] {
-        let output = ertel_here(&[&["fit", "viscosity"], arguments].concat());
+        let output = ertel(&folder, &format!("fit viscosity {arguments}"));
         let error = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
         assert!(error.contains(part), "{arguments:?}: {error}");
@@ -108,18 +79,14 @@ fn bad_data_and_usage_exit_with_2() {
 #[test]
 fn films_are_compared_with_given_formulas() {
     let folder = tempfile::tempdir().unwrap();
-    let table = folder.path().join("films.csv");
     let mut rows =
         String::from("note,radius_m,speed_group,moes_load,moes_material,film_central_m\n");
     for (m, l) in [(50.0f64, 0.1f64), (200.0, 0.1), (50.0, 0.3), (900.0, 0.2)] {
         let film = 2.2318 * 0.0127 * (2e-12f64).sqrt() * m.powf(-0.1362) * l.powf(0.0198);
         rows += &format!("\"a, b\",0.0127,1e-12,{m},{l},{film:e}\n");
     }
-    std::fs::write(&table, rows).unwrap();
-    let fit = |formula: &str| {
-        let table = table.to_str().unwrap();
-        ertel_here(&["fit", "film", table, "--given", formula])
-    };
+    write(&folder, "films.csv", rows);
+    let fit = |formula: &str| ertel(&folder, &format!("fit film films.csv --given {formula}"));
     let report = stdout_of(fit("central=2.2318,-0.1362,0.0198"), 0);
     assert!(
         report.contains("deviates by -0.00 to +0.00 %")
@@ -147,17 +114,11 @@ fn films_are_compared_with_given_formulas() {
 /// 6.4, for the fluid that is specified in full: the central ones within 1 %, the minimum ones within 7 %.
 #[test]
 fn films_of_chapter_6_lie_by_its_formulas() {
-    let table = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../studies/chapter-6/results/fluid-c-speeds.csv");
-    let output = ertel_here(&[
-        "fit",
-        "film",
-        table.to_str().unwrap(),
-        "--given",
-        "central=2.2318,-0.1362,0.0198",
-        "--given",
-        "minimum=2.6759,-0.2525,0.0297",
-    ]);
+    let output = ertel(
+        root(),
+        "fit film studies/chapter-6/results/fluid-c-speeds.csv \
+         --given central=2.2318,-0.1362,0.0198 --given minimum=2.6759,-0.2525,0.0297",
+    );
     let report = text(&output.stdout);
     let limits = report
         .lines()
@@ -192,25 +153,19 @@ fn films_of_chapter_6_lie_by_its_formulas() {
 /// that its command fits to the table.
 #[test]
 fn ellipses_have_the_formula_of_their_page() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let study = root.join("studies/ellipses");
-    let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .args(["sweep", "ellipses.toml", "--dry-run"])
-        .current_dir(&study)
-        .output()
-        .unwrap();
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let study = root().join("studies/ellipses");
+    let output = ertel(&study, "sweep ellipses.toml --dry-run");
+    code(&output, 0);
     let points = text(&output.stdout)
         .lines()
         .filter(|l| l.contains("contact.entrainment_angle ="));
     assert_eq!(points.count(), 100);
-    let page = std::fs::read_to_string(root.join("docs/studies/ellipses.md")).unwrap();
+    let page = std::fs::read_to_string(root().join("docs/studies/ellipses.md")).unwrap();
     // Limits of the root mean square deviation of the central and the minimum film, %.
     for (name, limits) in [("ellipses", [10.0, 16.0]), ("ellipses-wide", [5.1, 14.0])] {
-        let table = study.join("results").join(name).with_extension("csv");
-        let form = ["--form", "elliptical"];
-        let output = ertel_here(&[&["fit", "film", table.to_str().unwrap()], &form[..]].concat());
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let fit = format!("fit film results/{name}.csv --form elliptical");
+        let output = ertel(&study, &fit);
+        code(&output, 0);
         let report = text(&output.stdout);
         let of = |start: &str| -> Vec<&str> {
             let lines = report.lines();
@@ -226,9 +181,7 @@ fn ellipses_have_the_formula_of_their_page() {
             assert!(rms < limit, "{name}: {rms}");
         }
     }
-    let table = study.join("results/ellipses.csv");
-    let arguments = ["fit", "film", table.to_str().unwrap(), "--form"];
-    let output = ertel_here(&[&arguments[..], &["moes"]].concat());
+    let output = ertel(&study, "fit film results/ellipses.csv --form moes");
     let warnings = text(&output.stderr);
     contains(warnings, "the ellipses differ, R_y/R_x");
 }
@@ -237,13 +190,12 @@ fn ellipses_have_the_formula_of_their_page() {
 #[test]
 fn warnings_show_control_characters_of_titles() {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("films.csv");
     let rows: String = (1..=5)
         .map(|i| format!("{i},{},{}e-9\n", 40 + i, 100 * i))
         .collect();
     let head = "entrainment_speed_m_per_s,temperature\u{b}[degC],film_central_m\n";
-    std::fs::write(&path, head.to_owned() + &rows).unwrap();
-    let output = ertel_here(&["fit", "film", path.to_str().unwrap(), "--form", "speed"]);
+    write(&folder, "films.csv", head.to_owned() + &rows);
+    let output = ertel(&folder, "fit film films.csv --form speed");
     let warning = text(&output.stderr);
     contains(warning, "(temperature\\u000b[degC])");
 }
@@ -252,18 +204,9 @@ fn warnings_show_control_characters_of_titles() {
 #[test]
 fn all_laws_are_ranked() {
     let folder = tempfile::tempdir().unwrap();
-    let entry = folder.path().join("oil.toml");
-    let good = published("fluid-a.csv");
-    let arguments = [
-        "fit",
-        "viscosity",
-        good.to_str().unwrap(),
-        "--law",
-        "all",
-        "-o",
-        entry.to_str().unwrap(),
-    ];
-    let report = stdout_of(ertel_here(&arguments), 0);
+    copy(FLUID_A, &folder, "fluid-a.csv");
+    let arguments = "fit viscosity fluid-a.csv --law all -o oil.toml";
+    let report = stdout_of(ertel(&folder, arguments), 0);
     for words in [
         "isotherm left out",
         "Not ranked",
@@ -280,27 +223,13 @@ fn all_laws_are_ranked() {
         .nth(1)
         .unwrap();
     let best = best.split_whitespace().next().unwrap();
-    assert!(
-        std::fs::read_to_string(&entry)
-            .unwrap()
-            .contains(&format!("law = \"{best}\"")),
-        "{best}"
-    );
+    contains(&read(&folder, "oil.toml"), &format!("law = \"{best}\""));
     // One isotherm says nothing about others.
-    let isotherm = folder.path().join("isotherm.csv");
-    std::fs::write(
-        &isotherm,
-        "pressure_MPa,temperature_K,viscosity_mPa_s\n0,300,10\n50,300,20\n100,300,40\n150,300,90\n",
-    )
-    .unwrap();
-    let output = ertel_here(&[
-        "fit",
-        "viscosity",
-        isotherm.to_str().unwrap(),
-        "--law",
-        "all",
-    ]);
-    assert_eq!(output.status.code(), Some(2));
+    let isotherm =
+        "pressure_MPa,temperature_K,viscosity_mPa_s\n0,300,10\n50,300,20\n100,300,40\n150,300,90\n";
+    write(&folder, "isotherm.csv", isotherm);
+    let output = ertel(&folder, "fit viscosity isotherm.csv --law all");
+    code(&output, 2);
     contains(text(&output.stderr), "at least 3 isotherms");
 }
 
@@ -308,27 +237,26 @@ fn all_laws_are_ranked() {
 #[test]
 fn implausible_constants_are_reported() {
     let folder = tempfile::tempdir().unwrap();
-    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
-    let (data, entry) = (path("odd.csv"), path("odd.toml"));
+    let entry = folder.path().join("odd.toml");
     let odd = "pressure_MPa,temperature_K,viscosity_mPa_s\n0,300,100\n100,300,400\n200,300,150\n300,300,3000\n400,300,900\n";
-    std::fs::write(&data, odd).unwrap();
-    let arguments = ["fit", "viscosity", &data, "--law", "barus", "-o", &entry];
-    let error = stderr_of(ertel_here(&arguments), 0);
+    write(&folder, "odd.csv", odd);
+    let arguments = "fit viscosity odd.csv --law barus -o odd.toml";
+    let error = stderr_of(ertel(&folder, arguments), 0);
     contains(
         &error,
         "warning: the law `barus` does not describe the data",
     );
     for suffix in ["toml", "svg"] {
-        std::fs::remove_file(std::path::Path::new(&entry).with_extension(suffix)).unwrap();
+        std::fs::remove_file(entry.with_extension(suffix)).unwrap();
     }
-    let error = stderr_of(ertel_here(&[&arguments[..], &["--strict"]].concat()), 3);
+    let error = stderr_of(ertel(&folder, &format!("{arguments} --strict")), 3);
     contains(&error, "is implausible");
-    assert!(std::path::Path::new(&entry).is_file());
+    assert!(entry.is_file());
     // Measurements that rise with temperature.
     let hot = "pressure_MPa,temperature_K,viscosity_mPa_s\n0,300,10\n100,300,40\n200,300,160\n0,320,20\n100,320,80\n200,320,320\n0,340,38\n100,340,150\n200,340,600\n";
-    std::fs::write(&data, hot).unwrap();
-    let output = ertel_here(&["fit", "viscosity", &data, "--law", "cheng", "--strict"]);
-    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
+    write(&folder, "odd.csv", hot);
+    let output = ertel(&folder, "fit viscosity odd.csv --law cheng --strict");
+    code(&output, 3);
     contains(text(&output.stderr), "rises with temperature");
 }
 
@@ -336,37 +264,35 @@ fn implausible_constants_are_reported() {
 #[test]
 fn a_table_of_a_data_sheet_becomes_a_lubricant() {
     let folder = tempfile::tempdir().unwrap();
-    let place = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     // lg lg(ν + 0.7) = 9.417992554 - 3.684441498 lg T: 46 mm²/s at 40 degC and 6.8 at 100.
     let table = "Temperature [°C],Kinematic viscosity [mm²/s]\n20,133.8382\n40,46.0000\n60,20.6227\n80,11.1026\n100,6.8000\n";
-    std::fs::write(place("sheet.csv"), table).unwrap();
+    write(&folder, "sheet.csv", table);
     let density = "density_15 = \"870 kg/m^3\"\nbase_oil = \"mineral\"\n";
-    std::fs::write(place("density.toml"), density).unwrap();
-    let (table, density, entry) = (place("sheet.csv"), place("density.toml"), place("oil.toml"));
-    let fit = |more: &[&str]| {
-        let walther = ["fit", "viscosity", &table, "--law", "walther"];
-        ertel_here(&[&walther[..], more].concat())
+    write(&folder, "density.toml", density);
+    let fit = |more: &str| {
+        let walther = "fit viscosity sheet.csv --law walther";
+        ertel(&folder, &format!("{walther} {more}"))
     };
-    let hold = ["--hold", "alpha=22 1/GPa"];
-    let at = ["--reference-temperature", "40 degC"];
-    let with = ["--density", &density];
+    let with = "--density density.toml";
+    let hold = "--hold 'alpha=22 1/GPa'";
+    let at = "--reference-temperature '40 degC'";
     for (more, words) in [
-        (&[][..], "--density"),
-        (&with[..], "--hold \"alpha=22 1/GPa\""),
-        (&[with, hold].concat(), "--reference-temperature"),
+        (String::new(), "--density"),
+        (with.to_owned(), "--hold \"alpha=22 1/GPa\""),
+        (format!("{with} {hold}"), "--reference-temperature"),
         (
-            &[&with[..], &["--hold", "alpha=-1 1/GPa"], &at].concat(),
+            format!("{with} --hold 'alpha=-1 1/GPa' {at}"),
             "the value of a fixed constant is not allowed",
         ),
     ] {
-        let output = fit(more);
+        let output = fit(&more);
         let message = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{more:?}: {message}");
         assert!(message.contains(words), "{more:?}: {message}");
     }
-    let output = fit(&[&with[..], &hold, &at, &["-o", &entry]].concat());
+    let output = fit(&format!("{with} {hold} {at} -o oil.toml"));
     let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{message}");
+    code(&output, 0);
     contains(message, "all states count as measured at ambient pressure");
     contains(
         message,
@@ -379,17 +305,14 @@ fn a_table_of_a_data_sheet_becomes_a_lubricant() {
     let case = std::fs::read_to_string(shipped).unwrap();
     let own = "temperature = \"40 degC\"\nname = \"oil.toml\"\n";
     let head = case.split("[lubricant]").next().unwrap();
-    std::fs::write(place("case.toml"), format!("{head}[lubricant]\n{own}")).unwrap();
+    write(&folder, "case.toml", format!("{head}[lubricant]\n{own}"));
     let sheet = "temperature = \"40 degC\"\nkinematic_viscosity_40 = \"46 cSt\"\nkinematic_viscosity_100 = \"6.8 cSt\"\n\
                  pressure_viscosity_coefficient = \"22 1/GPa\"\n";
-    let sheet = format!(
-        "{head}[lubricant]\n{sheet}{}",
-        std::fs::read_to_string(&density).unwrap()
-    );
-    std::fs::write(place("sheet.toml"), sheet).unwrap();
+    let sheet = format!("{head}[lubricant]\n{sheet}{density}");
+    write(&folder, "sheet.toml", sheet);
     let film = |case: &str| {
-        let output = ertel_here(&["estimate", &place(case), "--json"]);
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let output = ertel(&folder, &format!("estimate {case} --json"));
+        code(&output, 0);
         let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
         json["film"]["film_central"].as_f64().unwrap()
     };

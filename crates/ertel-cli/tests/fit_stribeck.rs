@@ -2,7 +2,7 @@
 
 use tempfile::TempDir;
 
-use crate::common::{ertel, root, rows_of, stderr, stdout, write};
+use crate::common::{code, contains, ertel, root, rows_of, stderr, stdout, write};
 
 /// Normally distributed numbers: Python's `random.Random(7).gauss(0, 1)`, six times.
 const NOISE: [f64; 6] = [-0.2559, 0.5114, -0.2261, -0.3151, -0.9300, -0.2133];
@@ -34,8 +34,8 @@ fn measured(speeds: &[f64], scatter: f64) -> TempDir {
     );
     let case = cylinder(&format!("{own}{ASPERITIES}")) + &curve;
     write(&folder, "own.toml", &case);
-    let output = ertel(folder.path(), &["solve", "own.toml", "--quiet"]);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let output = ertel(&folder, "solve own.toml --quiet");
+    code(&output, 0);
     let rows = rows_of(&folder.path().join("results/own/curve.csv"));
     let mut data = "entrainment_speed [m/s],traction_coefficient\n".to_owned();
     for ((row, speed), noise) in rows.iter().zip(speeds).zip(NOISE) {
@@ -47,19 +47,12 @@ fn measured(speeds: &[f64], scatter: f64) -> TempDir {
     write(
         &folder,
         "case.toml",
-        &cylinder(&format!("{other}{ASPERITIES}")),
+        cylinder(&format!("{other}{ASPERITIES}")),
     );
     folder
 }
 
-const FIT: [&str; 6] = [
-    "fit",
-    "stribeck",
-    "data.csv",
-    "--case",
-    "case.toml",
-    "--quiet",
-];
+const FIT: &str = "fit stribeck data.csv --case case.toml --quiet";
 
 /// Value and standard uncertainty in a line of the report, in its units.
 fn constant(report: &str, name: &str) -> [f64; 2] {
@@ -72,8 +65,8 @@ fn constant(report: &str, name: &str) -> [f64; 2] {
 #[test]
 fn constants_of_a_solved_curve_with_noise() {
     let folder = measured(&[2.0, 1.0, 0.5, 0.25, 0.1, 0.02], 1e-3);
-    let output = ertel(folder.path(), &FIT);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let output = ertel(&folder, FIT);
+    code(&output, 0);
     let report = stdout(&output);
     let [sigma, standard] = constant(report, "composite rms height σ");
     // nm or µm.
@@ -86,26 +79,23 @@ fn constants_of_a_solved_curve_with_noise() {
     assert!(report.contains("correlation of"), "{report}");
     // The section serves in a case.
     let (_, section) = report.split_once("[surface_roughness]").unwrap();
-    write(&folder, "fitted.toml", &cylinder(section.trim()));
-    let output = ertel(folder.path(), &["solve", "--check", "fitted.toml"]);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    write(&folder, "fitted.toml", cylinder(section.trim()));
+    let output = ertel(&folder, "solve --check fitted.toml");
+    code(&output, 0);
 }
 
 /// In full films asperities have no influence.
 #[test]
 fn full_films_do_not_resolve_the_surfaces() {
     let folder = measured(&[30.0, 20.0, 14.0, 9.0], 1e-4);
-    let output = ertel(folder.path(), &FIT);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let output = ertel(&folder, FIT);
+    code(&output, 0);
     let report = stdout(&output);
     for name in ["composite rms height σ", "boundary friction coefficient"] {
         let line = report.lines().find(|line| line.contains(name)).unwrap();
         assert!(line.contains("not resolved"), "{report}");
     }
-    assert!(
-        report.contains("not resolved: value of the case"),
-        "{report}"
-    );
+    contains(report, "not resolved: value of the case");
 }
 
 #[test]
@@ -134,13 +124,9 @@ fn what_is_not_fitted() {
     ] {
         write(&folder, "case.toml", case);
         write(&folder, "data.csv", data);
-        let arguments: Vec<&str> = FIT
-            .into_iter()
-            .chain(Some(more).filter(|m| !m.is_empty()))
-            .collect();
-        let output = ertel(folder.path(), &arguments);
+        let output = ertel(&folder, &format!("{FIT} {more}"));
         let message = stderr(&output);
-        assert_eq!(output.status.code(), Some(2), "{message}");
+        code(&output, 2);
         assert!(message.contains(words), "{words}: {message}");
     }
 }

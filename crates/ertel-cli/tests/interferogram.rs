@@ -4,7 +4,7 @@ use std::process::Output;
 
 use tempfile::TempDir;
 
-use crate::common::{contains, ertel, write};
+use crate::common::{code, contains, ertel, write};
 
 const CASE: &str = r#"
 contact = { kind = "circular", radius = "10 mm", load = "10 N" }
@@ -24,10 +24,9 @@ spacer_refractive_index = 1.2
 phase_change = "180 deg"
 "#;
 
-fn solve(folder: &TempDir, case: &str, more: &[&str]) -> Output {
+fn solve(folder: &TempDir, case: &str, more: &str) -> Output {
     write(folder, "case.toml", case);
-    let arguments = ["solve", "case.toml", "-q", "-o", "out"];
-    ertel(folder, &[&arguments[..], more].concat())
+    ertel(folder, &format!("solve case.toml -q -o out {more}"))
 }
 
 /// Number behind `key` in a text.
@@ -51,13 +50,8 @@ fn tick(svg: &str, label: &str) -> f64 {
 #[test]
 fn the_image_shows_the_film_that_was_computed() {
     let folder = tempfile::tempdir().unwrap();
-    let output = solve(&folder, CASE, &[]);
-    assert_eq!(
-        output.status.code(),
-        Some(0),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    let output = solve(&folder, CASE, "");
+    code(&output, 0);
     let read = |name: &str| std::fs::read(folder.path().join("out").join(name)).unwrap();
     let text = |name: &str| String::from_utf8(read(name)).unwrap();
     let svg = text("interferogram.svg");
@@ -111,7 +105,7 @@ fn the_image_shows_the_film_that_was_computed() {
         "wavelength = \"600 nm\"",
         "light = \"cie-rgb\"\nfollows_density = true",
     );
-    assert_eq!(solve(&folder, &rgb, &[]).status.code(), Some(0));
+    code(&solve(&folder, &rgb, ""), 0);
 }
 
 #[test]
@@ -170,7 +164,7 @@ fn what_cannot_be_is_refused() {
         ),
     ] {
         contains(CASE, from);
-        let output = solve(&folder, &CASE.replace(from, to), &["--check"]);
+        let output = solve(&folder, &CASE.replace(from, to), "--check");
         let message = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{to}: {message}");
         assert!(

@@ -5,10 +5,10 @@ use std::process::Output;
 
 use tempfile::TempDir;
 
-use crate::common::{self, code, contains, read, stderr_of, text};
+use crate::common::{self, code, contains, read, stderr_of, text, write};
 
-fn ertel(arguments: &[&str], case: &Path) -> Output {
-    common::ertel_here(&[arguments, &[case.to_str().unwrap()]].concat())
+fn ertel(arguments: &str, case: &Path) -> Output {
+    common::ertel_here(&format!("{arguments} {}", case.display()))
 }
 
 fn shipped(name: &str) -> PathBuf {
@@ -88,7 +88,7 @@ fn every_machine_is_estimated_and_checked() {
     );
     for (name, words) in machines {
         let case = shipped(name);
-        let check = ertel(&["solve", "--check"], &case);
+        let check = ertel("solve --check", &case);
         assert_eq!(
             check.status.code(),
             Some(0),
@@ -101,7 +101,7 @@ fn every_machine_is_estimated_and_checked() {
             "{}",
             text(&check.stderr)
         );
-        let estimate = ertel(&["estimate"], &case);
+        let estimate = ertel("estimate", &case);
         assert_eq!(
             estimate.status.code(),
             Some(0),
@@ -120,10 +120,10 @@ fn every_machine_is_estimated_and_checked() {
 /// Options for a single contact refuse a whole machine and say how to choose one.
 #[test]
 fn whole_machines_are_no_single_contact() {
-    let arguments = ["solve", "--cross-check"];
-    let message = stderr_of(ertel(&arguments, &shipped("bearing-6206")), 2);
+    let arguments = "solve --cross-check";
+    let message = stderr_of(ertel(arguments, &shipped("bearing-6206")), 2);
     contains(&message, "machine.element=0");
-    let refused = ertel(&arguments, &shipped("fzg-c"));
+    let refused = ertel(arguments, &shipped("fzg-c"));
     let message = text(&refused.stderr);
     contains(message, "machine.position=\"-0.00368");
 }
@@ -136,8 +136,8 @@ const TORQUES: &str = "case = \"gears.toml\"\n[[axis]]\nkey = \"machine.pinion_t
 /// A folder with the gears and a study over their torque.
 fn workspace(gears: &str) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("gears.toml"), gears).unwrap();
-    std::fs::write(folder.path().join("torques.toml"), TORQUES).unwrap();
+    write(&folder, "gears.toml", gears);
+    write(&folder, "torques.toml", TORQUES);
     folder
 }
 
@@ -145,8 +145,8 @@ fn workspace(gears: &str) -> TempDir {
 #[test]
 fn a_study_of_whole_machines() {
     let folder = workspace(GEARS);
-    let first = common::ertel(&folder, &["sweep", "torques.toml", "--folders"]);
-    assert_eq!(first.status.code(), Some(0), "{}", text(&first.stderr));
+    let first = common::ertel(&folder, "sweep torques.toml --folders");
+    code(&first, 0);
     let table = read(&folder, "results/torques/results.csv");
     let head: Vec<&str> = table.lines().next().unwrap().split(',').collect();
     for title in [
@@ -164,8 +164,8 @@ fn a_study_of_whole_machines() {
     // The second point is lost: the same command solves it again, to the same digits.
     let journal = read(&folder, "results/torques/journal.jsonl");
     let kept = journal.split_inclusive('\n').next().unwrap();
-    std::fs::write(folder.path().join("results/torques/journal.jsonl"), kept).unwrap();
-    let second = common::ertel(&folder, &["sweep", "torques.toml"]);
+    write(&folder, "results/torques/journal.jsonl", kept);
+    let second = common::ertel(&folder, "sweep torques.toml");
     let shown = text(&second.stdout);
     contains(shown, "1 of them earlier");
     contains(shown, "1 new");
@@ -177,8 +177,8 @@ fn a_study_of_whole_machines() {
 fn points_of_machines_that_fail() {
     let folder =
         workspace(&GEARS.replace("newtonian = true", "newtonian = true\nmax_iterations = 1"));
-    let failed = common::ertel(&folder, &["sweep", "torques.toml"]);
-    assert_eq!(failed.status.code(), Some(3), "{}", text(&failed.stderr));
+    let failed = common::ertel(&folder, "sweep torques.toml");
+    code(&failed, 3);
     let table = read(&folder, "results/torques/results.csv");
     contains(&table, "contacts failed");
     assert!(
@@ -186,12 +186,12 @@ fn points_of_machines_that_fail() {
         "{table}"
     );
 
-    std::fs::write(
-        folder.path().join("torques.toml"),
+    write(
+        &folder,
+        "torques.toml",
         TORQUES.replace("110 N.m", "110 MN.m"),
-    )
-    .unwrap();
-    let message = stderr_of(common::ertel(&folder, &["sweep", "torques.toml"]), 2);
+    );
+    let message = stderr_of(common::ertel(&folder, "sweep torques.toml"), 2);
     contains(&message, "point 2 of torques.toml");
 }
 
@@ -201,7 +201,7 @@ fn losses_of_gears_are_compared() {
     let folder = workspace(GEARS);
     let table = folder.path().join("rig.csv");
     std::fs::write(&table, "machine.pinion_torque [N.m],friction_power [W],mesh_loss [%],mesh_loss_uncertainty [%]\n100,110,0.7,0.2\n").unwrap();
-    let compared = common::ertel(&folder, &["compare", "gears.toml", "rig.csv"]);
+    let compared = common::ertel(&folder, "compare gears.toml rig.csv");
     code(&compared, 0);
     let shown = text(&compared.stdout);
     contains(shown, "power lost, computed against measured");
@@ -214,8 +214,8 @@ fn losses_of_gears_are_compared() {
         "machine.pinion_torque [N.m],traction_coefficient\n100,0.03\n",
     )
     .unwrap();
-    let refused = common::ertel(&folder, &["compare", "gears.toml", "rig.csv"]);
-    assert_eq!(refused.status.code(), Some(2));
+    let refused = common::ertel(&folder, "compare gears.toml rig.csv");
+    code(&refused, 2);
     let message = text(&refused.stderr);
     contains(
         message,
@@ -227,8 +227,8 @@ fn losses_of_gears_are_compared() {
 #[test]
 fn samples_of_whole_machines() {
     let folder = workspace(&GEARS.replace("\"100 N.m\"", "\"100 N.m ± 10 %\""));
-    let done = common::ertel(&folder, &["solve", "gears.toml", "--monte-carlo", "4"]);
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    let done = common::ertel(&folder, "solve gears.toml --monte-carlo 4");
+    code(&done, 0);
     contains(text(&done.stdout), "power lost in the mesh");
     let found = read(&folder, "results/gears-monte-carlo/monte-carlo.json");
     let found: serde_json::Value = serde_json::from_str(&found).unwrap();
@@ -246,6 +246,6 @@ fn a_curve_of_machines_has_no_newtonian_comparison() {
     let gears = GEARS.replace("newtonian = true", "max_iterations = 60");
     let curve = "[curve]\nquantity = \"machine.pinion_torque\"\nvalues = [\"50 N.m\", \"60 N.m\"]\nnewtonian = true\n";
     let folder = workspace(&(gears + curve));
-    let message = stderr_of(common::ertel(&folder, &["solve", "gears.toml"]), 2);
+    let message = stderr_of(common::ertel(&folder, "solve gears.toml"), 2);
     contains(&message, "this case is a whole machine");
 }

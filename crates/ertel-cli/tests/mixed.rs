@@ -6,7 +6,9 @@ use std::path::Path;
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{code, contains, ertel, root, rows_of, stderr_of, stdout_of, text};
+use crate::common::{
+    code, contains, ertel, read, root, rows_of, stderr_of, stdout_of, text, write,
+};
 
 const ASPERITIES: &str = "[surface_roughness]
 body_1_rms_height = \"120 nm\"
@@ -39,7 +41,7 @@ fn rough_ball() -> (TempDir, String) {
         + "shear_thinning = { law = \"ree-eyring\", tau_0 = \"5 MPa\" }\n"
         + "\n[mesh]\ntarget_error = \"1 %\"\n"
         + ASPERITIES;
-    std::fs::write(folder.path().join("ball.toml"), &text).unwrap();
+    write(&folder, "ball.toml", &text);
     (folder, text)
 }
 
@@ -123,8 +125,7 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
     }
     let mut outputs = Vec::new();
     for command in commands {
-        let arguments: Vec<&str> = command.split_whitespace().collect();
-        let output = ertel(folder.path(), &arguments);
+        let output = ertel(&folder, command);
         assert_eq!(
             output.status.code(),
             Some(0),
@@ -195,15 +196,15 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
         contains(&picture, words);
     }
     // The folder is known as a result, with the picture, and may be written again.
-    let again = ertel(folder.path(), &["solve", case]);
-    assert_eq!(again.status.code(), Some(0), "{}", text(&again.stderr));
+    let again = ertel(&folder, &format!("solve {case}"));
+    code(&again, 0);
 }
 
 /// A point contact: `mixed` of result.json and the report; far smoother surfaces carry nothing on asperities.
 #[test]
 fn result_of_a_rough_ball() {
     let (folder, given) = rough_ball();
-    let report = stdout_of(ertel(folder.path(), &["solve", "ball.toml"]), 0);
+    let report = stdout_of(ertel(&folder, "solve ball.toml"), 0);
     let json = |name: &str| -> Value {
         let path = folder.path().join("results").join(name).join("result.json");
         serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
@@ -232,9 +233,9 @@ fn result_of_a_rough_ball() {
     }
     // The film of far smoother surfaces bears all.
     let smooth = given.replace("120 nm", "2 nm").replace("160 nm", "1 nm");
-    std::fs::write(folder.path().join("smooth.toml"), smooth).unwrap();
-    let output = ertel(folder.path(), &["solve", "smooth.toml"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    write(&folder, "smooth.toml", smooth);
+    let output = ertel(&folder, "solve smooth.toml");
+    code(&output, 0);
     let smooth = json("smooth");
     let share = value(&smooth["mixed"]["asperities"]["asperity_load_share"]);
     assert!(share < 1e-12, "{share}");
@@ -261,8 +262,8 @@ fn asperities_are_not_left_out_silently() {
             "finite-element bodies",
         ),
     ] {
-        std::fs::write(folder.path().join("ball.toml"), given.clone() + keys).unwrap();
-        let message = stderr_of(ertel(folder.path(), &["solve", "ball.toml", "--check"]), 2);
+        write(&folder, "ball.toml", given.clone() + keys);
+        let message = stderr_of(ertel(&folder, "solve ball.toml --check"), 2);
         for words in ["asperity_group", "cannot share the load", words] {
             contains(&message, words);
         }
@@ -286,8 +287,8 @@ fn cylinder(folder: &TempDir, name: &str, keys: &str) -> Value {
 /// result.json of a case.
 fn solved_as(folder: &TempDir, name: &str, case: &str) -> Value {
     std::fs::write(folder.path().join(format!("{name}.toml")), case).unwrap();
-    let arguments = ["solve", &format!("{name}.toml")];
-    code(&ertel(folder.path(), &arguments), 0);
+    let arguments = format!("solve {name}.toml");
+    code(&ertel(folder, &arguments), 0);
     let path = folder.path().join("results").join(name).join("result.json");
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
@@ -311,7 +312,7 @@ fn range_of_both_gaps() {
         let alone = value(&alone["summary"][film]);
         close(other[film].as_f64().unwrap(), alone, 1e-3);
     }
-    let report = std::fs::read_to_string(folder.path().join("results/both/report.txt")).unwrap();
+    let report = read(&folder, "results/both/report.txt");
     contains(&report, "with the other gap");
 }
 
@@ -354,8 +355,8 @@ fn gears_with_rough_flanks() {
                  rms_height_to_asperity_radius = 5e-3\nboundary_friction_coefficient = 0.12\nflow = \"average-gap\"\n";
     let solved = |name: &str, case: String| -> Value {
         std::fs::write(folder.path().join(format!("{name}.toml")), case).unwrap();
-        let output = ertel(folder.path(), &["solve", &format!("{name}.toml")]);
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let output = ertel(&folder, &format!("solve {name}.toml"));
+        code(&output, 0);
         let path = folder
             .path()
             .join("results")
@@ -382,9 +383,9 @@ fn gears_with_rough_flanks() {
 fn study_of_roughness() {
     let (folder, _) = rough_ball();
     let study = "title = \"Roughness\"\ncase = \"ball.toml\"\n[[axis]]\nkey = \"surface_roughness.asperity_group\"\nvalues = [0.03, 0.06]\n";
-    std::fs::write(folder.path().join("study.toml"), study).unwrap();
-    let output = ertel(folder.path(), &["sweep", "study.toml"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    write(&folder, "study.toml", study);
+    let output = ertel(&folder, "sweep study.toml");
+    code(&output, 0);
     let rows = rows_of(&folder.path().join("results/study/results.csv"));
     let share = |i: usize| number(&rows[i], "asperity_load_share");
     // p_a is as the square of σβη at one and the same film, but stiffer asperities lift the surfaces.
@@ -409,9 +410,9 @@ fn machines_at_lambda_0_7_are_mixed() {
         let estimate = |file: &Path| -> Value {
             let output = ertel(
                 folder.path(),
-                &["estimate", "--json", file.to_str().unwrap()],
+                &format!("estimate --json {}", file.display()),
             );
-            assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+            code(&output, 0);
             serde_json::from_str(text(&output.stdout)).unwrap()
         };
         let film = &estimate(&path)["film"];

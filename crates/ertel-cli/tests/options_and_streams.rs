@@ -7,11 +7,11 @@ use std::process::{Command, Output, Stdio};
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{self, code, contains, read, stderr, stderr_of, stdout};
+use crate::common::{self, code, contains, read, stderr, stderr_of, stdout, write};
 
 const QUICK: &str = include_str!("good/quick.toml");
 
-fn command(folder: &TempDir, arguments: &[&str]) -> Command {
+fn command(folder: &TempDir, arguments: &str) -> Command {
     let mut command = common::command(folder, arguments);
     for variable in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE"] {
         command.env_remove(variable);
@@ -19,11 +19,11 @@ fn command(folder: &TempDir, arguments: &[&str]) -> Command {
     command
 }
 
-fn ertel(folder: &TempDir, arguments: &[&str]) -> Output {
+fn ertel(folder: &TempDir, arguments: &str) -> Output {
     command(folder, arguments).output().unwrap()
 }
 
-fn with_input(folder: &TempDir, arguments: &[&str], input: &str) -> Output {
+fn with_input(folder: &TempDir, arguments: &str, input: &str) -> Output {
     let mut child = command(folder, arguments)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
@@ -38,7 +38,7 @@ fn with_input(folder: &TempDir, arguments: &[&str], input: &str) -> Output {
 /// A folder with `quick.toml`.
 fn workplace() -> TempDir {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("quick.toml"), QUICK).unwrap();
+    write(&folder, "quick.toml", QUICK);
     folder
 }
 
@@ -46,22 +46,14 @@ fn workplace() -> TempDir {
 #[test]
 fn values_are_set_on_the_command_line() {
     let folder = workplace();
-    let set = [
-        "solve",
-        "quick.toml",
-        "-q",
-        "--set",
-        "contact.load=30 kN/m",
-        "--set",
-        "title=Other",
-    ];
-    code(&ertel(&folder, &set), 0);
+    let set = "solve quick.toml -q --set 'contact.load=30 kN/m' --set title=Other";
+    code(&ertel(&folder, set), 0);
     let text = read(&folder, "results/quick/case.toml");
     contains(&text, "load = \"30 kN/m\"");
     contains(&text, "title = \"Other\"");
     assert!(text.starts_with("# A light line contact"), "{text}");
-    std::fs::write(folder.path().join("again.toml"), &text).unwrap();
-    code(&ertel(&folder, &["solve", "again.toml", "-q"]), 0);
+    write(&folder, "again.toml", &text);
+    code(&ertel(&folder, "solve again.toml -q"), 0);
     let film = |name: &str| {
         let json: Value = serde_json::from_str(&read(&folder, name)).unwrap();
         assert_eq!(json["case"]["si"]["contact"]["load"], 3e4);
@@ -72,10 +64,7 @@ fn values_are_set_on_the_command_line() {
         film("results/again/result.json")
     );
 
-    let output = ertel(
-        &folder,
-        &["estimate", "quick.toml", "--set", "contact.load=40 kN/m"],
-    );
+    let output = ertel(&folder, "estimate quick.toml --set 'contact.load=40 kN/m'");
     code(&output, 0);
     contains(stdout(&output), "40 kN/m");
 }
@@ -89,7 +78,10 @@ fn wrong_values_name_the_option() {
         ("contact.load", "has no value"),
     ] {
         for command in ["solve", "estimate"] {
-            let error = stderr_of(ertel(&folder, &[command, "quick.toml", "--set", set]), 2);
+            let error = stderr_of(
+                ertel(&folder, &format!("{command} quick.toml --set '{set}'")),
+                2,
+            );
             contains(&error, words);
             contains(&error, "--> --set:1:");
         }
@@ -101,15 +93,9 @@ fn wrong_values_name_the_option() {
 fn a_study_takes_values_for_its_base_case() {
     let folder = workplace();
     let study = "case = \"quick.toml\"\n\n[[axis]]\nkey = \"contact.load\"\nvalues = [\"20 kN/m\", \"25 kN/m\"]\n";
-    std::fs::write(folder.path().join("study.toml"), study).unwrap();
-    let set = [
-        "sweep",
-        "study.toml",
-        "-q",
-        "--set",
-        "motion.entrainment_speed=2 m/s",
-    ];
-    code(&ertel(&folder, &set), 0);
+    write(&folder, "study.toml", study);
+    let set = "sweep study.toml -q --set 'motion.entrainment_speed=2 m/s'";
+    code(&ertel(&folder, set), 0);
     let table = read(&folder, "results/study/results.csv");
     let column = |name: &str, line: usize| {
         let at = table
@@ -132,21 +118,13 @@ fn a_study_takes_values_for_its_base_case() {
         Ok(2.0),
         "{table}"
     );
-    let twice = ["sweep", "study.toml", "--set", "contact.load=30 kN/m"];
-    let output = ertel(&folder, &twice);
+    let twice = "sweep study.toml --set 'contact.load=30 kN/m'";
+    let output = ertel(&folder, twice);
     code(&output, 2);
     contains(stderr(&output), "`contact.load` varies in this study");
 
-    let json = [
-        "sweep",
-        "study.toml",
-        "--json",
-        "--set",
-        "motion.entrainment_speed=3 m/s",
-        "-o",
-        "other",
-    ];
-    let output = ertel(&folder, &json);
+    let json = "sweep study.toml --json --set 'motion.entrainment_speed=3 m/s' -o other";
+    let output = ertel(&folder, json);
     code(&output, 0);
     let events = events(&output);
     assert_eq!(names(&events, "point"), 2);
@@ -173,16 +151,16 @@ fn a_study_takes_values_for_its_base_case() {
 #[test]
 fn a_case_is_read_from_standard_input() {
     let folder = tempfile::tempdir().unwrap();
-    let output = with_input(&folder, &["solve", "-", "--check"], QUICK);
+    let output = with_input(&folder, "solve - --check", QUICK);
     code(&output, 0);
-    let output = with_input(&folder, &["solve", "-", "-q"], QUICK);
+    let output = with_input(&folder, "solve - -q", QUICK);
     code(&output, 0);
     assert_eq!(read(&folder, "results/stdin/case.toml"), QUICK);
     let wrong = QUICK.replace("10 mm", "10 N");
-    let output = with_input(&folder, &["estimate", "-"], &wrong);
+    let output = with_input(&folder, "estimate -", &wrong);
     code(&output, 2);
     contains(stderr(&output), "--> stdin:6:10");
-    let output = with_input(&folder, &["solve", "-", "-"], QUICK);
+    let output = with_input(&folder, "solve - -", QUICK);
     code(&output, 2);
 }
 
@@ -191,23 +169,9 @@ fn a_case_is_read_from_standard_input() {
 fn several_cases_have_separate_folders() {
     let folder = workplace();
     let hard = format!("{QUICK}\n[solver]\nmax_iterations = 1\ntolerance = 1e-11\n");
-    std::fs::write(folder.path().join("hard.toml"), hard).unwrap();
-    std::fs::write(
-        folder.path().join("other.toml"),
-        QUICK.replace("20 kN/m", "30 kN/m"),
-    )
-    .unwrap();
-    let output = ertel(
-        &folder,
-        &[
-            "solve",
-            "quick.toml",
-            "hard.toml",
-            "other.toml",
-            "-o",
-            "out",
-        ],
-    );
+    write(&folder, "hard.toml", hard);
+    write(&folder, "other.toml", QUICK.replace("20 kN/m", "30 kN/m"));
+    let output = ertel(&folder, "solve quick.toml hard.toml other.toml -o out");
     code(&output, 3);
     for name in ["out/quick/result.json", "out/other/result.json"] {
         assert!(folder.path().join(name).is_file(), "{name}");
@@ -236,13 +200,9 @@ fn several_cases_have_separate_folders() {
 #[test]
 fn several_cases_are_read_before_any_is_solved() {
     let folder = workplace();
-    std::fs::write(
-        folder.path().join("bad.toml"),
-        QUICK.replace("10 mm", "10 N"),
-    )
-    .unwrap();
-    std::fs::write(folder.path().join("worse.toml"), "").unwrap();
-    let output = ertel(&folder, &["solve", "quick.toml", "bad.toml", "worse.toml"]);
+    write(&folder, "bad.toml", QUICK.replace("10 mm", "10 N"));
+    write(&folder, "worse.toml", "");
+    let output = ertel(&folder, "solve quick.toml bad.toml worse.toml");
     code(&output, 2);
     for words in [
         "bad.toml:6:10",
@@ -254,14 +214,11 @@ fn several_cases_are_read_before_any_is_solved() {
     assert!(!folder.path().join("results").exists());
 
     std::fs::create_dir(folder.path().join("b")).unwrap();
-    std::fs::write(folder.path().join("b/quick.toml"), QUICK).unwrap();
-    let output = ertel(&folder, &["solve", "quick.toml", "b/quick.toml"]);
+    write(&folder, "b/quick.toml", QUICK);
+    let output = ertel(&folder, "solve quick.toml b/quick.toml");
     code(&output, 2);
     contains(stderr(&output), "into the same folder, results/quick");
-    let output = ertel(
-        &folder,
-        &["solve", "quick.toml", "bad.toml", "--monte-carlo", "5"],
-    );
+    let output = ertel(&folder, "solve quick.toml bad.toml --monte-carlo 5");
     code(&output, 2);
 }
 
@@ -293,13 +250,7 @@ fn a_solve_reports_its_events_to_programs() {
     let folder = workplace();
     let output = ertel(
         &folder,
-        &[
-            "solve",
-            "quick.toml",
-            "--json",
-            "--set",
-            "motion.slide_to_roll_ratio=2.5",
-        ],
+        "solve quick.toml --json --set motion.slide_to_roll_ratio=2.5",
     );
     code(&output, 0);
     assert_eq!(stderr(&output), "");
@@ -319,8 +270,8 @@ fn a_solve_reports_its_events_to_programs() {
 fn a_curve_reports_its_points_to_programs() {
     let folder = workplace();
     let curve = "\n[curve]\nquantity = \"contact.load\"\nvalues = [\"20 kN/m\", \"25 kN/m\"]\n";
-    std::fs::write(folder.path().join("curve.toml"), format!("{QUICK}{curve}")).unwrap();
-    let output = ertel(&folder, &["solve", "curve.toml", "--json"]);
+    write(&folder, "curve.toml", format!("{QUICK}{curve}"));
+    let output = ertel(&folder, "solve curve.toml --json");
     code(&output, 0);
     let events = events(&output);
     assert_eq!(
@@ -346,7 +297,7 @@ fn a_curve_reports_its_points_to_programs() {
         "{point}"
     );
     // The terminal's table of a curve without sliding or heat has neither traction nor temperature; with both it has.
-    let table = ertel(&folder, &["solve", "curve.toml"]);
+    let table = ertel(&folder, "solve curve.toml");
     assert!(
         !stdout(&table).contains("traction coefficient"),
         "{}",
@@ -354,12 +305,7 @@ fn a_curve_reports_its_points_to_programs() {
     );
     let table = ertel(
         &folder,
-        &[
-            "solve",
-            "curve.toml",
-            "--set",
-            "motion.slide_to_roll_ratio=0.1",
-        ],
+        "solve curve.toml --set motion.slide_to_roll_ratio=0.1",
     );
     contains(stdout(&table), "traction coefficient");
     assert!(
@@ -372,10 +318,7 @@ fn a_curve_reports_its_points_to_programs() {
 #[test]
 fn failures_are_reported_to_programs() {
     let folder = workplace();
-    let output = ertel(
-        &folder,
-        &["solve", "quick.toml", "--json", "--set", "contact.load=5 N"],
-    );
+    let output = ertel(&folder, "solve quick.toml --json --set 'contact.load=5 N'");
     code(&output, 2);
     let found = events(&output);
     assert_eq!(found[0]["event"], "failed");
@@ -385,24 +328,21 @@ fn failures_are_reported_to_programs() {
     );
     assert_eq!(found[0]["line"], 1);
 
-    let output = ertel(&folder, &["solve", "no.toml", "--json"]);
+    let output = ertel(&folder, "solve no.toml --json");
     code(&output, 2);
     assert_eq!(names(&events(&output), "failed"), 1);
 
     let hard = format!("{QUICK}\n[solver]\nmax_iterations = 1\ntolerance = 1e-11\n");
-    std::fs::write(folder.path().join("hard.toml"), hard).unwrap();
-    let output = ertel(&folder, &["solve", "hard.toml", "--json"]);
+    write(&folder, "hard.toml", hard);
+    let output = ertel(&folder, "solve hard.toml --json");
     code(&output, 3);
     let found = events(&output);
     let failed = found.iter().find(|e| e["event"] == "failed").unwrap();
     assert_eq!(failed["exit_code"], 3);
-    assert!(
-        failed["message"].as_str().unwrap().contains("converge"),
-        "{failed}"
-    );
+    contains(failed["message"].as_str().unwrap(), "converge");
     assert!(!folder.path().join("results/hard").exists());
 
-    let output = ertel(&folder, &["sweep", "no.toml", "--json"]);
+    let output = ertel(&folder, "sweep no.toml --json");
     code(&output, 2);
     assert_eq!(names(&events(&output), "failed"), 1);
 }
@@ -411,7 +351,7 @@ fn failures_are_reported_to_programs() {
 #[test]
 fn a_check_says_what_it_checked() {
     let folder = workplace();
-    let output = ertel(&folder, &["solve", "--check", "quick.toml"]);
+    let output = ertel(&folder, "solve --check quick.toml");
     code(&output, 0);
     for words in [
         "Steel roller on steel plane",
@@ -427,11 +367,8 @@ fn a_check_says_what_it_checked() {
         contains(stdout(&output), words);
     }
     assert!(!folder.path().join("results").exists());
-    assert_eq!(
-        stdout(&ertel(&folder, &["solve", "--check", "-q", "quick.toml"])),
-        ""
-    );
-    let output = ertel(&folder, &["solve", "--check", "--json", "quick.toml"]);
+    assert_eq!(stdout(&ertel(&folder, "solve --check -q quick.toml")), "");
+    let output = ertel(&folder, "solve --check --json quick.toml");
     let checked = &events(&output)[0];
     assert_eq!(checked["event"], "checked");
     assert_eq!(checked["points"], 1);
@@ -441,7 +378,7 @@ fn a_check_says_what_it_checked() {
 #[test]
 fn verbose_shows_files_and_meshes() {
     let folder = workplace();
-    let output = ertel(&folder, &["solve", "quick.toml", "-v"]);
+    let output = ertel(&folder, "solve quick.toml -v");
     code(&output, 0);
     for words in [
         "read quick.toml",
@@ -459,39 +396,35 @@ fn verbose_shows_files_and_meshes() {
     ] {
         contains(stdout(&output), words);
     }
-    code(&ertel(&folder, &["solve", "quick.toml", "-v", "-q"]), 2);
+    code(&ertel(&folder, "solve quick.toml -v -q"), 2);
 }
 
 #[test]
 fn colours_are_for_terminals() {
     let folder = workplace();
-    let bad = ["solve", "no.toml"];
+    let bad = "solve no.toml";
     let red = "\u{1b}[1m\u{1b}[31merror:\u{1b}[0m";
-    let run = |arguments: &[&str], variable: Option<(&str, &str)>| {
+    let run = |arguments: &str, variable: Option<(&str, &str)>| {
         let mut command = command(&folder, arguments);
         command.envs(variable);
         stderr(&command.output().unwrap()).to_owned()
     };
-    assert!(run(&bad, None).starts_with("error: no.toml"));
-    assert!(run(&["solve", "no.toml", "--color", "always"], None).starts_with(red));
-    assert!(run(&bad, Some(("CLICOLOR_FORCE", "1"))).starts_with(red));
-    assert!(run(&bad, Some(("NO_COLOR", "1"))).starts_with("error:"));
-    let never = ["solve", "no.toml", "--color", "never"];
-    assert!(run(&never, Some(("CLICOLOR_FORCE", "1"))).starts_with("error:"));
+    assert!(run(bad, None).starts_with("error: no.toml"));
+    assert!(run("solve no.toml --color always", None).starts_with(red));
+    assert!(run(bad, Some(("CLICOLOR_FORCE", "1"))).starts_with(red));
+    assert!(run(bad, Some(("NO_COLOR", "1"))).starts_with("error:"));
+    let never = "solve no.toml --color never";
+    assert!(run(never, Some(("CLICOLOR_FORCE", "1"))).starts_with("error:"));
     // Control characters of a file are shown, not obeyed, in colour as well.
-    std::fs::write(
-        folder.path().join("esc.toml"),
-        QUICK.replace("line", "\\u001b[2J"),
-    )
-    .unwrap();
-    let error = run(&["solve", "esc.toml", "--color", "always"], None);
+    write(&folder, "esc.toml", QUICK.replace("line", "\\u001b[2J"));
+    let error = run("solve esc.toml --color always", None);
     contains(&error, "\\u001b[2J");
 }
 
 #[test]
 fn init_writes_templates_that_pass_the_check() {
     let folder = tempfile::tempdir().unwrap();
-    let list = with_input(&folder, &["init"], "");
+    let list = with_input(&folder, "init", "");
     code(&list, 0);
     let names: Vec<&str> = (stdout(&list).lines().skip(1))
         .take_while(|line| !line.trim().is_empty())
@@ -518,10 +451,10 @@ fn init_writes_templates_that_pass_the_check() {
     );
     for name in names {
         let file = format!("{name}.toml");
-        code(&ertel(&folder, &["init", name, "-o", &file]), 0);
-        let printed = ertel(&folder, &["init", name]);
+        code(&ertel(&folder, &format!("init {name} -o {file}")), 0);
+        let printed = ertel(&folder, &format!("init {name}"));
         assert_eq!(stdout(&printed), read(&folder, &file));
-        let check = ertel(&folder, &["solve", "--check", &file]);
+        let check = ertel(&folder, &format!("solve --check {file}"));
         code(&check, 0);
         // Of an oil by its data sheet the program says that its viscosity under pressure is a correlation, of the bearing that its film is thin.
         let is_known = |line: &str| match name {
@@ -539,11 +472,11 @@ fn init_writes_templates_that_pass_the_check() {
         let shown = stderr(&check);
         assert!(shown.lines().all(is_known), "{name}: {shown}");
     }
-    let again = ertel(&folder, &["init", "gear", "-o", "rig.toml"]);
+    let again = ertel(&folder, "init gear -o rig.toml");
     code(&again, 2);
     contains(stderr(&again), "will not overwrite rig.toml");
     assert!(read(&folder, "rig.toml").contains("ball-on-disc"));
-    let unknown = ertel(&folder, &["init", "geer"]);
+    let unknown = ertel(&folder, "init geer");
     code(&unknown, 2);
     contains(
         stderr(&unknown),
@@ -555,18 +488,14 @@ fn init_writes_templates_that_pass_the_check() {
 fn init_asks_and_checks_the_answers() {
     let folder = tempfile::tempdir().unwrap();
     let answers = "20 mm\n40 N\n3000 rpm\n2 m/s\n1.5 m/s\n\n\n\n\n\n\n\n\n";
-    let output = with_input(&folder, &["init", "rig", "--ask", "-o", "my.toml"], answers);
+    let output = with_input(&folder, "init rig --ask -o my.toml", answers);
     code(&output, 0);
     contains(stderr(&output), "u = π d n/60");
     let text = read(&folder, "my.toml");
     contains(&text, "ball_diameter = \"20 mm\"");
     contains(&text, "ball_speed = \"2 m/s\"");
-    code(&ertel(&folder, &["solve", "--check", "my.toml"]), 0);
-    let short = with_input(
-        &folder,
-        &["init", "rig", "--ask", "-o", "short.toml"],
-        "20 mm\n",
-    );
+    code(&ertel(&folder, "solve --check my.toml"), 0);
+    let short = with_input(&folder, "init rig --ask -o short.toml", "20 mm\n");
     code(&short, 2);
     assert!(!folder.path().join("short.toml").exists());
 }
@@ -575,19 +504,19 @@ fn init_asks_and_checks_the_answers() {
 fn completions_and_manual_pages() {
     let folder = tempfile::tempdir().unwrap();
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
-        let output = ertel(&folder, &["completions", shell]);
+        let output = ertel(&folder, &format!("completions {shell}"));
         code(&output, 0);
         assert!(
             stdout(&output).contains("solve") && stdout(&output).contains("monte-carlo"),
             "{shell}"
         );
     }
-    code(&ertel(&folder, &["completions", "basic"]), 2);
-    let page = ertel(&folder, &["man"]);
+    code(&ertel(&folder, "completions basic"), 2);
+    let page = ertel(&folder, "man");
     code(&page, 0);
     contains(stdout(&page), ".SH SYNOPSIS");
     for _ in 0..2 {
-        code(&ertel(&folder, &["man", "-o", "man"]), 0);
+        code(&ertel(&folder, "man -o man"), 0);
     }
     for name in [
         "ertel.1",
@@ -598,8 +527,8 @@ fn completions_and_manual_pages() {
         assert!(folder.path().join("man").join(name).is_file(), "{name}");
     }
     assert!(read(&folder, "man/ertel-solve.1").contains("monte\\-carlo"));
-    std::fs::write(folder.path().join("man/ertel-solve.1"), "mine").unwrap();
-    code(&ertel(&folder, &["man", "-o", "man"]), 2);
+    write(&folder, "man/ertel-solve.1", "mine");
+    code(&ertel(&folder, "man -o man"), 2);
     assert_eq!(read(&folder, "man/ertel-solve.1"), "mine");
 }
 

@@ -1,11 +1,10 @@
 //! Lubricants and materials of the user, in separate files.
 
 use std::path::Path;
-use std::process::Command;
 
 use serde_json::Value;
 
-use crate::common::{Workspace, contains, stderr_of, text, write};
+use crate::common::{Workspace, command, contains, stderr_of, text, write};
 
 const OIL: &str = r#"
 density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
@@ -36,7 +35,7 @@ fn case(lubricant: &str, body: &str) -> String {
 }
 
 fn central_film(w: &Workspace, name: &str) -> f64 {
-    w.succeed(&["solve", name, "-q", "-o", "result"]);
+    w.succeed(&format!("solve {name} -q -o result"));
     w.json("result/result.json")["summary"]["film_central"]["value"]
         .as_f64()
         .unwrap()
@@ -77,28 +76,16 @@ fn a_file_stands_for_what_is_in_it() {
     assert_eq!(own, central_film(&w, "written.toml"));
     assert!(central_film(&w, "tabled.toml") > 0.0);
     // A change in the file changes the film: 2^0.7, about.
-    write(&w.0, "data/oil.toml", &OIL.replace("40 mPa.s", "80 mPa.s"));
+    write(&w.0, "data/oil.toml", OIL.replace("40 mPa.s", "80 mPa.s"));
     let ratio = central_film(&w, "own.toml") / own;
     assert!((1.5..1.8).contains(&ratio), "{ratio}");
     // The report and `fluids` say where it comes from.
-    assert!(
-        w.succeed(&["solve", "own.toml", "-o", "result"])
-            .contains("data/oil.toml")
+    contains(&w.succeed("solve own.toml -o result"), "data/oil.toml");
+    contains(
+        &w.succeed("fluids show data/oil.toml --temperature '40 degC'"),
+        "80 mPa.s",
     );
-    assert!(
-        w.succeed(&[
-            "fluids",
-            "show",
-            "data/oil.toml",
-            "--temperature",
-            "40 degC"
-        ])
-        .contains("80 mPa.s")
-    );
-    assert!(
-        w.succeed(&["solids", "show", "data/metal.toml"])
-            .contains("200 GPa")
-    );
+    contains(&w.succeed("solids show data/metal.toml"), "200 GPa");
 }
 
 /// The entry of `ertel fit` is a lubricant except for its density, which the case gives.
@@ -115,18 +102,10 @@ fn a_fit_is_a_lubricant() {
         )
         .replacen("temperature = \"60 degC\"\n", "\n", 1),
     )]);
-    let data = data.to_str().unwrap();
-    w.succeed(&[
-        "fit",
-        "viscosity",
-        data,
-        "--law",
-        "cheng",
-        "-o",
-        "my-oil.toml",
-    ]);
-    w.succeed(&["solve", "--check", "case.toml"]);
-    w.succeed(&["fluids", "show", "my-oil.toml"]);
+    let data = data.display();
+    w.succeed(&format!("fit viscosity {data} --law cheng -o my-oil.toml"));
+    w.succeed("solve --check case.toml");
+    w.succeed("fluids show my-oil.toml");
 }
 
 /// Errors point to their origin: the case, or the file.
@@ -139,20 +118,17 @@ fn errors_name_the_file() {
             &case("lubricant = \"glycerol\"", "\"metal.toml\""),
         ),
     ]);
-    let missing = w.refused(&["solve", "own.toml"]);
+    let missing = w.refused("solve own.toml");
     contains(&missing, "oil.toml cannot be read");
     contains(&missing, "own.toml:2:");
-    write(&w.0, "oil.toml", &format!("{OIL}viscocity = 3\n"));
-    let unknown = w.refused(&["solve", "own.toml"]);
+    write(&w.0, "oil.toml", format!("{OIL}viscocity = 3\n"));
+    let unknown = w.refused("solve own.toml");
     contains(&unknown, "oil.toml:4:1");
     contains(&unknown, "`viscosity`");
-    write(&w.0, "oil.toml", &OIL.replace("40 mPa.s", "-40 mPa.s"));
-    assert!(
-        w.refused(&["fluids", "show", "oil.toml"])
-            .contains("oil.toml:3:")
-    );
+    write(&w.0, "oil.toml", OIL.replace("40 mPa.s", "-40 mPa.s"));
+    contains(&w.refused("fluids show oil.toml"), "oil.toml:3:");
     write(&w.0, "metal.toml", "youngs_modulus = \"200 GPa\"\n");
-    let body = w.refused(&["solve", "body.toml"]);
+    let body = w.refused("solve body.toml");
     contains(&body, "metal.toml");
     contains(&body, "poissons_ratio");
 }
@@ -196,18 +172,10 @@ fn names_of_own_data_are_added_to_those_of_the_database() {
         ),
     ]);
     // Without the folder the names are unknown; with it, films are those of the files, to the bit.
-    let unknown = w.refused(&["solve", "named.toml"]);
+    let unknown = w.refused("solve named.toml");
     contains(&unknown, "works-");
     let by_path = central_film(&w, "path.toml");
-    w.succeed(&[
-        "solve",
-        "named.toml",
-        "-q",
-        "-o",
-        "result",
-        "--data",
-        "data",
-    ]);
+    w.succeed("solve named.toml -q -o result --data data");
     let film = |w: &Workspace| {
         let read = std::fs::read_to_string(w.path("result/result.json")).unwrap();
         let result: Value = serde_json::from_str(&read).unwrap();
@@ -215,53 +183,38 @@ fn names_of_own_data_are_added_to_those_of_the_database() {
     };
     assert_eq!(film(&w), by_path);
     // The variable does what the option does.
-    let with_variable = |arguments: &[&str]| {
-        Command::new(env!("CARGO_BIN_EXE_ertel"))
-            .current_dir(w.0.path())
-            .args(arguments)
+    let with_variable = |arguments: &str| {
+        command(&w.0, arguments)
             .env("ERTEL_DATA", "data")
             .output()
             .unwrap()
     };
-    for arguments in [
-        &["sweep", "study.toml", "--dry-run"][..],
-        &["solve", "--check", "shipped.toml"],
-    ] {
+    for arguments in ["sweep study.toml --dry-run", "solve --check shipped.toml"] {
         let error = stderr_of(with_variable(arguments), 0);
         contains(&error, "note: the fluid `glycerol` is that of data");
     }
-    let list = with_variable(&["fluids"]);
+    let list = with_variable("fluids");
     contains(text(&list.stdout), "works-oil");
     contains(text(&list.stdout), "squalane-pip");
     assert_eq!(text(&list.stdout).matches("\n  glycerol ").count(), 1);
-    contains(text(&with_variable(&["solids"]).stdout), "works-metal");
+    contains(text(&with_variable("solids").stdout), "works-metal");
     contains(
-        text(&with_variable(&["fluids", "show", "glycerol", "-t", "40 degC"]).stdout),
+        text(&with_variable("fluids show glycerol -t '40 degC'").stdout),
         "80 mPa.s",
     );
-    assert!(
-        w.succeed(&["solids", "show", "works-metal", "--data", "data"])
-            .contains("200 GPa")
-    );
+    contains(&w.succeed("solids show works-metal --data data"), "200 GPa");
     // The volume of Doolittle's law.
     let measured =
         Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation/appendix-c/fluid-a.csv");
-    let fit = [
-        "fit",
-        "viscosity",
-        measured.to_str().unwrap(),
-        "--law",
-        "doolittle",
-        "--density",
-        "volume",
-    ];
+    let measured = measured.display();
+    let fit = format!("fit viscosity {measured} --law doolittle --density volume");
     assert!(w.refused(&fit).contains("volume"));
-    assert!(
-        w.succeed(&[&fit[..], &["--data", "data"]].concat())
-            .contains("equation_of_state")
+    contains(
+        &w.succeed(&format!("{fit} --data data")),
+        "equation_of_state",
     );
     // A result never takes the place of what was read.
-    let over = w.refused(&["solve", "named.toml", "--data", "data", "-o", "data"]);
+    let over = w.refused("solve named.toml --data data -o data");
     contains(&over, "will not replace the folder data");
 }
 
@@ -277,14 +230,11 @@ fn a_folder_that_is_none_is_refused() {
         ("file", "is not a readable folder"),
         ("empty", "neither a folder `fluids` nor `solids`"),
     ] {
-        let message = w.refused(&["fluids", "--data", folder]);
+        let message = w.refused(&format!("fluids --data {folder}"));
         contains(&message, words);
         contains(&message, folder);
     }
-    assert!(
-        w.refused(&["fluids", "--data", "data"])
-            .contains("bad.toml:1:")
-    );
-    let near = w.refused(&["fluids", "show", "badd", "--data", "data"]);
+    contains(&w.refused("fluids --data data"), "bad.toml:1:");
+    let near = w.refused("fluids show badd --data data");
     contains(&near, "did you mean `bad`");
 }

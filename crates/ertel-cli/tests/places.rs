@@ -507,11 +507,7 @@ fn a_fit_replaces_only_with_force() {
     );
     let (code, said) = fit("-o oil.toml --force");
     assert_eq!(code, 0, "{said}");
-    assert!(
-        fs::read_to_string(root.join("oil.toml"))
-            .unwrap()
-            .contains("barus")
-    );
+    contains(&fs::read_to_string(root.join("oil.toml")).unwrap(), "barus");
 }
 
 /// The dry contact of a long tilted roller takes a minute: no check waits for it, at no point of a study either.

@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use crate::common::{contains, root};
+use crate::common::{code, contains, root, write};
 
 fn notices() -> String {
     std::fs::read_to_string(root().join("THIRD_PARTY_NOTICES.txt")).unwrap()
@@ -28,11 +28,7 @@ fn linked(package: &str) -> Vec<String> {
         .current_dir(root())
         .output()
         .unwrap();
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    code(&output, 0);
     let lines = String::from_utf8(output.stdout).unwrap();
     let crates = lines
         .lines()
@@ -160,7 +156,7 @@ fn a_release_has_its_version_and_its_date() {
     let version = env!("CARGO_PKG_VERSION");
     let check = |tag: &str, heading: &str| {
         let changes = format!("# Changelog\n\n{heading}\n\n## 0.0.1, 2026-01-01\n");
-        std::fs::write(folder.path().join("CHANGELOG.md"), changes).unwrap();
+        write(&folder, "CHANGELOG.md", changes);
         let output = Command::new("bash").arg(&script).arg(tag).output().unwrap();
         let said = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
         (output.status.success(), said)

@@ -1,6 +1,6 @@
 //! `ertel schema` against the readers and the shipped files.
 
-use crate::common::root;
+use crate::common::{code, root};
 
 #[path = "draft7/mod.rs"]
 pub mod draft7;
@@ -21,7 +21,7 @@ pub fn schema(of: &str) -> Value {
         .args(["schema", of])
         .output()
         .unwrap();
-    assert_eq!(output.status.code(), Some(0));
+    code(&output, 0);
     serde_json::from_slice(&output.stdout).unwrap()
 }
 

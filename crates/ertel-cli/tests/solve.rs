@@ -5,7 +5,9 @@ use std::process::Command;
 
 use tempfile::TempDir;
 
-use crate::common::{Running, contains, solve, solve_command, stderr_of, stdout_of, text};
+use crate::common::{
+    Running, code, command, contains, read, solve, stderr_of, stdout_of, text, write,
+};
 
 /// A folder with a copy of `tests/good/<name>`.
 fn workspace(name: &str) -> TempDir {
@@ -25,7 +27,7 @@ fn names(folder: &Path) -> Vec<String> {
 }
 
 /// Exit code 1, the words on stderr, and the folder as it was.
-fn refused(folder: &TempDir, arguments: &[&str], words: &str) {
+fn refused(folder: &TempDir, arguments: &str, words: &str) {
     let before = names(folder.path());
     let message = stderr_of(solve(folder, arguments), 1);
     contains(&message, words);
@@ -35,9 +37,9 @@ fn refused(folder: &TempDir, arguments: &[&str], words: &str) {
 #[test]
 fn results_are_reported_and_written() {
     let folder = workspace("quick.toml");
-    let output = solve(&folder, &["quick.toml"]);
+    let output = solve(&folder, "quick.toml");
     let report = text(&output.stdout);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    code(&output, 0);
     contains(report, "central film thickness");
     contains(report, "results/quick");
     contains(text(&output.stderr), "Newton");
@@ -53,7 +55,7 @@ fn results_are_reported_and_written() {
         assert!(results.join(name).exists(), "{name}");
     }
     let kept = std::fs::read_to_string(results.join("case.toml")).unwrap();
-    let case = std::fs::read_to_string(folder.path().join("quick.toml")).unwrap();
+    let case = read(&folder, "quick.toml");
     assert_eq!(kept, case);
     assert_eq!(names(&folder.path().join("results")), ["quick"]);
 }
@@ -68,31 +70,27 @@ fn the_folder_comes_from_the_command_line_or_the_case() {
         case + "\n[output]\nfolder = \"from/case\"\nbody_field = true\n",
     )
     .unwrap();
-    assert_eq!(solve(&folder, &["quick.toml"]).status.code(), Some(0));
+    code(&solve(&folder, "quick.toml"), 0);
     let results = folder.path().join("from/case");
     assert!(results.join("result.json").exists());
     assert!(results.join("body.vtu").exists());
 
-    let output = solve(&folder, &["quick.toml", "--output", "from/line"]);
-    assert_eq!(output.status.code(), Some(0));
+    let output = solve(&folder, "quick.toml --output from/line");
+    code(&output, 0);
     assert_eq!(names(&folder.path().join("from")), ["case", "line"]);
 }
 
 #[test]
 fn a_former_result_is_replaced_and_quiet_is_quiet() {
     let folder = workspace("quick.toml");
-    let arguments = ["quick.toml", "--quiet"];
-    assert_eq!(solve(&folder, &arguments).status.code(), Some(0));
+    let arguments = "quick.toml --quiet";
+    code(&solve(&folder, arguments), 0);
     let report = folder.path().join("results/quick/report.txt");
     std::fs::write(&report, "old").unwrap();
-    let output = solve(&folder, &arguments);
-    assert_eq!(output.status.code(), Some(0));
+    let output = solve(&folder, arguments);
+    code(&output, 0);
     assert_eq!((text(&output.stdout), text(&output.stderr)), ("", ""));
-    assert!(
-        std::fs::read_to_string(&report)
-            .unwrap()
-            .contains("film thickness")
-    );
+    contains(&std::fs::read_to_string(&report).unwrap(), "film thickness");
 }
 
 #[test]
@@ -103,22 +101,18 @@ fn what_belongs_to_somebody_else_is_not_replaced() {
     std::fs::write(thesis.join("chapter.txt"), "years of work").unwrap();
     refused(
         &folder,
-        &["quick.toml", "--output", "thesis"],
+        "quick.toml --output thesis",
         "will not replace the folder thesis",
     );
     assert!(thesis.join("chapter.txt").exists());
 
-    std::fs::write(folder.path().join("file"), "").unwrap();
+    write(&folder, "file", "");
     refused(
         &folder,
-        &["quick.toml", "--output", "file"],
+        "quick.toml --output file",
         "it is a file, not a folder",
     );
-    refused(
-        &folder,
-        &["quick.toml", "--output", "file/below"],
-        "cannot write",
-    );
+    refused(&folder, "quick.toml --output file/below", "cannot write");
 }
 
 #[cfg(unix)]
@@ -135,11 +129,8 @@ fn an_unwritable_folder_is_reported_before_the_solve() {
     } else {
         locked.join("results")
     };
-    let output = solve(
-        &folder,
-        &["quick.toml", "--output", place.to_str().unwrap()],
-    );
-    assert_eq!(output.status.code(), Some(1));
+    let output = solve(&folder, &format!("quick.toml --output {}", place.display()));
+    code(&output, 1);
     let message = text(&output.stderr);
     contains(message, "cannot write results to");
     assert!(!message.contains("Newton"), "{message}");
@@ -162,20 +153,15 @@ fn a_disk_that_fills_up_leaves_nothing_half_written() {
     };
     let output = limited(&folder);
     let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(1), "{message}");
+    code(&output, 1);
     contains(message, "error: cannot write ");
     contains(message, "/steel/");
     assert_eq!(names(folder.path()), ["quick.toml"]);
 
     // A former result survives.
-    assert_eq!(
-        solve(&folder, &["quick.toml", "--output", "steel"])
-            .status
-            .code(),
-        Some(0)
-    );
+    code(&solve(&folder, "quick.toml --output steel"), 0);
     let before = std::fs::read(folder.path().join("steel/result.json")).unwrap();
-    assert_eq!(limited(&folder).status.code(), Some(1));
+    code(&limited(&folder), 1);
     assert_eq!(
         std::fs::read(folder.path().join("steel/result.json")).unwrap(),
         before
@@ -189,7 +175,7 @@ fn no_convergence_exits_with_3_and_writes_nothing() {
     let path = folder.path().join("quick.toml");
     let case = std::fs::read_to_string(&path).unwrap();
     std::fs::write(&path, case + "\n[solver]\nmax_iterations = 1\n").unwrap();
-    let error = stderr_of(solve(&folder, &["quick.toml"]), 3);
+    let error = stderr_of(solve(&folder, "quick.toml"), 3);
     contains(&error, "no convergence");
     assert_eq!(names(folder.path()), ["quick.toml"]);
 }
@@ -204,7 +190,7 @@ fn a_mesh_that_cannot_be_built_exits_with_2() {
         case + "body_width = 8\n[solver]\nelasticity = \"equivalent\"\n",
     )
     .unwrap();
-    let error = stderr_of(solve(&folder, &["quick.toml"]), 2);
+    let error = stderr_of(solve(&folder, "quick.toml"), 2);
     contains(&error, "see [mesh] in the case file");
     assert_eq!(names(folder.path()), ["quick.toml"]);
 }
@@ -213,16 +199,11 @@ fn a_mesh_that_cannot_be_built_exits_with_2() {
 #[test]
 fn ctrl_c_exits_with_130_and_writes_nothing() {
     let folder = workspace("slow.toml");
-    let mut run = Running::start(solve_command(&folder, &["slow.toml"]));
+    let mut run = Running::start(command(&folder, "solve slow.toml"));
     let first = run.lines.next().unwrap().unwrap();
     contains(&first, "grid 1");
     let rest = run.interrupt();
-    assert!(
-        rest.last()
-            .unwrap()
-            .contains("interrupted; nothing was written"),
-        "{rest:?}"
-    );
+    contains(rest.last().unwrap(), "interrupted; nothing was written");
     // Stopped on the way, not after the last stage.
     assert!(
         !rest.iter().any(|line| line.starts_with("stage 3")),
@@ -235,8 +216,8 @@ fn ctrl_c_exits_with_130_and_writes_nothing() {
 #[test]
 fn pictures_are_written_in_the_formats_that_are_asked_for() {
     let folder = workspace("quick.toml");
-    let output = solve(&folder, &["quick.toml", "--png", "--pdf"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let output = solve(&folder, "quick.toml --png --pdf");
+    code(&output, 0);
     let results = folder.path().join("results/quick");
     let found = names(&results);
     let svg = found.iter().filter_map(|name| name.strip_suffix(".svg"));
@@ -251,8 +232,8 @@ fn pictures_are_written_in_the_formats_that_are_asked_for() {
         assert!(pixels.iter().any(|v| *v < 80), "{name} is empty");
     }
     assert!(found.contains(&"centreline.pdf".to_owned()));
-    let output = solve(&folder, &["quick.toml"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let output = solve(&folder, "quick.toml");
+    code(&output, 0);
     assert!(!names(&results).contains(&"centreline.pdf".to_owned()));
 }
 
@@ -260,7 +241,7 @@ fn pictures_are_written_in_the_formats_that_are_asked_for() {
 #[test]
 fn a_thermal_contact_writes_its_temperatures() {
     let folder = workspace("thermal.toml");
-    let report = stdout_of(solve(&folder, &["thermal.toml"]), 0);
+    let report = stdout_of(solve(&folder, "thermal.toml"), 0);
     for words in [
         "\nHeat\n",
         "carried off by body 1",

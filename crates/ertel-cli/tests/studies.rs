@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
 
-use crate::common::{contains, ertel, write};
+use crate::common::{code, contains, ertel, read, stderr_of, write};
 
 fn workspace(study: &str) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
@@ -15,11 +15,8 @@ fn workspace(study: &str) -> TempDir {
 
 /// Exit code 2 and words on stderr, in a dry run and without it.
 fn refused(folder: &TempDir, words: &[&str]) {
-    for more in [&["--dry-run"][..], &[]] {
-        let arguments = [&["sweep", "study.toml"], more].concat();
-        let output = ertel(folder, &arguments);
-        let message = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{message}");
+    for more in ["--dry-run", ""] {
+        let message = stderr_of(ertel(folder, &format!("sweep study.toml {more}")), 2);
         for words in words {
             contains(&message, words);
         }
@@ -47,10 +44,8 @@ key = "motion.slide_to_roll_ratio"
 values = [-0.1]
 "#;
     let folder = workspace(study);
-    let output = ertel(&folder, &["sweep", "study.toml", "-q", "-o", "out"]);
-    let message = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(0), "{message}");
-    let table = std::fs::read_to_string(folder.path().join("out/results.csv")).unwrap();
+    code(&ertel(&folder, "sweep study.toml -q -o out"), 0);
+    let table = read(&folder, "out/results.csv");
     let starts = [
         "1,\"'=cmd|' /C calc'!A0\",2e4,-1e-1,",
         "2,\"'@sum(1)\",2.1e4,-1e-1,",
@@ -78,9 +73,7 @@ fn a_base_case_that_is_missing_is_named_with_its_place() {
         "studies/roller/reference.toml",
         "title = \"Roller\"\nsource = \"made up\"\n[[run]]\nname = \"roller\"\ncase = \"nothing.toml\"\n",
     );
-    let output = ertel(&folder, &["validate", "--folder", "studies"]);
-    let message = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{message}");
+    let message = stderr_of(ertel(&folder, "validate --folder studies"), 2);
     contains(&message, "reference.toml:5:8");
 }
 
@@ -99,11 +92,11 @@ fn a_bad_value_in_a_table_is_named_with_file_and_line() {
     let base = include_str!("good/quick.toml");
     assert!(base.contains(law));
     let table = "{ law = \"table\", file = \"points.csv\" }";
-    write(&folder, "base.toml", &base.replace(law, table));
+    write(&folder, "base.toml", base.replace(law, table));
     write(
         &folder,
         "study.toml",
-        &format!("case = \"base.toml\"\n{LOADS}"),
+        format!("case = \"base.toml\"\n{LOADS}"),
     );
     write(
         &folder,
@@ -193,7 +186,7 @@ fn an_axis_that_is_too_long_is_refused_at_once() {
     write(
         &folder,
         "points.csv",
-        &format!("contact.load_N_per_m\n{rows}"),
+        format!("contact.load_N_per_m\n{rows}"),
     );
     let clock = Instant::now();
     refused(&folder, &["more than 1000000 points"]);

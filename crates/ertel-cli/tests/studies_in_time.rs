@@ -2,9 +2,7 @@
 
 use tempfile::TempDir;
 
-use crate::common::{
-    BRAKING, case_folder, contains, ertel, read, stderr, stderr_of, stdout, write,
-};
+use crate::common::{BRAKING, case_folder, code, contains, ertel, read, stderr_of, stdout, write};
 
 const STUDY: &str = r#"
 case = "case.toml"
@@ -48,15 +46,12 @@ impl Rows {
 #[test]
 fn a_study_over_time_shows_extremes_and_resumes() {
     let folder = workspace(BRAKING, STUDY);
-    let run = |more: &[&str]| {
-        let output = ertel(
-            &folder,
-            &[&["sweep", "study.toml", "-o", "out"], more].concat(),
-        );
-        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let run = |more: &str| {
+        let output = ertel(&folder, &format!("sweep study.toml -o out {more}"));
+        code(&output, 0);
         stdout(&output).to_owned()
     };
-    run(&["--folders"]);
+    run("--folders");
     let table = read(&folder, "out/results.csv");
     let rows = Rows::of(&folder, "out/results.csv");
     assert_eq!(rows.texts("converged"), ["true"; 6]);
@@ -120,14 +115,14 @@ fn a_study_over_time_shows_extremes_and_resumes() {
     write(
         &folder,
         "out/journal.jsonl",
-        &format!(
+        format!(
             "{}\n{}",
             kept.join("\n"),
             &journal.lines().nth(3).unwrap()[..40]
         ),
     );
     std::fs::remove_file(folder.path().join("out/results.csv")).unwrap();
-    let shown = run(&["--jobs", "1"]);
+    let shown = run("--jobs 1");
     contains(&shown, "3 of them earlier");
     assert_eq!(read(&folder, "out/results.csv"), table);
 }
@@ -138,8 +133,8 @@ fn points_that_fail_have_their_reason() {
     let relief = "\n[[surface]]\nkind = \"groove\"\nbody = \"body_1\"\nhalf_width = \"60 um\"\ndepth = \"20 nm\"\nx = \"-0.3 mm\"\n\n[mesh]\nmax_unknowns = 3000\n";
     let axis = "case = \"case.toml\"\n[[axis]]\nkey = \"surface.1.half_width\"\nvalues = [\"1 um\", \"60 um\"]\n";
     let folder = workspace(&format!("{BRAKING}{relief}"), axis);
-    let output = ertel(&folder, &["sweep", "study.toml", "-o", "out"]);
-    assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
+    let output = ertel(&folder, "sweep study.toml -o out");
+    code(&output, 3);
     contains(
         stdout(&output),
         "point 1 (surface.1.half_width = 1 um) failed: ",
@@ -153,8 +148,8 @@ fn points_that_fail_have_their_reason() {
     );
     assert!(rows.numbers("film_minimum_lowest_m")[0].is_nan());
     let of = |number: usize| axis.replace("surface.1.", &format!("surface.{number}."));
-    write(&folder, "study.toml", &of(2));
-    let error = stderr_of(ertel(&folder, &["sweep", "study.toml", "--dry-run"]), 2);
+    write(&folder, "study.toml", of(2));
+    let error = stderr_of(ertel(&folder, "sweep study.toml --dry-run"), 2);
     contains(&error, "surface has 1 entries, counted from 1");
 }
 
@@ -163,8 +158,8 @@ fn points_that_fail_have_their_reason() {
 fn curves_and_samples_of_a_case_in_time() {
     let curve = "\n[curve]\nquantity = \"contact.load\"\nvalues = [\"60 kN/m\", \"80 kN/m\", \"100 kN/m\"]\nfolders = true\n";
     let folder = workspace(&format!("{BRAKING}{curve}"), STUDY);
-    let output = ertel(&folder, &["solve", "case.toml", "-o", "out"]);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let output = ertel(&folder, "solve case.toml -o out");
+    code(&output, 0);
     contains(stdout(&output), "lowest minimum film thickness");
     let rows = Rows::of(&folder, "out/curve.csv");
     let films = rows.numbers("film_minimum_lowest_m");
@@ -191,29 +186,17 @@ fn curves_and_samples_of_a_case_in_time() {
         "alpha = \"22 1/GPa\" }",
         "alpha = \"22 1/GPa\" }\nshear_thinning = { law = \"ree-eyring\", tau_0 = \"5 MPa\" }",
     );
-    write(&folder, "case.toml", &format!("{power}{newtonian}"));
-    let error = stderr_of(ertel(&folder, &["solve", "case.toml", "--check"]), 2);
+    write(&folder, "case.toml", format!("{power}{newtonian}"));
+    let error = stderr_of(ertel(&folder, "solve case.toml --check"), 2);
     contains(&error, "`newtonian`");
 
     write(
         &folder,
         "case.toml",
-        &BRAKING.replace("load = \"100 kN/m\"", "load = \"100 kN/m ± 10 %\""),
+        BRAKING.replace("load = \"100 kN/m\"", "load = \"100 kN/m ± 10 %\""),
     );
-    let output = ertel(
-        &folder,
-        &[
-            "solve",
-            "case.toml",
-            "-o",
-            "mean",
-            "--monte-carlo",
-            "4",
-            "--seed",
-            "3",
-        ],
-    );
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let output = ertel(&folder, "solve case.toml -o mean --monte-carlo 4 --seed 3");
+    code(&output, 0);
     let json: serde_json::Value =
         serde_json::from_str(&read(&folder, "mean-monte-carlo/monte-carlo.json")).unwrap();
     assert_eq!(json["solved"], 4);
@@ -235,7 +218,7 @@ fn what_changes_nothing_is_refused() {
     );
     let axis = "case = \"case.toml\"\n[[axis]]\nkey = \"motion.entrainment_speed\"\nvalues = [\"1 m/s\", \"2 m/s\"]\n";
     let folder = workspace(&table, axis);
-    let message = stderr_of(ertel(&folder, &["sweep", "study.toml", "--dry-run"]), 2);
+    let message = stderr_of(ertel(&folder, "sweep study.toml --dry-run"), 2);
     contains(&message, "`motion.entrainment_speed` changes nothing");
     contains(&message, "study.toml:3");
     write(
@@ -243,7 +226,7 @@ fn what_changes_nothing_is_refused() {
         "measured.csv",
         "contact.load (kN/m),film_central (nm)\n60,300\n",
     );
-    let error = stderr_of(ertel(&folder, &["compare", "case.toml", "measured.csv"]), 2);
+    let error = stderr_of(ertel(&folder, "compare case.toml measured.csv"), 2);
     contains(&error, "this case changes in time");
 }
 
@@ -262,8 +245,8 @@ fn the_shipped_study_of_waves() {
         )
         .replace("[\"4.8 ms\", \"2.4 ms\", \"1.2 ms\"]", "[\"2.4 ms\"]");
     write(&folder, "study.toml", &study);
-    let output = ertel(&folder, &["sweep", "study.toml", "-o", "out"]);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let output = ertel(&folder, "sweep study.toml -o out");
+    code(&output, 0);
     let rows = Rows::of(&folder, "out/results.csv");
     let left = rows.numbers("amplitude_ratio_last");
     for (left, expected) in left.iter().zip([0.394, 0.183]) {

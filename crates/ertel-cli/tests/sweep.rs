@@ -8,7 +8,7 @@ use std::time::{Duration, Instant, SystemTime};
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{self, Running, contains, ertel, read, stderr_of, text};
+use crate::common::{self, Running, code, contains, ertel, read, stderr_of, text, write};
 
 /// Eighteen points in two groups of films.
 const STUDY: &str = r#"
@@ -32,15 +32,15 @@ fn workspace(study: &str) -> TempDir {
     let good = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/good/quick.toml");
     let folder = tempfile::tempdir().unwrap();
     std::fs::copy(good, folder.path().join("base.toml")).unwrap();
-    std::fs::write(folder.path().join("study.toml"), study).unwrap();
+    write(&folder, "study.toml", study);
     folder
 }
 
-fn command(folder: &TempDir, arguments: &[&str]) -> Command {
-    common::command(folder, &[&["sweep"], arguments].concat())
+fn command(folder: &TempDir, arguments: &str) -> Command {
+    common::command(folder, &format!("sweep {arguments}"))
 }
 
-fn sweep(folder: &TempDir, arguments: &[&str]) -> Output {
+fn sweep(folder: &TempDir, arguments: &str) -> Output {
     command(folder, arguments).output().unwrap()
 }
 
@@ -73,12 +73,12 @@ fn random() -> f64 {
 #[test]
 fn a_study_is_solved_and_its_films_are_fitted() {
     let folder = workspace(STUDY);
-    let output = sweep(&folder, &["study.toml", "--dry-run"]);
+    let output = sweep(&folder, "study.toml --dry-run");
     contains(text(&output.stdout), "18 points, 0 finished");
     assert!(!folder.path().join("results").exists());
-    let output = sweep(&folder, &["study.toml"]);
+    let output = sweep(&folder, "study.toml");
     let (report, progress) = (text(&output.stdout), text(&output.stderr));
-    assert_eq!(output.status.code(), Some(0), "{progress}");
+    code(&output, 0);
     contains(report, "18 of 18 points finished, 0 failed");
     contains(progress, "1/18: point ");
     contains(progress, "left");
@@ -97,7 +97,7 @@ quantity = "motion.entrainment_speed"
 values = ["0.2 m/s", "2 m/s"]
 "#;
     let case = read(&folder, "base.toml") + curve;
-    std::fs::write(folder.path().join("case.toml"), case).unwrap();
+    write(&folder, "case.toml", case);
     let solve = Command::new(env!("CARGO_BIN_EXE_ertel"))
         .args(["solve", "case.toml", "-q"])
         .current_dir(&folder)
@@ -113,8 +113,8 @@ values = ["0.2 m/s", "2 m/s"]
         let off = (film(&table, point) - film(&alone, i)).abs();
         assert!(off <= bar(&table, point) + bar(&alone, i), "{off:e} m off");
     }
-    let fit = ertel(&folder, &["fit", "film", "results/study/results.csv"]);
-    assert!(fit.status.success(), "{}", text(&fit.stderr));
+    let fit = ertel(&folder, "fit film results/study/results.csv");
+    code(&fit, 0);
     contains(text(&fit.stdout), "Central film of 18 results");
 }
 
@@ -134,10 +134,10 @@ values = [false, true]
 "#;
     let folder = workspace(study);
     let thermal = include_str!("good/thermal.toml");
-    std::fs::write(folder.path().join("thermal.toml"), thermal).unwrap();
+    write(&folder, "thermal.toml", thermal);
     // Without heat the Newtonian film would transmit more than dry metal does.
-    let output = sweep(&folder, &["study.toml", "-q", "--accept-unresolved"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let output = sweep(&folder, "study.toml -q --accept-unresolved");
+    code(&output, 0);
     let table = read(&folder, "results/study/results.csv");
     let numbers = |name: &str| -> Vec<Option<f64>> {
         let cells = column(&table, name);
@@ -187,12 +187,12 @@ values = [false, true]
         assert!(picture.contains("without heat"));
     }
     // In another format they take the place of those before.
-    let formats = "output.pictures=[\"pdf\", \"png\"]";
+    let formats = "--set 'output.pictures=[\"pdf\", \"png\"]'";
     let output = sweep(
         &folder,
-        &["study.toml", "-q", "--accept-unresolved", "--set", formats],
+        &format!("study.toml -q --accept-unresolved {formats}"),
     );
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    code(&output, 0);
     for picture in ["film", "traction"] {
         let file = |suffix| {
             folder
@@ -204,8 +204,8 @@ values = [false, true]
         assert!(!file("svg").exists());
     }
     // Back to SVG: a PDF file of this name may be the user's own by now.
-    let output = sweep(&folder, &["study.toml", "-q", "--accept-unresolved"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let output = sweep(&folder, "study.toml -q --accept-unresolved");
+    code(&output, 0);
     for name in ["film.svg", "film.pdf", "traction.svg", "traction.png"] {
         assert!(
             folder.path().join("results/study").join(name).is_file(),
@@ -219,11 +219,7 @@ values = [false, true]
 fn a_killed_study_ends_as_an_undisturbed_one() {
     let folder = workspace(STUDY);
     let clock = Instant::now();
-    assert!(
-        sweep(&folder, &["study.toml", "-q", "-o", "whole"])
-            .status
-            .success()
-    );
+    code(&sweep(&folder, "study.toml -q -o whole"), 0);
     let time = clock.elapsed();
     let undisturbed = read(&folder, "whole/results.csv");
     let n_lines = |name: &str| {
@@ -235,7 +231,7 @@ fn a_killed_study_ends_as_an_undisturbed_one() {
     for round in 0..20 {
         let jobs = ["1", "2", "3"][round % 3];
         let start = |name: &str| {
-            command(&folder, &["study.toml", "-q", "-o", name, "-j", jobs])
+            command(&folder, &format!("study.toml -q -o {name} -j {jobs}"))
                 .stderr(Stdio::piped())
                 .spawn()
                 .unwrap()
@@ -263,7 +259,7 @@ fn a_killed_study_ends_as_an_undisturbed_one() {
         };
         n_resumed += usize::from((1..18).contains(&killed_within(&name, limit)));
         let output = start(&name).wait_with_output().unwrap();
-        assert!(output.status.success(), "{}", text(&output.stderr));
+        code(&output, 0);
         assert_eq!(read(&folder, &format!("{name}/results.csv")), undisturbed);
         let journal = keys(&read(&folder, &format!("{name}/journal.jsonl")));
         assert_eq!(journal.len(), 18);
@@ -276,7 +272,7 @@ fn a_killed_study_ends_as_an_undisturbed_one() {
 #[test]
 fn a_torn_line_is_dropped() {
     let folder = workspace(STUDY);
-    assert!(sweep(&folder, &["study.toml", "-q"]).status.success());
+    code(&sweep(&folder, "study.toml -q"), 0);
     let undisturbed = read(&folder, "results/study/results.csv");
     let path = folder.path().join("results/study/journal.jsonl");
     let journal = std::fs::read(&path).unwrap();
@@ -286,7 +282,7 @@ fn a_torn_line_is_dropped() {
     torn.extend(&lines[7][..lines[7].len() / 2]);
     std::fs::write(&path, &torn).unwrap();
     std::fs::remove_file(folder.path().join("results/study/results.csv")).unwrap();
-    let output = sweep(&folder, &["study.toml"]);
+    let output = sweep(&folder, "study.toml");
     let progress = text(&output.stderr);
     contains(progress, "7 of 18 points are finished already");
     assert_eq!(read(&folder, "results/study/results.csv"), undisturbed);
@@ -302,7 +298,7 @@ fn a_torn_line_is_dropped() {
     digit.replace_range(i..=i, other);
     for damaged in [journal.replacen("converged", "conv\0rged", 1), digit] {
         std::fs::write(&path, damaged).unwrap();
-        let output = sweep(&folder, &["study.toml"]);
+        let output = sweep(&folder, "study.toml");
         let said = text(&output.stderr);
         contains(said, "17 of 18 points are finished already");
         contains(said, "1 lines of the journal are damaged");
@@ -313,30 +309,22 @@ fn a_torn_line_is_dropped() {
 #[test]
 fn parts_are_joined_to_the_whole() {
     let folder = workspace(STUDY);
-    assert!(
-        sweep(&folder, &["study.toml", "-q", "-o", "whole"])
-            .status
-            .success()
-    );
+    code(&sweep(&folder, "study.toml -q -o whole"), 0);
     let mut parts = Vec::new();
     for i in 1..=4 {
-        let shard = format!("{i}/4");
-        assert!(
-            sweep(&folder, &["study.toml", "-q", "--shard", &shard])
-                .status
-                .success()
-        );
+        code(&sweep(&folder, &format!("study.toml -q --shard {i}/4")), 0);
         parts.push(format!("results/study/shards/{i}-of-4"));
     }
     let merge = |parts: &[String]| {
-        let mut arguments = vec!["--merge", "results/study"];
-        arguments.extend(parts.iter().map(String::as_str));
-        sweep(&folder, &arguments)
+        sweep(
+            &folder,
+            &format!("--merge results/study {}", parts.join(" ")),
+        )
     };
     let message = stderr_of(merge(&parts[..3]), 1);
     contains(&message, "of 18 points are in none of the parts");
     let output = merge(&parts);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    code(&output, 0);
     let whole = read(&folder, "whole/results.csv");
     assert_eq!(read(&folder, "results/study/results.csv"), whole);
     assert_eq!(
@@ -344,18 +332,14 @@ fn parts_are_joined_to_the_whole() {
         18
     );
     // The whole is a study like any other.
-    let output = sweep(&folder, &["study.toml"]);
+    let output = sweep(&folder, "study.toml");
     contains(text(&output.stdout), "18 of them earlier");
     // Parts of something else are refused.
     let other = STUDY.replace("45 kN/m", "40 kN/m");
-    std::fs::write(folder.path().join("other.toml"), other).unwrap();
-    assert!(
-        sweep(&folder, &["other.toml", "-q", "--shard", "1/9"])
-            .status
-            .success()
-    );
+    write(&folder, "other.toml", other);
+    code(&sweep(&folder, "other.toml -q --shard 1/9"), 0);
     let output = merge(&[parts[0].clone(), "results/other/shards/1-of-9".into()]);
-    assert_eq!(output.status.code(), Some(2));
+    code(&output, 2);
     contains(text(&output.stderr), "another study");
 }
 
@@ -375,7 +359,7 @@ key = "solver.formulation"
 values = ["galerkin"]
 "#;
     let folder = workspace(study);
-    let message = stderr_of(sweep(&folder, &["study.toml"]), 3);
+    let message = stderr_of(sweep(&folder, "study.toml"), 3);
     contains(&message, "1 of 3 points failed");
     let table = read(&folder, "results/study/results.csv");
     assert_eq!(column(&table, "converged"), ["true", "false", "true"]);
@@ -383,33 +367,33 @@ values = ["galerkin"]
     let failed = table.lines().nth(2).unwrap();
     contains(failed, "no convergence");
     // It is kept, unless asked for again.
-    let output = sweep(&folder, &["study.toml"]);
-    assert_eq!(output.status.code(), Some(3));
+    let output = sweep(&folder, "study.toml");
+    code(&output, 3);
     contains(text(&output.stdout), "0 new");
-    let output = sweep(&folder, &["study.toml", "--retry"]);
-    assert_eq!(output.status.code(), Some(3));
+    let output = sweep(&folder, "study.toml --retry");
+    code(&output, 3);
     contains(text(&output.stdout), "1 new");
     assert_eq!(read(&folder, "results/study/results.csv"), table);
     // The others are fitted.
-    let fit = ertel(&folder, &["fit", "film", "results/study/results.csv"]);
+    let fit = ertel(&folder, "fit film results/study/results.csv");
     contains(text(&fit.stderr), "2 films");
 }
 
 #[test]
 fn a_changed_study_solves_what_changed() {
     let folder = workspace(STUDY);
-    assert!(sweep(&folder, &["study.toml", "-q"]).status.success());
+    code(&sweep(&folder, "study.toml -q"), 0);
     let more = STUDY.replace("\"45 kN/m\"", "\"45 kN/m\", \"60 kN/m\"");
-    std::fs::write(folder.path().join("study.toml"), more).unwrap();
-    let output = sweep(&folder, &["study.toml"]);
+    write(&folder, "study.toml", more);
+    let output = sweep(&folder, "study.toml");
     let report = text(&output.stdout);
     contains(report, "24 of 24 points finished, 18 of them earlier");
     let table = read(&folder, "results/study/results.csv");
     assert_eq!(column(&table, "contact.load_N_per_m")[3], "6e4");
     // Another viscosity is another case in every point; the former ones are omitted from the table.
     let base = read(&folder, "base.toml").replace("40 mPa.s", "41 mPa.s");
-    std::fs::write(folder.path().join("base.toml"), base).unwrap();
-    let output = sweep(&folder, &["study.toml"]);
+    write(&folder, "base.toml", base);
+    let output = sweep(&folder, "study.toml");
     contains(
         text(&output.stdout),
         "24 of 24 points finished, 0 failed; 24 new",
@@ -424,15 +408,11 @@ fn a_changed_study_solves_what_changed() {
 fn each_point_has_a_folder_where_asked_for() {
     let study = "case = \"base.toml\"\n[[axis]]\nkey = \"contact.load\"\nvalues = [\"20 kN/m\", \"30 kN/m\"]\n";
     let folder = workspace(study);
-    assert!(sweep(&folder, &["study.toml", "-q"]).status.success());
+    code(&sweep(&folder, "study.toml -q"), 0);
     let table = read(&folder, "results/study/results.csv");
     assert!(!folder.path().join("results/study/points").exists());
     // Finished points have their folders made up for.
-    assert!(
-        sweep(&folder, &["study.toml", "-q", "--folders"])
-            .status
-            .success()
-    );
+    code(&sweep(&folder, "study.toml -q --folders"), 0);
     assert_eq!(read(&folder, "results/study/results.csv"), table);
     let result = read(&folder, "results/study/points/2/result.json");
     let result: Value = serde_json::from_str(&result).unwrap();
@@ -447,39 +427,33 @@ fn each_point_has_a_folder_where_asked_for() {
 #[test]
 fn what_cannot_be_run_is_refused() {
     let folder = workspace(STUDY);
-    let refused = |arguments: &[&str], code: i32, words: &str| {
-        let output = sweep(&folder, arguments);
-        let message = text(&output.stderr);
-        assert_eq!(output.status.code(), Some(code), "{message}");
-        contains(message, words);
+    let refused = |arguments: &str, code: i32, words: &str| {
+        contains(&stderr_of(sweep(&folder, arguments), code), words);
     };
     for shard in ["0/3", "4/3", "1", "a/b"] {
-        refused(
-            &["study.toml", "--shard", shard],
-            2,
-            "the third of eight parts",
-        );
+        let arguments = format!("study.toml --shard {shard}");
+        refused(&arguments, 2, "the third of eight parts");
     }
-    refused(&[], 2, "STUDY.toml");
-    refused(&["--merge", "out", "nothing"], 2, "is not a study");
+    refused("", 2, "STUDY.toml");
+    refused("--merge out nothing", 2, "is not a study");
     std::fs::create_dir(folder.path().join("mine")).unwrap();
-    std::fs::write(folder.path().join("mine/notes.txt"), "mine").unwrap();
-    refused(&["study.toml", "-o", "mine"], 1, "no study.json of ertel");
+    write(&folder, "mine/notes.txt", "mine");
+    refused("study.toml -o mine", 1, "no study.json of ertel");
     // The same case in two points.
     let twice = "case = \"base.toml\"\npoints = \"twice.csv\"\n";
-    std::fs::write(folder.path().join("twice.toml"), twice).unwrap();
+    write(&folder, "twice.toml", twice);
     let points = "title,contact.load_kN_per_m\na,20\nb,20\n";
-    std::fs::write(folder.path().join("twice.csv"), points).unwrap();
-    refused(&["twice.toml"], 2, "points 1 and 2 are the same case");
+    write(&folder, "twice.csv", points);
+    refused("twice.toml", 2, "points 1 and 2 are the same case");
     // Two runs at a time.
-    let mut child = command(&folder, &["study.toml", "-j", "1"])
+    let mut child = command(&folder, "study.toml -j 1")
         .stderr(Stdio::piped())
         .stdout(Stdio::null())
         .spawn()
         .unwrap();
     let mut lines = std::io::BufRead::lines(std::io::BufReader::new(child.stderr.take().unwrap()));
     assert!(lines.next().unwrap().unwrap().contains("1/18"));
-    refused(&["study.toml"], 1, "another run is writing");
+    refused("study.toml", 1, "another run is writing");
     for _ in lines {}
     assert!(child.wait().unwrap().success());
 }
@@ -488,13 +462,10 @@ fn what_cannot_be_run_is_refused() {
 #[test]
 fn an_interrupted_study_says_how_to_go_on() {
     let folder = workspace(&STUDY.replace("points = 6", "points = 300"));
-    let mut run = Running::start(command(&folder, &["study.toml"]));
+    let mut run = Running::start(command(&folder, "study.toml"));
     assert!(run.lines.next().unwrap().unwrap().contains("1/900"));
     let rest = run.interrupt();
-    assert!(
-        rest.last().unwrap().contains("continues with the others"),
-        "{rest:?}"
-    );
+    contains(rest.last().unwrap(), "continues with the others");
     assert!(!folder.path().join("results/study/results.csv").exists());
     assert!(!read(&folder, "results/study/journal.jsonl").is_empty());
 }

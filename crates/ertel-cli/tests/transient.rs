@@ -2,15 +2,17 @@
 
 use std::path::Path;
 
-use crate::common::{BRAKING, case_folder, contains, ertel, json, stderr_of, text};
+use crate::common::{
+    BRAKING, case_folder, code, contains, ertel, json, read, stderr_of, text, write,
+};
 
 /// Files, tables and the report say the same; the speed at a time is that of the ramp; a second run replaces the folder.
 #[test]
 fn a_ramp_is_solved_written_and_replaced() {
     let folder = case_folder(BRAKING);
     for _ in 0..2 {
-        let output = ertel(&folder, &["solve", "case.toml", "--output", "out"]);
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let output = ertel(&folder, "solve case.toml --output out");
+        code(&output, 0);
         let shown = text(&output.stdout);
         contains(shown, "highest central film thickness");
         // A Newtonian oil without heat.
@@ -59,13 +61,13 @@ fn a_ramp_is_solved_written_and_replaced() {
 fn unsolved_instants_are_reported() {
     let relief = "\n[[surface]]\nkind = \"groove\"\nbody = \"body_1\"\nhalf_width = \"1 um\"\ndepth = \"20 nm\"\nx = \"-0.3 mm\"\n\n[mesh]\nmax_unknowns = 2000\n";
     let folder = case_folder(&format!("{BRAKING}{relief}"));
-    let output = ertel(&folder, &["solve", "case.toml", "--output", "out"]);
+    let output = ertel(&folder, "solve case.toml --output out");
     let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(3), "{message}");
+    code(&output, 3);
     contains(message, "the shortest length of a relief needs cells");
     assert!(!folder.path().join("out").exists());
-    let output = ertel(&folder, &["solve", "case.toml", "--cross-check"]);
-    assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+    let output = ertel(&folder, "solve case.toml --cross-check");
+    code(&output, 2);
 }
 
 /// A roller sinks under a constant load from a gap, without rolling: the film thins as the body comes near, and bears the load. The force and rebound of a falling ball are reported.
@@ -79,8 +81,8 @@ fn bodies_that_are_apart_come_near() {
         .replace("duration = \"1 ms\"", "duration = \"0.05 ms\"")
         .replace("output_times = [\"0 ms\", \"0.5 ms\"]\n", "");
     let folder = case_folder(&sinks);
-    let output = ertel(&folder, &["solve", "case.toml", "--output", "out"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let output = ertel(&folder, "solve case.toml --output out");
+    code(&output, 0);
     let result = json(&folder.path().join("out/transient.json"));
     let instants = result["instants"].as_array().unwrap();
     let of = |i: usize, key: &str| instants[i][key].as_f64().unwrap();
@@ -91,12 +93,12 @@ fn bodies_that_are_apart_come_near() {
     let film = &instants[0]["figures"]["film_central"]["value"];
     assert!((film.as_f64().unwrap() / 3e-6 - 1.0).abs() < 1e-9, "{film}");
     assert!(result["coefficient_of_restitution"].is_null());
-    let table = std::fs::read_to_string(folder.path().join("out/transient.csv")).unwrap();
+    let table = read(&folder, "out/transient.csv");
     assert!(table.contains("load_N_per_m,radius_m,temperature_K,oil_layer_m,approach_m,approach_velocity_m_per_s,film_force_N_per_m"));
     let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/impact.toml");
     let output = ertel(
         &folder,
-        &["solve", case.to_str().unwrap(), "--output", "impact"],
+        &format!("solve {} --output impact", case.display()),
     );
     let shown = text(&output.stdout);
     contains(shown, "largest film force");
@@ -112,11 +114,8 @@ fn bodies_that_are_apart_come_near() {
 #[test]
 fn a_killed_run_goes_on() {
     let folder = case_folder(BRAKING);
-    let solve = |more: &[&str]| {
-        let arguments = [&["solve", "case.toml", "--quiet"], more].concat();
-        ertel(&folder, &arguments)
-    };
-    assert_eq!(solve(&["-o", "whole"]).status.code(), Some(0));
+    let solve = |more: &str| ertel(&folder, &format!("solve case.toml --quiet {more}"));
+    code(&solve("-o whole"), 0);
     let mut run = std::process::Command::new(env!("CARGO_BIN_EXE_ertel"))
         .current_dir(folder.path())
         .args(["solve", "case.toml", "-o", "out", "--checkpoint", "0 s"])
@@ -132,16 +131,13 @@ fn a_killed_run_goes_on() {
     run.wait().unwrap();
     assert!(file.exists());
     for (more, said) in [
+        ("-o out --checkpoint '1 min'", "continue it with --resume"),
         (
-            &["-o", "out", "--checkpoint", "1 min"][..],
-            "continue it with --resume",
-        ),
-        (
-            &["-o", "out", "--resume", "--set", "contact.load=90 kN/m"],
+            "-o out --resume --set 'contact.load=90 kN/m'",
             "belongs to a case with other values",
         ),
-        (&["-o", "none", "--resume"], "none.checkpoint"),
-        (&["-o", "out", "--checkpoint", "1 kg"], "a time is needed"),
+        ("-o none --resume", "none.checkpoint"),
+        ("-o out --checkpoint '1 kg'", "a time is needed"),
     ] {
         let message = stderr_of(solve(more), 2);
         contains(&message, said);
@@ -152,7 +148,7 @@ fn a_killed_run_goes_on() {
     changed[whole.len() / 2] ^= 16;
     for damaged in [&whole[..whole.len() / 2], &changed] {
         std::fs::write(&file, damaged).unwrap();
-        let error = stderr_of(solve(&["-o", "out", "--resume"]), 2);
+        let error = stderr_of(solve("-o out --resume"), 2);
         contains(&error, "damaged");
         assert_eq!(std::fs::read(&file).unwrap(), damaged);
     }
@@ -160,8 +156,8 @@ fn a_killed_run_goes_on() {
     let left = folder.path().join(".ertel-new-a1B2c3");
     std::fs::write(&left, "half").unwrap();
     std::fs::write(&file, whole).unwrap();
-    let output = solve(&["-o", "out", "--resume"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let output = solve("-o out --resume");
+    code(&output, 0);
     assert!(!file.exists() && !left.exists());
     let table = |name: &str| std::fs::read(folder.path().join(name).join("transient.csv")).unwrap();
     assert_eq!(table("out"), table("whole"));
@@ -179,8 +175,8 @@ fn a_checkpoint_that_cannot_be_written_is_reported_at_once() {
     // There is nothing where the link leads, not even a folder.
     let link = folder.path().join("out.checkpoint");
     std::os::unix::fs::symlink("missing/place", link).unwrap();
-    let arguments = ["solve", "case.toml", "-o", "out", "--checkpoint", "0 s"];
-    let shown = stderr_of(ertel(&folder, &arguments), 0);
+    let arguments = "solve case.toml -o out --checkpoint '0 s'";
+    let shown = stderr_of(ertel(&folder, arguments), 0);
     assert_eq!(
         shown
             .matches("warning: the checkpoint cannot be written")
@@ -208,10 +204,9 @@ fn a_checkpoint_that_is_no_file_is_refused_at_once() {
     std::os::unix::fs::symlink("/dev/zero", at("device.checkpoint")).unwrap();
     std::fs::create_dir(at("folder.checkpoint")).unwrap();
     for name in ["pipe", "device", "folder"] {
-        for how in [&["--checkpoint", "1 s"][..], &["--resume"]] {
+        for how in ["--checkpoint '1 s'", "--resume"] {
             let clock = std::time::Instant::now();
-            let arguments = [&["solve", "case.toml", "-q", "-o", name], how].concat();
-            let output = ertel(&folder, &arguments);
+            let output = ertel(&folder, &format!("solve case.toml -q -o {name} {how}"));
             let message = text(&output.stderr);
             assert_eq!(output.status.code(), Some(2), "{name}: {message}");
             assert!(message.contains("cannot be read"), "{name}: {message}");
@@ -229,8 +224,8 @@ fn a_checkpoint_that_is_no_file_is_refused_at_once() {
 fn a_complete_result_is_kept_when_a_second_run_is_stopped() {
     let folder = case_folder(BRAKING);
     let at = |name: &str| folder.path().join(name);
-    let first = ertel(&folder, &["solve", "case.toml", "-q", "-o", "out"]);
-    assert_eq!(first.status.code(), Some(0), "{}", text(&first.stderr));
+    let first = ertel(&folder, "solve case.toml -q -o out");
+    code(&first, 0);
     let table = std::fs::read(at("out/transient.csv")).unwrap();
     let mut run = std::process::Command::new(env!("CARGO_BIN_EXE_ertel"))
         .current_dir(folder.path())
@@ -260,11 +255,8 @@ fn a_complete_result_is_kept_when_a_second_run_is_stopped() {
     let report = std::fs::read_to_string(at("out-partial/report.txt")).unwrap();
     contains(&report, "interrupted");
     // It continues to a complete result, which replaces the former one.
-    let rest = ertel(
-        &folder,
-        &["solve", "case.toml", "-q", "-o", "out", "--resume"],
-    );
-    assert_eq!(rest.status.code(), Some(0), "{}", text(&rest.stderr));
+    let rest = ertel(&folder, "solve case.toml -q -o out --resume");
+    code(&rest, 0);
     assert_eq!(std::fs::read(at("out/transient.csv")).unwrap(), table);
 }
 
@@ -277,7 +269,7 @@ fn courses_that_contradict_the_case_are_reported() {
     let check = |course: &str| {
         let line = format!("entrainment_speed = {{ course = {course} }}");
         let folder = case_folder(&BRAKING.replace(ramp.unwrap(), &line));
-        let output = ertel(&folder, &["solve", "case.toml", "--check"]);
+        let output = ertel(&folder, "solve case.toml --check");
         let words = [text(&output.stdout), text(&output.stderr)].concat();
         (output.status.code(), words)
     };
@@ -325,11 +317,8 @@ fn courses_that_contradict_the_case_are_reported() {
 fn teeth_along_their_path() {
     let folder = tempfile::tempdir().unwrap();
     let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/spur-gear-in-time.toml");
-    let output = ertel(
-        &folder,
-        &["solve", case.to_str().unwrap(), "--quiet", "-o", "out"],
-    );
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let output = ertel(&folder, &format!("solve {} --quiet -o out", case.display()));
+    code(&output, 0);
     let result = json(&folder.path().join("out/transient.json"));
     let instants = result["instants"].as_array().unwrap();
     let of = |instant: &serde_json::Value, key: &str| instant[key].as_f64().unwrap();
@@ -379,8 +368,8 @@ fn waves_keep_the_amplitudes_of_venner() {
             .replace("2.2 ms", duration)
             + "\n[output]\nnetcdf = true\n";
         let folder = case_folder(&text_of);
-        let output = ertel(&folder, &["solve", "case.toml", "--output", "out"]);
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let output = ertel(&folder, "solve case.toml --output out");
+        code(&output, 0);
         let out = folder.path().join("out");
         let result = json(&out.join("transient.json"));
         let instants = result["instants"].as_array().unwrap();
@@ -417,9 +406,9 @@ fn waves_keep_the_amplitudes_of_venner() {
 fn fields_of_instants_are_written_on_request() {
     let asked = format!("{BRAKING}\n[output]\nvtu = true\nnetcdf = true\nanimation = true\n");
     let folder = case_folder(&asked);
-    let solve = || ertel(&folder, &["solve", "case.toml", "--output", "out"]);
+    let solve = || ertel(&folder, "solve case.toml --output out");
     let output = solve();
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    code(&output, 0);
     let out = folder.path().join("out");
     let read = |name: &str| std::fs::read(out.join(name)).unwrap();
     let collection = text(&read("fields.pvd")).to_owned();
@@ -442,9 +431,9 @@ fn fields_of_instants_are_written_on_request() {
     assert_eq!([chunks(b"acTL"), chunks(b"fcTL")], [1, 2]);
     let page = text(&read("report.html")).to_owned();
     assert!(page.len() < 2_000_000 && page.contains("\"film_axis\":"));
-    std::fs::write(folder.path().join("case.toml"), BRAKING).unwrap();
+    write(&folder, "case.toml", BRAKING);
     let output = solve();
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    code(&output, 0);
     for name in ["fields.pvd", "fields-001.vtu", "result.nc", "animation.png"] {
         assert!(!out.join(name).exists(), "{name}");
     }

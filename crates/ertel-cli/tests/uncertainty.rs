@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::common::{Workspace, contains};
+use crate::common::{Workspace, code, contains};
 
 const CASE: &str = concat!(
     "[contact]\nkind = \"line\"\nradius = \"10 mm ± 0.5 %\"\nload = \"50 kN/m ± 5 %\"\n",
@@ -20,7 +20,7 @@ fn number(value: &Value) -> f64 {
 #[test]
 fn uncertainty_is_the_root_of_the_sum_of_squares() {
     let workspace = Workspace::new(&[("line.toml", CASE)]);
-    let report = workspace.succeed(&["solve", "line.toml", "--output", "out"]);
+    let report = workspace.succeed("solve line.toml --output out");
     contains(&report, "Uncertainty of the inputs, to first order");
     contains(&report, "Sensitivities: per cent");
     let result = workspace.json("out/result.json");
@@ -49,15 +49,8 @@ fn uncertainty_is_the_root_of_the_sum_of_squares() {
 #[test]
 fn samples_agree_with_the_first_order() {
     let workspace = Workspace::new(&[("line.toml", CASE)]);
-    let run = [
-        "solve",
-        "line.toml",
-        "--output",
-        "out",
-        "--monte-carlo",
-        "120",
-    ];
-    let report = workspace.succeed(&run);
+    let run = "solve line.toml --output out --monte-carlo 120";
+    let report = workspace.succeed(run);
     contains(&report, "120 of 120 samples solved");
     let found = workspace.json("out-monte-carlo/monte-carlo.json");
     for figure in ["film_central", "film_minimum"] {
@@ -71,7 +64,7 @@ fn samples_agree_with_the_first_order() {
         assert!((median / number(&figure["mean"]) - 1.0).abs() < 0.02);
     }
     let text = std::fs::read(workspace.path("out-monte-carlo/monte-carlo.json")).unwrap();
-    workspace.succeed(&run);
+    workspace.succeed(run);
     let again = std::fs::read(workspace.path("out-monte-carlo/monte-carlo.json")).unwrap();
     assert_eq!(text, again);
     assert!(workspace.path("out-monte-carlo/monte-carlo.svg").is_file());
@@ -100,15 +93,7 @@ fn fits_hand_their_uncertainty_on() {
     let oil = "lubricant = \"oil.toml\"\ntemperature = \"75 degC\"\n";
     let case = &[oil, contact, bodies, motion].concat();
     let workspace = Workspace::new(&[("data.csv", &data), ("line.toml", case)]);
-    workspace.succeed(&[
-        "fit",
-        "viscosity",
-        "data.csv",
-        "--law",
-        "roelands",
-        "--output",
-        "oil.toml",
-    ]);
+    workspace.succeed("fit viscosity data.csv --law roelands --output oil.toml");
     let oil = std::fs::read_to_string(workspace.path("oil.toml")).unwrap();
     contains(&oil, " ± ");
     contains(&oil, "[[correlation]]");
@@ -118,7 +103,7 @@ fn fits_hand_their_uncertainty_on() {
         1,
     );
     std::fs::write(workspace.path("oil.toml"), &complete).unwrap();
-    workspace.succeed(&["solve", "line.toml", "--output", "out"]);
+    workspace.succeed("solve line.toml --output out");
     let result = workspace.json("out/result.json");
     // By hand from the entry: relative standard deviations, half of what follows the ±, and the coefficients.
     let relative = |key: &str| {
@@ -186,7 +171,7 @@ fn bad_uncertainties_exit_with_2() {
         ),
     ] {
         let workspace = Workspace::new(&[("line.toml", &CASE.replacen(old, new, 1))]);
-        let output = workspace.ertel(&["solve", "line.toml", "--output", "out"]);
+        let output = workspace.ertel("solve line.toml --output out");
         let error = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{new}: {error}");
         assert!(
@@ -222,20 +207,19 @@ fn bad_uncertainties_exit_with_2() {
         "{CASE}[curve]\nquantity = \"contact.load\"\nvalues = [\"50 kN/m\", \"60 kN/m\"]\n"
     );
     for (text, arguments, part) in [
-        (text, &[][..], "negative variance"),
+        (text, "", "negative variance"),
         (
             certain.clone(),
-            &["--monte-carlo", "20"],
+            "--monte-carlo 20",
             "no input has an uncertainty",
         ),
-        (CASE.to_owned(), &["--monte-carlo", "1"], "from 2 to"),
-        (curve, &["--monte-carlo", "20"], "[curve]"),
+        (CASE.to_owned(), "--monte-carlo 1", "from 2 to"),
+        (curve, "--monte-carlo 20", "[curve]"),
     ] {
         let workspace = Workspace::new(&[("line.toml", &text)]);
-        let all = [&["solve", "line.toml", "--output", "out"], arguments].concat();
-        let output = workspace.ertel(&all);
+        let output = workspace.ertel(&format!("solve line.toml --output out {arguments}"));
         let error = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(2), "{error}");
+        code(&output, 2);
         contains(&error, part);
     }
 }
@@ -250,7 +234,7 @@ fn heat_takes_differences_of_solves() {
         .replace("alpha = \"18 1/GPa\"", "alpha = \"18 1/GPa\", beta = \"0.04 1/K\", reference_temperature = \"60 degC\"")
         + "[thermal]\n";
     let workspace = Workspace::new(&[("line.toml", &heat)]);
-    workspace.succeed(&["solve", "line.toml", "--output", "out"]);
+    workspace.succeed("solve line.toml --output out");
     let result = workspace.json("out/result.json");
     assert_eq!(result["sensitivities_by"], "differences of solves");
     let by = result["sensitivities"]["film_central"].as_object().unwrap();
@@ -259,7 +243,7 @@ fn heat_takes_differences_of_solves() {
     let at = |load: &str| {
         let text = heat.replace("50 kN/m ± 5 %", load);
         std::fs::write(workspace.path("side.toml"), text).unwrap();
-        workspace.succeed(&["solve", "side.toml", "--output", "side"]);
+        workspace.succeed("solve side.toml --output side");
         let result = workspace.json("side/result.json");
         assert!(result["sensitivities"].is_null());
         number(&result["figures"]["traction_coefficient"]["value"])
@@ -277,7 +261,7 @@ fn heat_takes_differences_of_solves() {
 fn neglected_uncertainties_are_reported() {
     let inlet = "[inlet]\nmeniscus_distance = \"0.6 mm ± 5 %\"\n[bodies]";
     let workspace = Workspace::new(&[("line.toml", &CASE.replacen("[bodies]", inlet, 1))]);
-    workspace.succeed(&["solve", "line.toml", "--output", "out"]);
+    workspace.succeed("solve line.toml --output out");
     let result = workspace.json("out/result.json");
     let left_out = &result["sensitivities_left_out"];
     for key in [
@@ -285,12 +269,7 @@ fn neglected_uncertainties_are_reported() {
         "bodies.body_1.youngs_modulus",
         "bodies.body_2.youngs_modulus",
     ] {
-        assert!(
-            left_out[key]
-                .as_str()
-                .is_some_and(|reason| reason.contains("edge")),
-            "{key}"
-        );
+        contains(left_out[key].as_str().unwrap(), "edge");
     }
     let warnings = result["warnings"].as_array().unwrap();
     let is_it = |w: &&Value| {

@@ -5,13 +5,13 @@ use std::process::{Command, Stdio};
 
 use tempfile::TempDir;
 
-use crate::common::{copy, write};
+use crate::common::{copy, read, write};
 
 /// Cases, a curve, studies and measurements.
 fn workspace() -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     copy("tests/good/quick.toml", &folder, "base.toml");
-    let base = std::fs::read_to_string(folder.path().join("base.toml")).unwrap();
+    let base = read(&folder, "base.toml");
     let curve = "[curve]\nquantity = \"contact.load\"\nvalues = [\"20 kN/m\", \"30 kN/m\"]\n";
     write(&folder, "curve.toml", &(base + curve));
     write(

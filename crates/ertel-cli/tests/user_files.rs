@@ -31,7 +31,6 @@ fn what_is_no_ordinary_file_is_refused_at_once() {
     write("deep.toml", &format!("a = {}", "[".repeat(1_000_000)));
     let case = with_table("pipe");
     let table = &case[..case.len() - "pipe\" }\n".len()];
-    let viscosity = ["--law", "barus"];
     for (file, words) in [
         ("/dev/zero", "it is not a regular file"),
         ("pipe", "it is not a regular file"),
@@ -48,17 +47,17 @@ fn what_is_no_ordinary_file_is_refused_at_once() {
         );
         write("roller.toml", &format!("{ROLLER}{VISCOSITY}"));
         let mut commands = vec![
-            vec!["solve", "--check", file],
-            vec!["estimate", file],
-            vec!["sweep", "--dry-run", file],
-            vec!["sweep", "--dry-run", "base.toml"],
+            format!("solve --check {file}"),
+            format!("estimate {file}"),
+            format!("sweep --dry-run {file}"),
+            "sweep --dry-run base.toml".to_owned(),
         ];
         // A table nests nothing, and may be larger.
         if !file.ends_with(".toml") {
-            commands.push(vec!["solve", "--check", "table.toml"]);
-            commands.push(vec!["sweep", "--dry-run", "points.toml"]);
-            commands.push([&["fit", "viscosity", file], &viscosity[..]].concat());
-            commands.push(vec!["fit", "film", file]);
+            commands.push("solve --check table.toml".to_owned());
+            commands.push("sweep --dry-run points.toml".to_owned());
+            commands.push(format!("fit viscosity {file} --law barus"));
+            commands.push(format!("fit film {file}"));
         }
         for command in commands {
             let start = Instant::now();
@@ -104,33 +103,17 @@ fn control_characters_do_not_reach_the_terminal() {
         "pressure_MPa,temperature_K,viscosity_cP\n1,300,\u{1b}[2J\n",
     );
     for (command, code, words) in [
-        (
-            vec!["solve", "--check", "esc.toml"],
-            2,
-            "\\u001b]0;pwned\\u0007",
-        ),
-        (vec!["solve", "--check", "key.toml"], 2, "`a\\u001b[2J`"),
-        (
-            vec!["solve", "--check", "value.toml"],
-            2,
-            "\\u001b]0;x\\u0007mm",
-        ),
-        (vec!["solve", "--check", "name.toml"], 2, "st\\u009b2Jeel"),
-        (
-            vec!["solve", "--check", "no\u{1b}[2J.toml"],
-            2,
-            "no\\u001b[2J.toml",
-        ),
-        (
-            vec!["fit", "viscosity", "p.csv", "--law", "barus"],
-            2,
-            "`\\u001b[2J`",
-        ),
-        (vec!["fluids", "show", "a\u{1b}[2J"], 2, "a\\u001b[2J"),
-        (vec!["estimate", "title.toml"], 0, ""),
-        (vec!["estimate", "--json", "title.toml"], 0, ""),
+        ("solve --check esc.toml", 2, "\\u001b]0;pwned\\u0007"),
+        ("solve --check key.toml", 2, "`a\\u001b[2J`"),
+        ("solve --check value.toml", 2, "\\u001b]0;x\\u0007mm"),
+        ("solve --check name.toml", 2, "st\\u009b2Jeel"),
+        ("solve --check 'no\u{1b}[2J.toml'", 2, "no\\u001b[2J.toml"),
+        ("fit viscosity p.csv --law barus", 2, "`\\u001b[2J`"),
+        ("fluids show 'a\u{1b}[2J'", 2, "a\\u001b[2J"),
+        ("estimate title.toml", 0, ""),
+        ("estimate --json title.toml", 0, ""),
     ] {
-        let output = ertel(folder, &command);
+        let output = ertel(folder, command);
         let error = stderr(&output);
         assert_eq!(output.status.code(), Some(code), "{command:?}: {error}");
         assert!(error.contains(words), "{command:?}: {error}");
@@ -194,12 +177,12 @@ fn data_at_fault_are_no_fit() {
         ),
     ] {
         std::fs::write(folder.join("d.csv"), &text).unwrap();
-        let mut command = vec!["fit", kind, "d.csv"];
-        command.extend(if law.is_empty() {
-            ["--form", "speed"]
+        let option = if law.is_empty() {
+            "--form speed".to_owned()
         } else {
-            ["--law", law]
-        });
+            format!("--law {law}")
+        };
+        let command = format!("fit {kind} d.csv {option}");
         let output = ertel(folder, &command);
         let error = stderr(&output);
         assert_eq!(output.status.code(), Some(2), "{command:?}: {error}");
@@ -251,12 +234,12 @@ fn all_tables_take_the_same_spellings() {
         write("t.csv", &spelling(table));
         write("p.csv", &spelling(points));
         let commands = [
-            vec!["estimate", "--json", "case.toml"],
-            vec!["fit", "viscosity", "t.csv", "--law", "barus"],
-            vec!["sweep", "--dry-run", "study.toml"],
+            "estimate --json case.toml",
+            "fit viscosity t.csv --law barus",
+            "sweep --dry-run study.toml",
         ];
         results.push(commands.map(|command| {
-            let output = ertel(folder, &command);
+            let output = ertel(folder, command);
             let error = stderr(&output);
             assert_eq!(output.status.code(), Some(0), "{command:?}: {error}");
             String::from_utf8(output.stdout).unwrap()
@@ -269,11 +252,8 @@ fn all_tables_take_the_same_spellings() {
     let twice =
         "temperature [degC], pressure [MPa], viscosity [mPa.s], viscosity [Pa.s]\n40,0,40,7\n";
     write("t.csv", twice);
-    for command in [
-        vec!["solve", "--check", "case.toml"],
-        vec!["fit", "viscosity", "t.csv", "--law", "barus"],
-    ] {
-        let output = ertel(folder, &command);
+    for command in ["solve --check case.toml", "fit viscosity t.csv --law barus"] {
+        let output = ertel(folder, command);
         let error = stderr(&output);
         assert_eq!(output.status.code(), Some(2), "{command:?}");
         contains(

@@ -1,18 +1,15 @@
 //! `ertel validate` end to end: table, page and exit codes.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 
-use crate::common::{contains, stderr_of, text};
+use crate::common::{code, contains, ertel_here, stderr_of, text};
 
-fn validate(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .arg("validate")
-        .args(arguments)
-        .arg("--folder")
-        .arg(folder)
-        .output()
-        .unwrap()
+fn validate(folder: &Path, arguments: &str) -> Output {
+    ertel_here(&format!(
+        "validate {arguments} --folder {}",
+        folder.display()
+    ))
 }
 
 fn studies() -> PathBuf {
@@ -39,8 +36,8 @@ fn study(value: f64) -> tempfile::TempDir {
 fn a_comparison_that_does_not_hold_exits_with_1() {
     let folder = study(1.0);
     let table = folder.path().join("all.csv");
-    let output = validate(folder.path(), &["--table", table.to_str().unwrap()]);
-    assert_eq!(output.status.code(), Some(1));
+    let output = validate(folder.path(), &format!("--table {}", table.display()));
+    code(&output, 1);
     let all = (text(&output.stdout).lines())
         .find(|l| l.trim_start().starts_with("all "))
         .unwrap();
@@ -59,14 +56,9 @@ fn a_study_that_holds_exits_with_0_and_makes_a_page() {
     let docs = docs.path().join("docs");
     let output = validate(
         &studies(),
-        &[
-            "penalty-scaling",
-            "--quick",
-            "--write",
-            docs.to_str().unwrap(),
-        ],
+        &format!("penalty-scaling --quick --write {}", docs.display()),
     );
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stdout));
+    code(&output, 0);
     let table = text(&output.stdout);
     contains(table, "film 1e4, normal");
     assert!(
@@ -89,34 +81,32 @@ fn writing_one_study_keeps_the_sections_of_others() {
     }
     let docs = folder.path().join("docs");
     let page = docs.join("validation.md");
-    let written = |names: &[&str]| {
-        let mut arguments = names.to_vec();
-        arguments.extend(["--write", docs.to_str().unwrap()]);
-        validate(folder.path(), &arguments);
+    let written = |names: &str| {
+        validate(
+            folder.path(),
+            &format!("{names} --write {}", docs.display()),
+        );
         std::fs::read_to_string(&page).unwrap()
     };
-    let whole = written(&[]);
+    let whole = written("");
     let marked = whole.replace("made-up value", "value by hand");
     assert_eq!(marked.matches("by hand").count(), 2);
     std::fs::write(&page, &marked).unwrap();
-    let spliced = written(&["roller"]);
+    let spliced = written("roller");
     let (roller, second) = spliced.split_once("[validation/second]").unwrap();
     assert!(roller.contains("Source: a made-up value. Cases and remarks: [validation/roller]"));
     assert!(
         roller.ends_with("Source: a value by hand. Cases and remarks: ") && second.contains("H_c")
     );
     assert_eq!(spliced.lines().count(), whole.lines().count());
-    assert_eq!(written(&[]), whole);
+    assert_eq!(written(""), whole);
 }
 
 #[test]
 fn unknown_studies_and_bad_references_exit_with_2() {
-    let error = stderr_of(validate(&studies(), &["table-9-9"]), 2);
+    let error = stderr_of(validate(&studies(), "table-9-9"), 2);
     assert!(error.contains("table-3-4"), "lists them");
-    assert_eq!(
-        validate(Path::new("no/such/folder"), &[]).status.code(),
-        Some(2)
-    );
+    code(&validate(Path::new("no/such/folder"), ""), 2);
     let folder = study(1.0);
     let path = folder.path().join("roller/reference.toml");
     let reference = std::fs::read_to_string(&path).unwrap();
@@ -130,7 +120,7 @@ fn unknown_studies_and_bad_references_exit_with_2() {
         ("reason", "runs = [\"ball\"]\nreason"),
     ] {
         std::fs::write(&path, reference.replace(good, bad)).unwrap();
-        let output = validate(folder.path(), &[]);
+        let output = validate(folder.path(), "");
         assert_eq!(output.status.code(), Some(2), "{bad}");
         assert!(text(&output.stderr).contains("reference.toml") || bad == "no-case.toml");
     }
@@ -147,7 +137,7 @@ fn stated_efforts_are_updated() {
         "quick = true\nnewton_iterations =  3000 # of the coarse mesh\n",
     );
     std::fs::write(&path, &before).unwrap();
-    let output = validate(folder.path(), &["--update"]);
+    let output = validate(folder.path(), "--update");
     let shown = text(&output.stdout);
     contains(shown, "- newton_iterations = 3000\n+ newton_iterations = ");
     let after = std::fs::read_to_string(&path).unwrap();
@@ -168,7 +158,7 @@ fn stated_efforts_are_updated() {
         after.replace(&line(&after), ""),
         before.replace(&line(&before), "")
     );
-    let again = validate(folder.path(), &["--update"]);
+    let again = validate(folder.path(), "--update");
     assert!(!text(&again.stdout).contains("+ newton_iterations"));
     assert_eq!(std::fs::read_to_string(&path).unwrap(), after);
 }

@@ -4,24 +4,26 @@ use ertel::warning::WarningKind;
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::common::{contains, ertel, ertel_here, read, solve, stderr, stderr_of, stdout, write};
+use crate::common::{
+    code, contains, ertel, ertel_here, read, solve, stderr, stderr_of, stdout, write,
+};
 
 #[test]
 fn codes_are_explained() {
-    let list = ertel_here(&["explain"]);
-    assert_eq!(list.status.code(), Some(0));
+    let list = ertel_here("explain");
+    code(&list, 0);
     for kind in WarningKind::ALL {
         let is_it = |line: &&str| line.starts_with(&format!("  {kind} "));
         assert_eq!(stdout(&list).lines().filter(is_it).count(), 1, "{kind}");
     }
     // As a message shows it.
     for code in ["friction", "[friction]"] {
-        let text = ertel_here(&["explain", code]);
+        let text = ertel_here(&format!("explain {code}"));
         for words in ["0.15", "Johnson", "shear_thinning", "not possible"] {
             contains(stdout(&text), words);
         }
     }
-    let error = stderr_of(ertel_here(&["explain", "fricton"]), 2);
+    let error = stderr_of(ertel_here("explain fricton"), 2);
     contains(&error, "the codes are unusual-input, ");
 }
 
@@ -42,12 +44,12 @@ const BOTH: &str = "silence = [\"law-range\", \"opposite-motion\"]";
 #[test]
 fn silenced_warnings_are_not_shown_but_counted() {
     let folder = case("");
-    let shown = stderr(&ertel(&folder, &["solve", "case.toml", "--check"])).to_owned();
+    let shown = stderr(&ertel(&folder, "solve case.toml --check")).to_owned();
     contains(&shown, "[law-range]");
     contains(&shown, "[opposite-motion]");
     let folder = case(BOTH);
-    let output = ertel(&folder, &["solve", "case.toml", "--check"]);
-    assert_eq!(output.status.code(), Some(0));
+    let output = ertel(&folder, "solve case.toml --check");
+    code(&output, 0);
     let shown = stderr(&output);
     assert!(
         !shown.contains("law-range") && !shown.contains("opposite-motion"),
@@ -55,13 +57,7 @@ fn silenced_warnings_are_not_shown_but_counted() {
     );
     solve(
         &folder,
-        &[
-            "case.toml",
-            "--output",
-            "out",
-            "--quiet",
-            "--accept-unresolved",
-        ],
+        "case.toml --output out --quiet --accept-unresolved",
     );
     let result: Value = serde_json::from_str(&read(&folder, "out/result.json")).unwrap();
     assert_eq!(result["silenced"]["law-range"], 1);
@@ -80,7 +76,7 @@ fn unknown_codes_and_unusable_figures_are_refused() {
         ("friction", "cannot be silenced"),
     ] {
         let folder = case(&format!("silence = [\"{code}\"]"));
-        let shown = stderr_of(ertel(&folder, &["solve", "case.toml", "--check"]), 2);
+        let shown = stderr_of(ertel(&folder, "solve case.toml --check"), 2);
         contains(&shown, words);
         contains(&shown, "case.toml:22");
     }
@@ -90,6 +86,6 @@ fn unknown_codes_and_unusable_figures_are_refused() {
 #[test]
 fn a_case_without_ending_is_named() {
     let folder = case("");
-    let error = stderr_of(ertel(&folder, &["solve", "case", "--check"]), 2);
+    let error = stderr_of(ertel(&folder, "solve case --check"), 2);
     contains(&error, "did you mean case.toml?");
 }
