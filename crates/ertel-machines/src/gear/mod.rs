@@ -36,12 +36,10 @@ pub mod safety;
 #[cfg(test)]
 mod test_data;
 
-pub use flash::{Flash, FlashMethod, ThermalBody, flash};
+pub use flash::{ThermalBody, flash};
 pub use geometry::{
     BasicRack, GearDimensions, GearError, GearPair, GearWarning, LinePoints, Member, Meshing,
     Relief, ReliefShape, TipAlteration,
 };
 pub use loss::MeshLoss;
-pub use path::{
-    Buttressing, LoadSharing, Operation, PathLabel, PathParams, PathPoint, ToothStiffness,
-};
+pub use path::{LoadSharing, Operation, PathLabel, PathParams, PathPoint, ToothStiffness};

@@ -8,7 +8,6 @@ mod designation;
 mod dimensions;
 mod internal;
 mod series;
-mod tapered;
 
 pub use clearance::{ClearanceClass, radial_clearance};
 pub use designation::{Designation, DesignationError, all};

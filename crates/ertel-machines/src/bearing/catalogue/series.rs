@@ -1,6 +1,6 @@
 //! Series of bearings, and what they are called elsewhere.
 
-use super::{Boundary, Special, dimensions as table, tapered};
+use super::{Boundary, Special};
 use crate::bearing::friction::{PalmgrenSeries, SkfSeries};
 
 /// Series of the catalogue.
@@ -83,26 +83,19 @@ impl Series {
         }
     }
 
-    /// Rows of bore code, d, D and B (mm), and further dimensions.
-    fn rows(self) -> Vec<Vec<f64>> {
-        fn all<const N: usize>(rows: &[[f64; N]]) -> Vec<Vec<f64>> {
-            rows.iter().map(|row| row.to_vec()).collect()
-        }
-        match self {
-            Series::DeepGroove60 => all(&table::DEEP_GROOVE_60),
-            Series::DeepGroove62 => all(&table::DEEP_GROOVE_62),
-            Series::DeepGroove63 => all(&table::DEEP_GROOVE_63),
-            Series::Angular72B => all(&table::ANGULAR_72B),
-            Series::Angular73B => all(&table::ANGULAR_73B),
-            Series::CylindricalNu10 => all(&table::CYLINDRICAL_NU10),
-            Series::CylindricalNu2 => all(&table::CYLINDRICAL_NU2),
-            Series::CylindricalNu3 => all(&table::CYLINDRICAL_NU3),
-            Series::Tapered302 => all(&tapered::TAPERED_302),
-            Series::Tapered303 => all(&tapered::TAPERED_303),
-            Series::Tapered320X => all(&tapered::TAPERED_320X),
-            Series::Tapered322 => all(&tapered::TAPERED_322),
-            Series::Tapered323 => all(&tapered::TAPERED_323),
-        }
+    /// Rows of `dimensions.csv`: bore code, d, D and B (mm), further dimensions, C and C_0 (kN).
+    fn rows(self) -> impl Iterator<Item = Vec<f64>> {
+        let series = self.affixes().concat();
+        let lines = include_str!("dimensions.csv").lines();
+        lines.filter_map(move |line| {
+            let numbers = line.strip_prefix(&series)?.strip_prefix(',')?;
+            Some(
+                numbers
+                    .split(',')
+                    .map(|number| number.parse().expect("a number"))
+                    .collect(),
+            )
+        })
     }
 
     /// Nominal contact angle of ratings, rad; `None` of tapered roller bearings, whose angles differ.
@@ -160,11 +153,11 @@ impl Series {
 
     /// Bore codes of the catalogue.
     pub fn codes(self) -> impl Iterator<Item = u8> {
-        self.rows().into_iter().map(|row| row[0] as u8)
+        self.rows().map(|row| row[0] as u8)
     }
 
     fn row(self, code: u8) -> Option<Vec<f64>> {
-        (self.rows().into_iter()).find(|row| row[0] == f64::from(code))
+        self.rows().find(|row| row[0] == f64::from(code))
     }
 
     /// Dimensions of a bore code.

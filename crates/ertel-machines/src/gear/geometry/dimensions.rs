@@ -49,8 +49,6 @@ pub enum TipAlteration {
     None,
     /// The tip clearance of the basic rack is kept: k = (a_w − a)/m_n − (x_1 + x_2).
     KeepClearance,
-    /// k as given.
-    Given(f64),
 }
 
 /// The curve of a tip relief.
@@ -180,14 +178,6 @@ impl GearDimensions {
                 "profile shift coefficient",
                 shift,
                 shift.abs() <= 10.0,
-                "from −10 to 10",
-            )?;
-        }
-        if let TipAlteration::Given(k) = self.tip_alteration {
-            in_range(
-                "tip alteration coefficient",
-                k,
-                k.abs() <= 10.0,
                 "from −10 to 10",
             )?;
         }

@@ -115,7 +115,6 @@ impl GearPair {
             TipAlteration::KeepClearance => {
                 (centre_distance - reference_distance) / module - (shifts[0] + shifts[1])
             }
-            TipAlteration::Given(k) => k,
         };
         let rack = dimensions.basic_rack;
         let signs = [1.0, sign];

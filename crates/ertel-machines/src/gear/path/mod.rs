@@ -13,6 +13,6 @@ mod tooth;
 pub use lines::{line_length, mean_line_length};
 pub use operation::Operation;
 pub use point::{PathLabel, PathParams, PathPoint};
+pub use sharing::LoadSharing;
 pub(crate) use sharing::Sharing;
-pub use sharing::{Buttressing, LoadSharing};
 pub use stiffness::{ToothStiffness, iso_single_stiffness};

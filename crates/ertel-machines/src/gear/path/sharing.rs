@@ -3,17 +3,7 @@
 use super::lines::{line_length, others};
 use super::stiffness::StiffnessCurve;
 use super::{Operation, ToothStiffness};
-use crate::gear::geometry::{GearError, GearPair, in_range};
-
-/// Extra load near the ends of the contact lines of helical teeth, which adjacent material supports: a factor that falls linearly from the ends of the
-/// path to 1 over a length.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Buttressing {
-    /// Factor at A and E; 1 or more.
-    pub factor: f64,
-    /// Length along the path, m.
-    pub length: f64,
-}
+use crate::gear::geometry::{GearError, GearPair};
 
 /// The law of load sharing: X in w = X F_bt/b, the load per length of contact line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,11 +13,8 @@ pub enum LoadSharing {
     /// X = 1/3 at A, linear to 2/3 at B, 1 from B to D, linear from 2/3 at D to 1/3 at E: straight teeth with 1 ≤ ε_α < 2 without relief.
     /// Source: ISO/TR 15144-1.
     Thirds,
-    /// Over the mean length of the contact lines: X = 1/ε_α, times the factor of buttressing. Source: ISO 6336-2 for ε_β ≥ 1.
-    MeanLength {
-        /// Extra load near the ends.
-        buttressing: Option<Buttressing>,
-    },
+    /// Over the mean length of the contact lines: X = 1/ε_α. Source: ISO 6336-2 for ε_β ≥ 1.
+    MeanLength,
     /// By the stiffness of the pairs: they approach each other by the same δ, less the reliefs C(s), in slices across the face that do not support each other.
     ///
     /// w(s) = c'(s) (δ − C(s)) where positive,  Σ_pairs ∫ w dy = F_bt
@@ -57,19 +44,13 @@ impl<'a> Sharing<'a> {
     ) -> Result<Sharing<'a>, GearError> {
         let mut stiffness = None;
         match law {
-            LoadSharing::Uniform => {}
+            LoadSharing::Uniform | LoadSharing::MeanLength => {}
             LoadSharing::Thirds => {
                 if pair.base_helix_angle != 0.0 || pair.contact_ratio >= 2.0 {
                     return Err(GearError::Sharing {
                         law: "by thirds",
                         requirement: "straight teeth and contact ratios below 2",
                     });
-                }
-            }
-            LoadSharing::MeanLength { buttressing } => {
-                if let Some(Buttressing { factor, length }) = buttressing {
-                    in_range("buttressing factor", factor, factor >= 1.0, "1 or more")?;
-                    in_range("buttressing length", length, length > 0.0, "positive")?;
                 }
             }
             LoadSharing::Stiffness(model) => stiffness = Some(model.curve(pair, operation)?),
@@ -92,14 +73,7 @@ impl<'a> Sharing<'a> {
                 pair.face_width / (length * pair.base_helix_angle.cos())
             }
             LoadSharing::Thirds => thirds(pair, s),
-            LoadSharing::MeanLength { buttressing } => {
-                let extra = buttressing.map_or(1.0, |buttressing| {
-                    let from_end = (s - pair.points.a).min(pair.points.e - s).max(0.0);
-                    let fade = (1.0 - from_end / buttressing.length).max(0.0);
-                    1.0 + (buttressing.factor - 1.0) * fade
-                });
-                extra / pair.contact_ratio
-            }
+            LoadSharing::MeanLength => 1.0 / pair.contact_ratio,
             LoadSharing::Stiffness(_) => self.stiffness.as_ref().map_or(0.0, |stiffness| {
                 let approach = self.approach(stiffness, s, y);
                 stiffness.at(s) * (approach - pair.relief(s)).max(0.0) / self.load

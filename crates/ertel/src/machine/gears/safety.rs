@@ -1,7 +1,7 @@
 //! Temperatures of flanks, and safety against scuffing and micropitting.
 
 use ertel_machines::gear::safety::{micropitting, scuffing};
-use ertel_machines::gear::{FlashMethod, PathPoint, ThermalBody};
+use ertel_machines::gear::{PathPoint, ThermalBody};
 
 use super::super::contacts::Values;
 use super::super::curve::Curve;
@@ -128,7 +128,7 @@ pub(in crate::machine) fn blok_rise(
     friction: Marked,
     teeth: [ThermalBody; 2],
 ) -> Marked {
-    let rise = |mu: f64| at.flash(mu, teeth, FlashMethod::AnySpeed).rise;
+    let rise = |mu: f64| at.flash(mu, teeth);
     Marked {
         value: rise(friction.value.abs()),
         error: friction.error.map(rise),

@@ -64,7 +64,7 @@ pub(super) fn read(table: &mut Table<'_>) -> Result<Option<LoadSharing>, InputEr
         None => None,
         Some(Law::Uniform) => Some(LoadSharing::Uniform),
         Some(Law::Thirds) => Some(LoadSharing::Thirds),
-        Some(Law::MeanLength) => Some(LoadSharing::MeanLength { buttressing: None }),
+        Some(Law::MeanLength) => Some(LoadSharing::MeanLength),
         Some(Law::Stiffness) => Some(LoadSharing::Stiffness(match stiffness {
             Some(stiffness) => ToothStiffness::Given(stiffness),
             None => ToothStiffness::Iso6336 {
@@ -91,7 +91,7 @@ pub(super) fn name(law: LoadSharing) -> &'static str {
     match law {
         LoadSharing::Uniform => "even over all contact lines of the moment",
         LoadSharing::Thirds => "1/3 to 2/3 with two pairs, 1 with one: ISO/TR 15144-1",
-        LoadSharing::MeanLength { .. } => "over the mean length of the contact lines: ISO 6336-2",
+        LoadSharing::MeanLength => "over the mean length of the contact lines: ISO 6336-2",
         LoadSharing::Stiffness(ToothStiffness::Given(_)) => {
             "by the stiffness of the teeth as given"
         }
