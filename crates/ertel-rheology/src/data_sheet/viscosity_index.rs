@@ -2,7 +2,7 @@
 //!
 //! Theory: Viscosity index.
 
-use super::index_table::{H, L, row};
+use super::index_table::{L_AND_H, row};
 
 /// Viscosity index (ASTM D2270) from the kinematic viscosities `nu_40` and `nu_100` (m²/s) at 40 and 100 degC; `None`
 /// below 2 mm²/s at 100 degC, where it is not defined.
@@ -72,7 +72,8 @@ fn reference_oils(y: f64) -> Option<(f64, f64)> {
     if y.is_nan() || y < 2.0 - 1e-9 {
         return None;
     }
-    let last = L.len() - 1;
+    let [l, h] = &*L_AND_H;
+    let last = l.len() - 1;
     if y > row(last) {
         return Some((
             (0.8353 * y + 14.67) * y - 216.0,
@@ -82,7 +83,7 @@ fn reference_oils(y: f64) -> Option<(f64, f64)> {
     let i = (0..last).rfind(|i| row(*i) <= y).unwrap_or(0);
     let share = (y - row(i)) / (row(i + 1) - row(i));
     let between = |column: &[f64]| column[i] + share * (column[i + 1] - column[i]);
-    Some((between(&L), between(&H)))
+    Some((between(l), between(h)))
 }
 
 #[cfg(test)]
@@ -111,16 +112,17 @@ mod tests {
 
     #[test]
     fn the_table_meets_the_equations() {
-        let last = L.len() - 1;
+        let [of_l, of_h] = &*L_AND_H;
+        let last = of_l.len() - 1;
         assert_eq!(
             (row(0), row(180), row(230), row(last)),
             (2.0, 20.0, 30.0, 70.0)
         );
         let (l, h) = reference_oils(70.000001).unwrap();
-        assert_relative_eq!(l, L[last], max_relative = 1e-3);
-        assert_relative_eq!(h, H[last], max_relative = 1e-3);
+        assert_relative_eq!(l, of_l[last], max_relative = 1e-3);
+        assert_relative_eq!(h, of_h[last], max_relative = 1e-3);
         // Both columns grow, and smoothly: no entry is off its neighbours' line by more than 1 %.
-        for column in [&L, &H] {
+        for column in [of_l, of_h] {
             for i in 1..last {
                 let share = (row(i) - row(i - 1)) / (row(i + 1) - row(i - 1));
                 let line = column[i - 1] + share * (column[i + 1] - column[i - 1]);
