@@ -4,10 +4,11 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
+use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
 /// A reader of files that users give.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum Target {
     /// A case file: read, checked, estimated, its problem set up.
@@ -61,62 +62,10 @@ pub enum Target {
 }
 
 impl Target {
-    /// All of them.
-    pub const ALL: [Target; 24] = [
-        Target::Case,
-        Target::Solve,
-        Target::Study,
-        Target::Points,
-        Target::Table,
-        Target::FitViscosity,
-        Target::FitDensity,
-        Target::FitFilm,
-        Target::Measured,
-        Target::Journal,
-        Target::Machine,
-        Target::Settings,
-        Target::Answers,
-        Target::OwnData,
-        Target::StudyList,
-        Target::CurveResult,
-        Target::View,
-        Target::Python,
-        Target::Web,
-        Target::Surface,
-        Target::X3p,
-        Target::Course,
-        Target::Checkpoint,
-        Target::Read,
-    ];
-
     /// Its name on the command line and in findings.
-    pub fn name(self) -> &'static str {
-        match self {
-            Target::Case => "case",
-            Target::Solve => "solve",
-            Target::Study => "study",
-            Target::Points => "points",
-            Target::Table => "table",
-            Target::FitViscosity => "fit-viscosity",
-            Target::FitDensity => "fit-density",
-            Target::FitFilm => "fit-film",
-            Target::Measured => "measured",
-            Target::Journal => "journal",
-            Target::Machine => "machine",
-            Target::Settings => "settings",
-            Target::Answers => "answers",
-            Target::OwnData => "own-data",
-            Target::StudyList => "study-list",
-            Target::CurveResult => "curve-result",
-            Target::View => "view",
-            Target::Python => "python",
-            Target::Web => "web",
-            Target::Surface => "surface",
-            Target::X3p => "x3p",
-            Target::Course => "course",
-            Target::Checkpoint => "checkpoint",
-            Target::Read => "read",
-        }
+    pub fn name(self) -> String {
+        let value = self.to_possible_value().expect("no target is skipped");
+        value.get_name().to_owned()
     }
 
     /// Share of the inputs: what users write by hand and what is quick comes more often.
@@ -127,25 +76,19 @@ impl Target {
             Target::Study => 50,
             Target::Points => 100,
             Target::Table => 150,
-            Target::FitViscosity => 30,
-            Target::FitDensity => 40,
-            Target::FitFilm => 15,
-            Target::Measured => 60,
-            Target::Journal => 40,
-            Target::Machine => 80,
-            Target::Settings => 60,
+            Target::FitViscosity | Target::StudyList | Target::CurveResult | Target::Python => 30,
+            Target::FitDensity | Target::Journal | Target::View => 40,
+            Target::FitFilm | Target::Checkpoint => 15,
             Target::Answers => 10,
-            Target::OwnData => 60,
-            Target::StudyList => 30,
-            Target::CurveResult => 30,
-            Target::View => 40,
-            Target::Python => 30,
-            Target::Web => 60,
-            Target::Surface => 60,
-            Target::X3p => 60,
-            Target::Course => 60,
-            Target::Checkpoint => 15,
-            Target::Read => 60,
+            Target::Machine => 80,
+            Target::Measured
+            | Target::Settings
+            | Target::OwnData
+            | Target::Web
+            | Target::Surface
+            | Target::X3p
+            | Target::Course
+            | Target::Read => 60,
         }
     }
 

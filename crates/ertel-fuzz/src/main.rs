@@ -26,7 +26,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use clap::Parser;
+use clap::{Parser, ValueEnum};
 
 use input::{Target, scratch};
 use seeds::Seeds;
@@ -90,7 +90,7 @@ fn run(args: &Args) -> io::Result<bool> {
     }
     let seeds = Seeds::read(&root())?;
     let targets = match args.target.is_empty() {
-        true => Target::ALL.to_vec(),
+        true => Target::value_variants().to_vec(),
         false => args.target.clone(),
     };
     let time = match (args.seconds, args.inputs) {

@@ -78,7 +78,7 @@ fn repeat(folder: &Path, target: Target, limit: Duration) -> io::Result<Option<D
     command
         .arg("--repeat")
         .arg(folder)
-        .args(["--target", target.name(), "--json"]);
+        .args(["--target", &target.name(), "--json"]);
     let mut child = command
         .stdout(Stdio::piped())
         .stderr(Stdio::null())

@@ -5,6 +5,7 @@ use std::io;
 use std::panic::catch_unwind;
 use std::path::{Path, PathBuf};
 
+use clap::ValueEnum;
 use fastrand::Rng;
 
 use crate::bad::bad_cases;
@@ -242,7 +243,7 @@ fn add_tables(path: &Path, input: &mut Input) -> io::Result<()> {
 /// Files that cannot be read.
 pub fn corpus(root: &Path) -> io::Result<Vec<Input>> {
     let mut inputs = Vec::new();
-    for target in Target::ALL {
+    for target in Target::value_variants().iter().copied() {
         let folder = root.join("crates/ertel-fuzz/corpus").join(target.name());
         if !folder.is_dir() {
             continue;

@@ -106,7 +106,7 @@ pub fn supervise(seeds: &Seeds, plan: &Plan) -> io::Result<Summary> {
             command.args(["--seconds", &left.as_secs_f64().to_string()]);
         }
         for target in &plan.targets {
-            command.args(["--target", target.name()]);
+            command.args(["--target", &target.name()]);
         }
         // The output of an abort is reported as a finding.
         let mut worker = command
