@@ -129,50 +129,24 @@ fn brackets(title: &str) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// Spellings of units in titles that a quantity does not have, in small letters, and what is meant.
-const SPELLINGS: [(&[&str], &str); 10] = [
+/// Spellings of units in titles that a quantity does not have, in small letters and separated by commas, and what is meant.
+const SPELLINGS: [(&str, &str); 10] = [
+    ("-, –, —, none, dimensionless, unitless, ohne", ""),
     (
-        &["-", "–", "—", "none", "dimensionless", "unitless", "ohne"],
-        "",
-    ),
-    (
-        &[
-            "° c",
-            "deg c",
-            "deg. c",
-            "grad c",
-            "degrees c",
-            "celsius",
-            "°celsius",
-            "grad celsius",
-            "oc",
-            "ºc",
-            "degc",
-            "°c",
-            "˚c",
-        ],
+        "° c, deg c, deg. c, grad c, degrees c, celsius, °celsius, grad celsius, oc, ºc, degc, °c, ˚c",
         "degC",
     ),
     (
-        &[
-            "° f",
-            "deg f",
-            "deg. f",
-            "degrees f",
-            "fahrenheit",
-            "ºf",
-            "degf",
-            "°f",
-        ],
+        "° f, deg f, deg. f, degrees f, fahrenheit, ºf, degf, °f",
         "degF",
     ),
-    (&["kelvin"], "K"),
-    (&["mpas", "mpa-s", "m pas", "mpa sec", "mpa.sec"], "mPa.s"),
-    (&["cps", "cp", "centipoise"], "cP"),
-    (&["cst", "centistokes"], "cSt"),
-    (&["micron", "microns", "µ", "μ"], "um"),
-    (&["pct", "percent", "prozent"], "%"),
-    (&["newton", "newtons"], "N"),
+    ("kelvin", "K"),
+    ("mpas, mpa-s, m pas, mpa sec, mpa.sec", "mPa.s"),
+    ("cps, cp, centipoise", "cP"),
+    ("cst, centistokes", "cSt"),
+    ("micron, microns, µ, μ", "um"),
+    ("pct, percent, prozent", "%"),
+    ("newton, newtons", "N"),
 ];
 
 /// The unit that a text of a title means.
@@ -193,7 +167,7 @@ pub(super) fn unit_of(text: &str) -> Option<NamedUnit> {
         "MPas" | "CP" | "PaS" => None,
         _ => SPELLINGS
             .iter()
-            .find(|(spellings, _)| spellings.contains(&small.as_str()))
+            .find(|(spellings, _)| spellings.split(", ").any(|own| own == small))
             .map(|(_, unit)| *unit),
     };
     if let Some(unit) = spelling {
