@@ -53,6 +53,24 @@ pub struct Series {
     pub side: Side,
 }
 
+impl Series {
+    /// A series on the left axis.
+    pub fn new(
+        label: impl Into<String>,
+        points: Vec<[f64; 2]>,
+        look: Look,
+        colour: impl Into<String>,
+    ) -> Series {
+        Series {
+            label: label.into(),
+            points,
+            look,
+            colour: colour.into(),
+            side: Side::Left,
+        }
+    }
+}
+
 /// Vertical bars through points, for what is not certain.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ErrorBars {

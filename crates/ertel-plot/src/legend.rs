@@ -205,7 +205,6 @@ pub(crate) fn crosses([a, b]: &[[f64; 2]; 2], from: [f64; 2], to: [f64; 2]) -> b
 #[cfg(test)]
 mod tests {
     use super::super::chart::{ErrorBars, PALETTE};
-    use super::super::frame::Side;
     use super::*;
 
     const FRAME: Frame = Frame {
@@ -228,13 +227,12 @@ mod tests {
         let mut chart = Chart::new("", Axis::linear("", 0.0, 1.0), Axis::linear("", 0.0, 1.0));
         for (i, curve) in curves.iter().enumerate() {
             let points = (0..=50).map(|k| f64::from(k) / 50.0);
-            chart.series.push(Series {
-                label: format!("a curve of some name {i}"),
-                points: points.map(|x| [x, curve(x)]).collect(),
-                look: Look::LineAndDots,
-                colour: PALETTE[i % PALETTE.len()].to_owned(),
-                side: Side::Left,
-            });
+            chart.series.push(Series::new(
+                format!("a curve of some name {i}"),
+                points.map(|x| [x, curve(x)]).collect(),
+                Look::LineAndDots,
+                PALETTE[i % PALETTE.len()],
+            ));
         }
         chart
     }

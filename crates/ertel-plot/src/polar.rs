@@ -155,13 +155,7 @@ impl Polar {
 
     /// Series of this look and colour.
     pub fn add(&mut self, label: &str, points: Vec<[f64; 2]>, look: Look, colour: &str) {
-        self.series.push(Series {
-            label: label.to_owned(),
-            points,
-            look,
-            colour: colour.to_owned(),
-            ..Series::default()
-        });
+        self.series.push(Series::new(label, points, look, colour));
     }
 }
 

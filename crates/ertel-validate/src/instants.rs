@@ -42,13 +42,7 @@ pub(super) fn panels(
                     colour: PALETTE[0].into(),
                     ..Series::default()
                 },
-                Series {
-                    label: "published".into(),
-                    points: one.points.clone(),
-                    look: Look::Circles,
-                    colour: PALETTE[1].into(),
-                    ..Series::default()
-                },
+                Series::new("published", one.points.clone(), Look::Circles, PALETTE[1]),
             ];
             Some(chart)
         })

@@ -134,26 +134,24 @@ impl Picture {
             } else {
                 points
             };
-            series.push(Series {
-                label: run.name.clone(),
+            series.push(Series::new(
+                run.name.clone(),
                 points,
-                look: if series.len() % 2 == 0 {
+                if series.len() % 2 == 0 {
                     Look::Line
                 } else {
                     Look::Dashed
                 },
-                colour: PALETTE[series.len() % PALETTE.len()].into(),
-                ..Series::default()
-            });
+                PALETTE[series.len() % PALETTE.len()],
+            ));
         }
         if !deviation {
-            series.push(Series {
-                label: "Hertz theory".into(),
-                points: hertz_curve,
-                look: Look::Circles,
-                colour: "#404040".into(),
-                ..Series::default()
-            });
+            series.push(Series::new(
+                "Hertz theory",
+                hertz_curve,
+                Look::Circles,
+                "#404040",
+            ));
         }
         let label = if deviation {
             "Deviation of the deflection (% of the central)"
@@ -196,20 +194,18 @@ impl Picture {
         for (i, (l, points)) in curves.iter_mut().enumerate() {
             points.sort_by(|a, b| a[0].total_cmp(&b[0]));
             let colour = PALETTE[i % PALETTE.len()].to_owned();
-            series.push(Series {
-                label: String::new(),
-                points: points.iter().map(|p| [p[0], p[2]]).collect(),
-                look: Look::Dashed,
-                colour: colour.clone(),
-                ..Series::default()
-            });
-            series.push(Series {
-                label: format!("*L* = {}", (1e3 * *l).round() / 1e3),
-                points: points.iter().map(|p| [p[0], p[1]]).collect(),
-                look: Look::LineAndDots,
+            series.push(Series::new(
+                "",
+                points.iter().map(|p| [p[0], p[2]]).collect(),
+                Look::Dashed,
+                colour.clone(),
+            ));
+            series.push(Series::new(
+                format!("*L* = {}", (1e3 * *l).round() / 1e3),
+                points.iter().map(|p| [p[0], p[1]]).collect(),
+                Look::LineAndDots,
                 colour,
-                ..Series::default()
-            });
+            ));
         }
         series.push(Series {
             label: formula.name().to_owned(),
@@ -253,19 +249,15 @@ impl Picture {
                     PenaltyScaling::Film => ("*ξ*_{0} max(1, *H*_{f}^{2}/*λ*)", PALETTE[3]),
                     PenaltyScaling::InverseElementSquared => ("*ξ*_{0}/*h*_{e}^{2}", PALETTE[2]),
                 };
-                Series {
-                    label: if mesh == first_mesh { label } else { "" }.to_owned(),
-                    look: match meshes.iter().position(|m| *m == mesh) {
-                        // A line through one point cannot be seen.
-                        _ if points.len() == 1 => Look::Dots,
-                        Some(0) => Look::Line,
-                        Some(1) => Look::Dashed,
-                        _ => Look::LineAndDots,
-                    },
-                    points,
-                    colour: colour.into(),
-                    ..Series::default()
-                }
+                let look = match meshes.iter().position(|m| *m == mesh) {
+                    // A line through one point cannot be seen.
+                    _ if points.len() == 1 => Look::Dots,
+                    Some(0) => Look::Line,
+                    Some(1) => Look::Dashed,
+                    _ => Look::LineAndDots,
+                };
+                let label = if mesh == first_mesh { label } else { "" };
+                Series::new(label, points, look, colour)
             })
             .collect();
         let all = || series.iter().flat_map(|s| s.points.iter());

@@ -42,13 +42,7 @@ fn panel(name: &str, s: &Solution) -> Chart {
         [0.0, 3.5 * centre],
     ));
     chart.series = vec![
-        Series {
-            label: "pressure".into(),
-            points: pressure(s),
-            look: Look::Line,
-            colour: PALETTE[0].into(),
-            side: Side::Left,
-        },
+        Series::new("pressure", pressure(s), Look::Line, PALETTE[0]),
         Series {
             label: "film".into(),
             points: pictures::profile(s, &s.elements.film_thickness, 1.0 / s.scales.film),
@@ -113,12 +107,13 @@ pub(super) fn overlay(
         .iter()
         .enumerate()
         .filter_map(|(i, (name, s))| {
-            s.map(|s| Series {
-                label: name.clone(),
-                points: points(s),
-                look: if i == 0 { Look::Dashed } else { Look::Line },
-                colour: PALETTE[i % PALETTE.len()].into(),
-                side: Side::Left,
+            s.map(|s| {
+                Series::new(
+                    name.clone(),
+                    points(s),
+                    if i == 0 { Look::Dashed } else { Look::Line },
+                    PALETTE[i % PALETTE.len()],
+                )
             })
         })
         .collect();

@@ -149,13 +149,12 @@ pub fn svg(points: &[Point]) -> String {
                     let larger = &points[points.len() / 2..];
                     let fit =
                         exponent(larger).map_or(String::new(), |e| format!(": *n*^{{{e:.2}}}"));
-                    Series {
-                        label: format!("{}{fit}", sweep.name().replace('-', ", ")),
-                        points: points.iter().map(|p| [p[0], factor * p[1]]).collect(),
-                        look: Look::LineAndDots,
-                        colour: PALETTE[i].to_owned(),
-                        ..Series::default()
-                    }
+                    Series::new(
+                        format!("{}{fit}", sweep.name().replace('-', ", ")),
+                        points.iter().map(|p| [p[0], factor * p[1]]).collect(),
+                        Look::LineAndDots,
+                        PALETTE[i],
+                    )
                 })
                 .filter(|s| !s.points.is_empty())
                 .collect();
@@ -164,13 +163,7 @@ pub fn svg(points: &[Point]) -> String {
                     ("line, Habchi 2008", THESIS_LINE, PALETTE[0]),
                     ("circular, Habchi 2008", THESIS_CIRCULAR, PALETTE[1]),
                 ] {
-                    series.push(Series {
-                        label: name.to_owned(),
-                        points: points.to_vec(),
-                        look: Look::Circles,
-                        colour: colour.to_owned(),
-                        ..Series::default()
-                    });
+                    series.push(Series::new(name, points.to_vec(), Look::Circles, colour));
                 }
             }
             let all = || series.iter().flat_map(|s| s.points.iter());

@@ -3,7 +3,7 @@
 use super::walther::AMBIENT;
 use super::{Data, Fit, Property};
 use crate::words::digits;
-use ertel_plot::{Axis, Chart, Look, PALETTE, Series, Side};
+use ertel_plot::{Axis, Chart, Look, PALETTE, Series};
 
 /// Points of a curve.
 const N_POINTS: usize = 121;
@@ -46,20 +46,13 @@ pub fn picture(fit: &Fit, data: &Data, title: &str) -> Chart {
             .map(|p| [p, factor * fit.law.ln_value(1e6 * p, *temperature).exp()])
             .collect();
         let colour = PALETTE[i % PALETTE.len()];
-        series.push(Series {
-            label: format!("{} °C", digits(temperature - 273.15, 4)),
-            points: curve,
-            look: Look::Line,
-            colour: colour.into(),
-            side: Side::Left,
-        });
-        series.push(Series {
-            label: String::new(),
-            points,
-            look: Look::Circles,
-            colour: colour.into(),
-            side: Side::Left,
-        });
+        series.push(Series::new(
+            format!("{} °C", digits(temperature - 273.15, 4)),
+            curve,
+            Look::Line,
+            colour,
+        ));
+        series.push(Series::new("", points, Look::Circles, colour));
     }
     let all = || series.iter().flat_map(|s| &s.points);
     let x = Axis::linear_around(
@@ -91,13 +84,8 @@ fn over_temperature(fit: &Fit, data: &Data, title: &str) -> Chart {
         all().map(|p| p[0]).collect::<Vec<_>>(),
     );
     let y = axis(data.property, all().map(|p| p[1]).collect());
-    let series = [(curve, Look::Line), (points, Look::Circles)].map(|(points, look)| Series {
-        label: String::new(),
-        points,
-        look,
-        colour: PALETTE[0].into(),
-        side: Side::Left,
-    });
+    let series = [(curve, Look::Line), (points, Look::Circles)]
+        .map(|(points, look)| Series::new("", points, look, PALETTE[0]));
     chart(fit, title, [x, y], series.into())
 }
 

@@ -16,7 +16,7 @@ use crate::params::PictureFormats;
 use crate::solution::{FigureUncertainty, Kind, Uncertainties};
 use crate::study::monte_carlo::{Distribution, MonteCarlo, QUANTILES, Sampled};
 use crate::words::digits;
-use ertel_plot::{Axis, Chart, Drawing, Look, PALETTE, Series, Side, side_by_side};
+use ertel_plot::{Axis, Chart, Drawing, Look, PALETTE, Series, side_by_side};
 
 /// Name of the statistics file next to the table of the samples.
 pub const MONTE_CARLO: &str = "monte-carlo.json";
@@ -203,29 +203,27 @@ fn chart(figure: &Distribution, first_order: Option<&Uncertainties>) -> Chart {
         steps.extend([[from, y], [from + width, y]]);
     }
     steps.push([most, 0.0]);
-    let mut series = vec![Series {
-        label: format!("{} samples", values.len()),
-        points: steps,
-        look: Look::Line,
-        colour: PALETTE[0].into(),
-        side: Side::Left,
-    }];
+    let mut series = vec![Series::new(
+        format!("{} samples", values.len()),
+        steps,
+        Look::Line,
+        PALETTE[0],
+    )];
     if let Some(first) = reading(figure, first_order).filter(|u| u.half_width > 0.0) {
         let (centre, standard) = (factor * first.value, 0.5 * factor * first.half_width);
         let normal = |x: f64| {
             let z = (x - centre) / standard;
             (-0.5 * z * z).exp() / (standard * (2.0 * PI).sqrt())
         };
-        series.push(Series {
-            label: "first order".into(),
-            points: (-60..=60)
+        series.push(Series::new(
+            "first order",
+            (-60..=60)
                 .map(|i| centre + standard * f64::from(i) / 20.0)
                 .map(|x| [x, normal(x)])
                 .collect(),
-            look: Look::Dashed,
-            colour: PALETTE[1].into(),
-            side: Side::Left,
-        });
+            Look::Dashed,
+            PALETTE[1],
+        ));
     }
     let all = || series.iter().flat_map(|s| &s.points);
     let low = all().map(|p| p[0]).fold(f64::INFINITY, f64::min);

@@ -352,16 +352,15 @@ impl Layout {
                     (false, false, 0) => curve.label.clone(),
                     _ => String::new(),
                 };
-                chart.series.push(Series {
+                chart.series.push(Series::new(
                     label,
                     points,
-                    look: match curve.is_isothermal {
+                    match curve.is_isothermal {
                         true => Look::Dashed,
                         false => figure.look,
                     },
-                    colour: colour.to_owned(),
-                    ..Series::default()
-                });
+                    colour,
+                ));
             }
         }
         if !single && figures.len() > 1 {

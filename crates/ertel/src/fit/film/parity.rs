@@ -1,7 +1,7 @@
 //! The picture of a fit.
 
 use super::{FilmFit, Films};
-use ertel_plot::{Axis, Chart, Look, PALETTE, Series, Side};
+use ertel_plot::{Axis, Chart, Look, PALETTE, Series};
 
 /// Films by the formula over the films given.
 pub fn parity(fits: &[(FilmFit, Films)], title: &str) -> Chart {
@@ -19,27 +19,25 @@ pub fn parity(fits: &[(FilmFit, Films)], title: &str) -> Chart {
         ("±5 %", 1.05, Look::Dashed),
         ("", 0.95, Look::Dashed),
     ] {
-        chart.series.push(Series {
-            label: label.into(),
-            points: vec![[low, factor * low], [high, factor * high]],
+        chart.series.push(Series::new(
+            label,
+            vec![[low, factor * low], [high, factor * high]],
             look,
-            colour: "#7f7f7f".into(),
-            side: Side::Left,
-        });
+            "#7f7f7f",
+        ));
     }
     for (i, (fit, films)) in fits.iter().enumerate() {
-        chart.series.push(Series {
-            label: format!("{} film", fit.kind.name()),
-            points: films
+        chart.series.push(Series::new(
+            format!("{} film", fit.kind.name()),
+            films
                 .states
                 .iter()
                 .zip(&fit.deviations)
                 .map(|(s, d)| [1e9 * s.film, 1e9 * s.film * (1.0 + d)])
                 .collect(),
-            look: Look::Circles,
-            colour: PALETTE[i % PALETTE.len()].into(),
-            side: Side::Left,
-        });
+            Look::Circles,
+            PALETTE[i % PALETTE.len()],
+        ));
     }
     chart
 }

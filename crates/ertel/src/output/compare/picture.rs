@@ -152,25 +152,24 @@ impl Layout {
             .filter_map(|(x, c)| Some([x, factor * c.computed?.value.abs()]))
             .collect();
         computed.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        chart.series.push(Series {
-            label: label.to_owned(),
-            points: computed,
-            look: if is_crowded {
+        chart.series.push(Series::new(
+            label,
+            computed,
+            if is_crowded {
                 Look::Crosses
             } else {
                 Look::LineAndDots
             },
-            colour: colour.to_owned(),
-            ..Series::default()
-        });
-        chart.series.push(Series {
-            points: compared()
+            colour,
+        ));
+        chart.series.push(Series::new(
+            "",
+            compared()
                 .map(|(x, c)| [x, factor * c.measured.value.abs()])
                 .collect(),
-            look: Look::Circles,
-            colour: colour.to_owned(),
-            ..Series::default()
-        });
+            Look::Circles,
+            colour,
+        ));
         let bars = compared().filter_map(|(x, c)| {
             let (value, u) = (
                 factor * c.measured.value.abs(),

@@ -5,7 +5,7 @@ use super::super::pictures::{ERROR_BARS, Picture};
 use super::frame::{curve_chart, fit_y, largest, points_over};
 use crate::figures::Row;
 use crate::study::CurveSolution;
-use ertel_plot::{Chart, ErrorBars, PALETTE, Series, Side};
+use ertel_plot::{Chart, ErrorBars, PALETTE, Series};
 
 /// One picture per kind of figure that the machines or the transient runs have.
 pub(super) fn pictures(title: &str, curve: &CurveSolution) -> Vec<Picture> {
@@ -41,13 +41,12 @@ fn chart(title: &str, curve: &CurveSolution, drawn: &Drawn) -> Option<Chart> {
             bars,
             colour: PALETTE[i].to_owned(),
         });
-        chart.series.push(Series {
-            label: first.figure.words.to_owned(),
-            points: over(&|row| Some(row.estimate.value)),
+        chart.series.push(Series::new(
+            first.figure.words,
+            over(&|row| Some(row.estimate.value)),
             look,
-            colour: PALETTE[i].to_owned(),
-            side: Side::Left,
-        });
+            PALETTE[i],
+        ));
     }
     if chart.series.is_empty() {
         return None;

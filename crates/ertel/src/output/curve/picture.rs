@@ -4,7 +4,7 @@ use super::super::pictures::{ERROR_BARS, film_unit, legend_entry};
 use super::frame::{curve_chart, fit_y, largest, points_over};
 use crate::solution::{Estimate, Figure, FormulaFilm, Solution};
 use crate::study::{CurveSolution, PointSolution};
-use ertel_plot::{Chart, ErrorBars, Look, PALETTE, Series, Side};
+use ertel_plot::{Chart, ErrorBars, Look, PALETTE, Series};
 
 /// One of the films of a formula.
 type Film = fn(&FormulaFilm) -> Option<f64>;
@@ -49,16 +49,15 @@ fn films_over(title: &str, curve: &CurveSolution, figures: &[Figure]) -> Chart {
     let (factor, unit) = film_unit(size);
     let mut chart = curve_chart(title, curve, &format!("Film thickness *h* ({unit})"));
     for (figure, colour) in figures.iter().zip(PALETTE) {
-        chart.series.push(Series {
-            label: figure.words().into(),
-            points: points_over(curve, |p| Some(factor * of_point(p, *figure)?.value)),
-            look: match *figure == Figure::FilmMinimum {
+        chart.series.push(Series::new(
+            figure.words(),
+            points_over(curve, |p| Some(factor * of_point(p, *figure)?.value)),
+            match *figure == Figure::FilmMinimum {
                 true => Look::LineAndRings,
                 false => Look::LineAndDots,
             },
-            colour: colour.into(),
-            side: Side::Left,
-        });
+            colour,
+        ));
         add_bars(&mut chart, curve, factor, *figure, colour);
     }
     let all = simpler_solutions(&[curve]);
@@ -95,13 +94,12 @@ pub fn traction_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
         PALETTE[0],
     );
     let label = Figure::TractionCoefficient.words();
-    chart.series = vec![Series {
-        label: label.into(),
-        points: points_over(curve, |p| p.outcome.solution().map(value)),
-        look: Look::LineAndDots,
-        colour: PALETTE[0].into(),
-        side: Side::Left,
-    }];
+    chart.series = vec![Series::new(
+        label,
+        points_over(curve, |p| p.outcome.solution().map(value)),
+        Look::LineAndDots,
+        PALETTE[0],
+    )];
     let groups = simpler_solutions(&[curve])
         .into_iter()
         .map(|other| vec![other.series(curve, label, other.colour, value)]);
@@ -135,11 +133,13 @@ pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Cha
         )
     }));
     for ((name, curve), colour) in curves.iter().zip(PALETTE.iter().cycle()) {
-        let part = |look, film: Figure| Series {
-            points: points_over(curve, |p| Some(factor * of_point(p, film)?.value)),
-            look,
-            colour: (*colour).into(),
-            ..Series::default()
+        let part = |look, film: Figure| {
+            Series::new(
+                "",
+                points_over(curve, |p| Some(factor * of_point(p, film)?.value)),
+                look,
+                *colour,
+            )
         };
         chart.series.push(Series {
             label: (*name).to_owned(),
@@ -179,13 +179,12 @@ pub fn tractions_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option
     let other = simpler(curves);
     let mut dashed = Vec::new();
     for ((name, curve), colour) in curves.iter().zip(PALETTE.iter().cycle()) {
-        chart.series.push(Series {
-            label: (*name).to_owned(),
-            points: points_over(curve, |p| p.outcome.solution().map(value)),
-            look: Look::LineAndDots,
-            colour: (*colour).into(),
-            side: Side::Left,
-        });
+        chart.series.push(Series::new(
+            *name,
+            points_over(curve, |p| p.outcome.solution().map(value)),
+            Look::LineAndDots,
+            *colour,
+        ));
         let series = other.iter().map(|b| b.unlabelled(curve, colour, value));
         dashed.extend(series);
     }
@@ -262,13 +261,12 @@ impl Simpler {
         colour: &str,
         value: impl Fn(&Solution) -> f64,
     ) -> Series {
-        Series {
-            label: format!("{label}, {}", self.name),
-            points: points_over(curve, |p| (self.of)(p).map(&value)),
-            look: self.look,
-            colour: colour.into(),
-            side: Side::Left,
-        }
+        Series::new(
+            format!("{label}, {}", self.name),
+            points_over(curve, |p| (self.of)(p).map(&value)),
+            self.look,
+            colour,
+        )
     }
 
     /// The same without a legend entry.
@@ -315,13 +313,12 @@ fn add_formulas(chart: &mut Chart, curve: &CurveSolution, factor: f64) {
                 value(same).map(|h| factor * h)
             });
             if points.iter().any(|p| p[1].is_finite()) {
-                chart.series.push(Series {
-                    label: format!("{}{suffix}", formula.name),
+                chart.series.push(Series::new(
+                    format!("{}{suffix}", formula.name),
                     points,
-                    look: Look::Dashed,
-                    colour: (*colours.next().unwrap_or(&PALETTE[2])).into(),
-                    side: Side::Left,
-                });
+                    Look::Dashed,
+                    *colours.next().unwrap_or(&PALETTE[2]),
+                ));
             }
         }
     }

@@ -29,12 +29,8 @@ pub fn stribeck_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
         points
     };
     let size = |i: usize| over_speed(&|p| friction(p).map(|f| MixedFriction::sizes(&f)[i]));
-    let series = |label: &str, look, colour: usize, points| Series {
-        label: label.to_owned(),
-        points,
-        look,
-        colour: PALETTE[colour].to_owned(),
-        side: Side::Left,
+    let series = |label: &str, look, colour: usize, points| {
+        Series::new(label, points, look, PALETTE[colour])
     };
     let ratio = over_speed(&|p| Some(p.outcome.solution()?.mixed.as_ref()?.lambda_minimum.value));
     let curves = vec![

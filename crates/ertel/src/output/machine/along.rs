@@ -2,7 +2,7 @@
 //!
 //! Where the load jumps, there are two places with one coordinate: a curve with both values is vertical there, one with a single value has a gap.
 
-use ertel_plot::{Axis, Chart, Drawing, Look, Marker, PALETTE, Series, Side, side_by_side};
+use ertel_plot::{Axis, Chart, Drawing, Look, Marker, PALETTE, Series, side_by_side};
 
 use super::super::pictures::film_unit;
 use super::values::{film, largest};
@@ -69,13 +69,7 @@ impl<'a> Along<'a> {
         let mut chart = Chart::new(self.title, self.axis.clone(), axis);
         chart.markers.clone_from(&self.markers);
         chart.series = (curves.into_iter().zip(PALETTE))
-            .map(|((label, points, look), colour)| Series {
-                label: label.to_owned(),
-                points,
-                look,
-                colour: colour.into(),
-                side: Side::Left,
-            })
+            .map(|((label, points, look), colour)| Series::new(label, points, look, colour))
             .collect();
         chart
     }

@@ -2,7 +2,7 @@
 
 use crate::solution::Role;
 use crate::solution::{IterationRecord, LevelStats, Solution};
-use ertel_plot::{Axis, Chart, Look, Marker, PALETTE, Series, Side};
+use ertel_plot::{Axis, Chart, Look, Marker, PALETTE, Series};
 
 /// Colours of stages that stop before reaching the tolerance of the solution.
 const PALE: [&str; 2] = ["#A9CBE3", "#F0BF9C"];
@@ -56,22 +56,15 @@ fn meshes(title: &str, solution: &Solution) -> Option<Chart> {
     let unknowns: Vec<f64> = unknowns.collect();
     let most = levels[last].n_pressure_dofs as f64;
     for (i, (name, film)) in films.into_iter().enumerate() {
-        series.push(Series {
-            label: name.into(),
-            points: curve(i),
-            look: Look::LineAndDots,
-            colour: PALETTE[i].into(),
-            side: Side::Left,
-        });
+        series.push(Series::new(name, curve(i), Look::LineAndDots, PALETTE[i]));
         let error = film.error.map(|error| 100.0 * error / film.value.abs());
         if let (Some(error), Some(first)) = (error.filter(|e| *e > 0.0), unknowns.first()) {
-            series.push(Series {
-                label: format!("error bar of the {name}"),
-                points: vec![[0.5 * first, error], [2.0 * most, error]],
-                look: Look::Dashed,
-                colour: PALETTE[i].into(),
-                side: Side::Left,
-            });
+            series.push(Series::new(
+                format!("error bar of the {name}"),
+                vec![[0.5 * first, error], [2.0 * most, error]],
+                Look::Dashed,
+                PALETTE[i],
+            ));
         }
     }
     if curve(0).len() < 2 {
@@ -122,22 +115,15 @@ fn newton(title: &str, solution: &Solution, [tolerance, coupling]: [Option<f64>;
             (true, true) => "starts and coarser meshes: stopped early",
             _ => "",
         };
-        series.push(Series {
-            label: label.into(),
-            points: curve(*value, false),
-            look: Look::Line,
-            colour: colour.into(),
-            side: Side::Left,
-        });
+        series.push(Series::new(label, curve(*value, false), Look::Line, colour));
     }
     for ((label, value), colour) in values.iter().zip(PALETTE) {
-        series.push(Series {
-            label: (*label).into(),
-            points: curve(*value, true),
-            look: Look::LineAndDots,
-            colour: colour.into(),
-            side: Side::Left,
-        });
+        series.push(Series::new(
+            *label,
+            curve(*value, true),
+            Look::LineAndDots,
+            colour,
+        ));
     }
     let of_last = || (1..).zip(history).filter(|(_, r)| is_last(r));
     let rounds: Vec<[f64; 2]> = of_last()
@@ -148,26 +134,24 @@ fn newton(title: &str, solution: &Solution, [tolerance, coupling]: [Option<f64>;
         None => (tolerance, "tolerance of the solution"),
     };
     if !rounds.is_empty() {
-        series.push(Series {
-            label: "film and heat, change per round".into(),
-            points: rounds,
-            look: Look::LineAndDots,
-            colour: PALETTE[2].into(),
-            side: Side::Left,
-        });
+        series.push(Series::new(
+            "film and heat, change per round",
+            rounds,
+            Look::LineAndDots,
+            PALETTE[2],
+        ));
     }
     let heights = series.iter().flat_map(|s| &s.points).map(|p| p[1]);
     let heights: Vec<f64> = heights.chain(tolerance).collect();
     if let Some(tolerance) = tolerance {
         let from = of_last().next().map_or(0.0, |(i, _)| f64::from(i) - 0.5);
         let to = of_last().last().map_or(0.0, |(i, _)| f64::from(i) + 0.5);
-        series.push(Series {
-            label: tolerance_of.into(),
-            points: vec![[from, tolerance], [to, tolerance]],
-            look: Look::Dashed,
-            colour: GREY.into(),
-            side: Side::Left,
-        });
+        series.push(Series::new(
+            tolerance_of,
+            vec![[from, tolerance], [to, tolerance]],
+            Look::Dashed,
+            GREY,
+        ));
     }
     let mut chart = Chart::new(
         title,

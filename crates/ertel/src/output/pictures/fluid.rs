@@ -2,7 +2,7 @@
 
 use crate::words::pressure_unit;
 use crate::words::{CELSIUS, digits};
-use ertel_plot::{Axis, Chart, Look, Marker, PALETTE, Series, Side};
+use ertel_plot::{Axis, Chart, Look, Marker, PALETTE, Series};
 
 /// Viscosity against pressure at one temperature.
 pub struct ViscosityCurve {
@@ -62,13 +62,12 @@ pub fn viscosity_chart(
         for (label, low, high, look) in parts {
             let part = between(&points, low, high);
             if part.len() > 1 {
-                chart.series.push(Series {
+                chart.series.push(Series::new(
                     label,
-                    points: part.into_iter().map(|[p, v]| [factor * p, v]).collect(),
+                    part.into_iter().map(|[p, v]| [factor * p, v]).collect(),
                     look,
-                    colour: PALETTE[i % PALETTE.len()].into(),
-                    side: Side::Left,
-                });
+                    PALETTE[i % PALETTE.len()],
+                ));
             }
         }
     }

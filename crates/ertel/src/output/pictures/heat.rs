@@ -7,7 +7,7 @@ use super::shared::{Task, window_x};
 use crate::output::figure::BODIES;
 use crate::solution::{Solution, Thermal};
 use crate::words::TemperatureScale;
-use ertel_plot::{Axis, Chart, Look, PALETTE, Series, Side};
+use ertel_plot::{Axis, Chart, Look, PALETTE, Series};
 
 /// Every picture of the temperatures of a solution.
 pub fn heat_pictures<'a>(
@@ -52,14 +52,15 @@ pub fn temperature_chart(title: &str, solution: &Solution, scale: TemperatureSca
         ]
     });
     let series: Vec<Series> = fields
-        .map(|(label, field, look, colour)| Series {
-            label: label.into(),
-            points: (profile(solution, field, 1.0).into_iter())
-                .map(|[x, t]| [x, scale.shown(t)])
-                .collect(),
-            look,
-            colour: colour.into(),
-            side: Side::Left,
+        .map(|(label, field, look, colour)| {
+            Series::new(
+                label,
+                (profile(solution, field, 1.0).into_iter())
+                    .map(|[x, t]| [x, scale.shown(t)])
+                    .collect(),
+                look,
+                colour,
+            )
         })
         .collect();
     let shown = (series.iter())
@@ -86,19 +87,18 @@ pub fn cross_film_chart(
     let mut chart = Chart::new(title, x, y);
     chart.y_other = Some(other);
     for (i, profile) in thermal.profiles.iter().enumerate() {
-        chart.series.push(Series {
-            label: profile_label(profile, solution.hertz.half_width),
-            points: (profile.z.iter().zip(&profile.temperature))
+        chart.series.push(Series::new(
+            profile_label(profile, solution.hertz.half_width),
+            (profile.z.iter().zip(&profile.temperature))
                 .map(|(z, t)| [z / profile.film_thickness, scale.shown(*t)])
                 .collect(),
-            look: if i < PALETTE.len() {
+            if i < PALETTE.len() {
                 Look::Line
             } else {
                 Look::Dashed
             },
-            colour: PALETTE[i % PALETTE.len()].into(),
-            side: Side::Left,
-        });
+            PALETTE[i % PALETTE.len()],
+        ));
     }
     chart
 }

@@ -175,20 +175,13 @@ pub fn centreline(title: &str, solution: &Solution) -> Chart {
         [0.0, h_factor * film_top],
     ));
     chart.series = vec![
-        Series {
-            label: "Hertz pressure".into(),
-            points: hertz_curve,
-            look: Look::Dashed,
-            colour: "#7f7f7f".into(),
-            side: Side::Left,
-        },
-        Series {
-            label: "pressure".into(),
-            points: profile(solution, &solution.elements.pressure, p_factor),
-            look: Look::Line,
-            colour: PALETTE[0].into(),
-            side: Side::Left,
-        },
+        Series::new("Hertz pressure", hertz_curve, Look::Dashed, "#7f7f7f"),
+        Series::new(
+            "pressure",
+            profile(solution, &solution.elements.pressure, p_factor),
+            Look::Line,
+            PALETTE[0],
+        ),
         Series {
             label: "film thickness".into(),
             points: profile(solution, &solution.elements.film_thickness, h_factor),
