@@ -1,4 +1,4 @@
-//! The cases of `cases/machine`: checked, and estimated with what the machine gave.
+//! The cases of `cases/machine`: estimated with what the machine gave.
 
 use std::path::{Path, PathBuf};
 use std::process::Output;
@@ -18,7 +18,7 @@ fn shipped(name: &str) -> PathBuf {
 
 /// Radii, loads and speeds worked out by hand in the tests of the machines.
 #[test]
-fn every_machine_is_estimated_and_checked() {
+fn every_machine_is_estimated() {
     let machines: [(&str, &[&str]); 11] = [
         ("ball-on-disc", &["9.525 mm", "30 N"]),
         (
@@ -88,19 +88,6 @@ fn every_machine_is_estimated_and_checked() {
     );
     for (name, words) in machines {
         let case = shipped(name);
-        let check = ertel("solve --check", &case);
-        assert_eq!(
-            check.status.code(),
-            Some(0),
-            "{name}: {}",
-            text(&check.stderr)
-        );
-        // About the nose of a cam both surfaces move against each other.
-        assert!(
-            name == "cam-turn" || !text(&check.stderr).contains("warning"),
-            "{}",
-            text(&check.stderr)
-        );
         let estimate = ertel("estimate", &case);
         assert_eq!(
             estimate.status.code(),

@@ -4,6 +4,7 @@ use ertel_input::Document;
 use ertel_rheology::viscosity::PressureLaw;
 use ertel_rheology::{DensityLaw, Files, Fluid};
 
+use crate::common::contains;
 use ertel::fit::*;
 
 /// An oil of 46 mm²/s at 40 degC and 6.8 mm²/s at 100 degC: A and B from lg lg(ν + 0.7) = A - B lg T, the terms below 2 mm²/s
@@ -110,10 +111,7 @@ fn a_data_sheet_without_pressures_gives_a_and_b() {
         assert!(fit.rms() < 1e-6, "{}", fit.rms());
 
         let (fluid, text) = read_back(&fit, &data);
-        assert!(
-            text.contains("[density]\nlaw = \"dowson-higginson\""),
-            "{text}"
-        );
+        contains(&text, "[density]\nlaw = \"dowson-higginson\"");
         assert!(text.contains("alpha was given"), "{text}");
         assert_eq!(fluid.validity.as_ref().unwrap().pressure, None);
         for celsius in [10.0, 40.0, 70.0, 100.0, 120.0] {
