@@ -6,7 +6,7 @@ use ertel::case::Study;
 use ertel::study::TABLE;
 use ertel::study::plan::Plan;
 use ertel::sweep::{
-    FILES, FOLDERS, SHARDS, SweepError, SweepParams, SweepSummary, finished_points, merge, sweep,
+    FOLDERS, SHARDS, SweepError, SweepParams, SweepSummary, files, finished_points, merge, sweep,
 };
 use ertel::words::digits;
 
@@ -97,8 +97,8 @@ fn folder(arguments: &SweepArgs, path: &Path) -> PathBuf {
 
 /// Nothing that the study reads is overwritten by what it writes.
 fn keep_inputs(study: &Study, folder: &Path) -> Result<(), Failure> {
-    let written = FILES.map(|name| folder.join(name));
-    let outputs = written.each_ref().map(|path| ("the file", path.as_path()));
+    let written: Vec<PathBuf> = files().map(|name| folder.join(name)).collect();
+    let outputs: Vec<_> = (written.iter().map(|path| ("the file", path.as_path()))).collect();
     inputs::keep(&study.files, &outputs)?;
     inputs::keep_within(&study.files, &folder.join(FOLDERS))
 }

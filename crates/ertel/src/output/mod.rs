@@ -52,7 +52,7 @@ pub use machine::{machine_json, machine_report, machine_table, write_machine};
 pub use monte_carlo::{MONTE_CARLO, monte_carlo_report, write_monte_carlo};
 pub use report::report;
 pub use result_json::{FORMAT, FORMAT_VERSION, result_json};
-pub use study::{StudyPicture, study_pictures};
+pub use study::{StudyPicture, study_picture_names, study_pictures};
 pub use target::{REPORT_PAGE, check_target, place_of_partial};
 pub use transient::{
     transient_files, transient_json, transient_report, transient_table, write_transient,

@@ -52,6 +52,14 @@ pub struct StudyPicture {
     pub drawing: Option<Drawing>,
 }
 
+/// Names of the pictures that studies may have, without suffix.
+pub fn study_picture_names() -> impl Iterator<Item = &'static str> {
+    let is_first = |i: usize| DRAWN[..i].iter().all(|one| one.name != DRAWN[i].name);
+    (0..DRAWN.len())
+        .filter(move |i| is_first(*i))
+        .map(|i| DRAWN[i].name)
+}
+
 /// Every picture that studies may have: films and tractions of contacts, and figures of machines and runs in time.
 pub fn study_pictures(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Vec<StudyPicture> {
     let has = |column: &str| {
@@ -60,11 +68,7 @@ pub fn study_pictures(study: &StudyEcho, records: &HashMap<PointKey, Record>) ->
     };
     let is_in_time = has(&titled(FILM_CENTRAL_LOWEST.name, "m"));
     let has_figures = is_in_time || has("contacts");
-    let mut pictures: Vec<StudyPicture> = Vec::new();
-    for name in DRAWN.iter().map(|drawn| drawn.name) {
-        if pictures.iter().any(|picture| picture.name == name) {
-            continue;
-        }
+    let picture = |name| {
         let mut drawn = DRAWN.iter().filter(|drawn| drawn.name == name);
         let drawing = match (has_figures, name) {
             (true, _) => drawn
@@ -74,9 +78,9 @@ pub fn study_pictures(study: &StudyEcho, records: &HashMap<PointKey, Record>) ->
             (false, "traction") => study_tractions(study, records),
             (false, _) => None,
         };
-        pictures.push(StudyPicture { name, drawing });
-    }
-    pictures
+        StudyPicture { name, drawing }
+    };
+    study_picture_names().map(picture).collect()
 }
 
 /// The same for figures of machines and transient runs.

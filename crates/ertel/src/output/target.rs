@@ -48,14 +48,6 @@ const FILES: [&str; 23] = [
     "animation.png",
 ];
 
-/// Former names of pictures, which were written in some formats only.
-const FORMER: [&str; 4] = [
-    "temperature-plane.svg",
-    "temperature-plane.png",
-    "temperature-ball.svg",
-    "temperature-ball.png",
-];
-
 /// Pictures of a result without suffix, in addition to those of [`DRAWN`].
 const PICTURES: [&str; 18] = [
     "stribeck",
@@ -205,7 +197,7 @@ fn is_own_file(name: &OsStr, kind: fs::FileType) -> bool {
 
 /// Whether a result may have a file of this name.
 pub(super) fn is_own_name(name: &str) -> bool {
-    FILES.contains(&name) || FORMER.contains(&name) || is_picture(name) || is_file_of_instant(name)
+    FILES.contains(&name) || is_picture(name) || is_file_of_instant(name)
 }
 
 fn is_picture(name: &str) -> bool {

@@ -17,46 +17,13 @@ use crate::study::table::{POINTS, StudyEcho, TABLE};
 use crate::warning::by_kind;
 
 /// Every file that a study writes into its folder.
-pub const FILES: [&str; 38] = [
-    LOCK,
-    JOURNAL,
-    POINTS,
-    TABLE,
-    REPORT_PAGE,
-    "film.svg",
-    "film.pdf",
-    "film.png",
-    "traction.svg",
-    "traction.pdf",
-    "traction.png",
-    "friction-torque.svg",
-    "friction-torque.pdf",
-    "friction-torque.png",
-    "friction-power.svg",
-    "friction-power.pdf",
-    "friction-power.png",
-    "mesh-loss.svg",
-    "mesh-loss.pdf",
-    "mesh-loss.png",
-    "friction-coefficient.svg",
-    "friction-coefficient.pdf",
-    "friction-coefficient.png",
-    "temperature.svg",
-    "temperature.pdf",
-    "temperature.png",
-    "safety.svg",
-    "safety.pdf",
-    "safety.png",
-    "life.svg",
-    "life.pdf",
-    "life.png",
-    "pressure.svg",
-    "pressure.pdf",
-    "pressure.png",
-    "amplitude-ratio.svg",
-    "amplitude-ratio.pdf",
-    "amplitude-ratio.png",
-];
+pub fn files() -> impl Iterator<Item = String> {
+    let pictures = output::study_picture_names()
+        .flat_map(|name| PictureFormats::NAMES.map(|suffix| format!("{name}.{suffix}")));
+    let others = [LOCK, JOURNAL, POINTS, TABLE, REPORT_PAGE].map(str::to_owned);
+    others.into_iter().chain(pictures)
+}
+
 /// Folder within that of a study, with the results of its points where these are asked for.
 pub const FOLDERS: &str = "points";
 
@@ -87,8 +54,8 @@ pub(super) fn look(folder: &Path) -> Result<Entries, SweepError> {
         folder: folder.to_owned(),
         reason,
     };
-    for name in FILES.into_iter().chain([FOLDERS]) {
-        let path = folder.join(name);
+    for name in files().chain([FOLDERS.to_owned()]) {
+        let path = folder.join(&name);
         let (is_own, what) = match fs::symlink_metadata(&path) {
             Err(e) if e.kind() == io::ErrorKind::NotFound => continue,
             Err(e) => return Err(StudyError::io(&path, e).into()),

@@ -26,7 +26,7 @@ use work::Shared;
 
 pub use collect::Collector;
 pub use error::SweepError;
-pub use folder::{FILES, FOLDERS, SHARDS};
+pub use folder::{FOLDERS, SHARDS, files};
 pub use merge::merge;
 pub use params::{Shard, SweepObserver, SweepParams, SweepProgress, SweepSummary};
 
