@@ -44,7 +44,7 @@ pub(super) fn add(
         ..SkfParams::default()
     };
     let series = entry.designation.series;
-    let skf = skf_moment(series.skf(), &state, &params).ok();
+    let skf = skf_moment(series, &state, &params).ok();
     if skf.is_some_and(|moment| !moment.rises_with_viscosity()) {
         out.warn(WarningKind::FrictionModelRange, format!(
             "SKF's model of the torque is omitted: at {} mm²/s and this speed its torque falls with rising viscosity, outside its range",
@@ -65,15 +65,16 @@ pub(super) fn add(
             },
         );
     }
-    let palmgren = series.palmgren();
     let supply = match mechanics.life.is_grease {
         true => PalmgrenOil::Grease,
         false => PalmgrenOil::Bath,
     };
     let mean = entry.boundary.mean_diameter();
-    let load = palmgren_load(palmgren, radial, axial, axial_factor);
-    let moment = (palmgren.factors(supply, static_load, static_rating).ok())
-        .and_then(|factors| palmgren_moment(factors, mean, speed, viscosity, load).ok());
+    let load = palmgren_load(series, radial, axial, axial_factor);
+    let moment = (series
+        .palmgren_factors(supply, static_load, static_rating)
+        .ok())
+    .and_then(|factors| palmgren_moment(factors, mean, speed, viscosity, load).ok());
     if let Some(moment) = moment {
         out.add(
             FRICTION_TORQUE_PALMGREN,

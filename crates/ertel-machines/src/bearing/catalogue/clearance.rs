@@ -45,102 +45,54 @@ impl ClearanceClass {
             None => (None, vec![suffix]),
         }
     }
-
-    fn place(self) -> usize {
-        match self {
-            ClearanceClass::C2 => 0,
-            ClearanceClass::Normal => 1,
-            ClearanceClass::C3 => 2,
-            ClearanceClass::C4 => 3,
-        }
-    }
 }
 
 /// Deep groove ball bearings: bore over and up to, mm; least and largest clearance of C2, CN, C3 and C4, µm. DIN 620-4 in Schaeffler,
 /// Rolling Bearings, catalogue HR 1, 2006.
-const DEEP_GROOVE: [([f64; 2], [[f64; 2]; 4]); 11] = [
-    (
-        [6.0, 10.0],
-        [[0.0, 7.0], [2.0, 13.0], [8.0, 23.0], [14.0, 29.0]],
-    ),
-    (
-        [10.0, 18.0],
-        [[0.0, 9.0], [3.0, 18.0], [11.0, 25.0], [18.0, 33.0]],
-    ),
-    (
-        [18.0, 24.0],
-        [[0.0, 10.0], [5.0, 20.0], [13.0, 28.0], [20.0, 36.0]],
-    ),
-    (
-        [24.0, 30.0],
-        [[1.0, 11.0], [5.0, 20.0], [13.0, 28.0], [23.0, 41.0]],
-    ),
-    (
-        [30.0, 40.0],
-        [[1.0, 11.0], [6.0, 20.0], [15.0, 33.0], [28.0, 46.0]],
-    ),
-    (
-        [40.0, 50.0],
-        [[1.0, 11.0], [6.0, 23.0], [18.0, 36.0], [30.0, 51.0]],
-    ),
-    (
-        [50.0, 65.0],
-        [[1.0, 15.0], [8.0, 28.0], [23.0, 43.0], [38.0, 61.0]],
-    ),
-    (
-        [65.0, 80.0],
-        [[1.0, 15.0], [10.0, 30.0], [25.0, 51.0], [46.0, 71.0]],
-    ),
-    (
-        [80.0, 100.0],
-        [[1.0, 18.0], [12.0, 36.0], [30.0, 58.0], [53.0, 84.0]],
-    ),
-    (
-        [100.0, 120.0],
-        [[2.0, 20.0], [15.0, 41.0], [36.0, 66.0], [61.0, 97.0]],
-    ),
-    (
-        [120.0, 140.0],
-        [[2.0, 23.0], [18.0, 48.0], [41.0, 81.0], [71.0, 114.0]],
-    ),
+const DEEP_GROOVE: [[f64; 10]; 11] = [
+    [6.0, 10.0, 0.0, 7.0, 2.0, 13.0, 8.0, 23.0, 14.0, 29.0],
+    [10.0, 18.0, 0.0, 9.0, 3.0, 18.0, 11.0, 25.0, 18.0, 33.0],
+    [18.0, 24.0, 0.0, 10.0, 5.0, 20.0, 13.0, 28.0, 20.0, 36.0],
+    [24.0, 30.0, 1.0, 11.0, 5.0, 20.0, 13.0, 28.0, 23.0, 41.0],
+    [30.0, 40.0, 1.0, 11.0, 6.0, 20.0, 15.0, 33.0, 28.0, 46.0],
+    [40.0, 50.0, 1.0, 11.0, 6.0, 23.0, 18.0, 36.0, 30.0, 51.0],
+    [50.0, 65.0, 1.0, 15.0, 8.0, 28.0, 23.0, 43.0, 38.0, 61.0],
+    [65.0, 80.0, 1.0, 15.0, 10.0, 30.0, 25.0, 51.0, 46.0, 71.0],
+    [80.0, 100.0, 1.0, 18.0, 12.0, 36.0, 30.0, 58.0, 53.0, 84.0],
+    [100.0, 120.0, 2.0, 20.0, 15.0, 41.0, 36.0, 66.0, 61.0, 97.0],
+    [120.0, 140.0, 2.0, 23.0, 18.0, 48.0, 41.0, 81.0, 71.0, 114.0],
 ];
 
-/// Cylindrical roller bearings with a cage: CN, C3 and C4, µm; same source.
-const CYLINDRICAL: [([f64; 2], [[f64; 2]; 3]); 9] = [
-    ([0.0, 24.0], [[20.0, 45.0], [35.0, 60.0], [50.0, 75.0]]),
-    ([24.0, 30.0], [[20.0, 45.0], [35.0, 60.0], [50.0, 75.0]]),
-    ([30.0, 40.0], [[25.0, 50.0], [45.0, 70.0], [60.0, 85.0]]),
-    ([40.0, 50.0], [[30.0, 60.0], [50.0, 80.0], [70.0, 100.0]]),
-    ([50.0, 65.0], [[40.0, 70.0], [60.0, 90.0], [80.0, 110.0]]),
-    ([65.0, 80.0], [[40.0, 75.0], [65.0, 100.0], [90.0, 125.0]]),
-    ([80.0, 100.0], [[50.0, 85.0], [75.0, 110.0], [105.0, 140.0]]),
-    (
-        [100.0, 120.0],
-        [[50.0, 90.0], [85.0, 125.0], [125.0, 165.0]],
-    ),
-    (
-        [120.0, 140.0],
-        [[60.0, 105.0], [100.0, 145.0], [145.0, 190.0]],
-    ),
+/// Cylindrical roller bearings with a cage: the same of CN, C3 and C4; same source.
+const CYLINDRICAL: [[f64; 8]; 9] = [
+    [0.0, 24.0, 20.0, 45.0, 35.0, 60.0, 50.0, 75.0],
+    [24.0, 30.0, 20.0, 45.0, 35.0, 60.0, 50.0, 75.0],
+    [30.0, 40.0, 25.0, 50.0, 45.0, 70.0, 60.0, 85.0],
+    [40.0, 50.0, 30.0, 60.0, 50.0, 80.0, 70.0, 100.0],
+    [50.0, 65.0, 40.0, 70.0, 60.0, 90.0, 80.0, 110.0],
+    [65.0, 80.0, 40.0, 75.0, 65.0, 100.0, 90.0, 125.0],
+    [80.0, 100.0, 50.0, 85.0, 75.0, 110.0, 105.0, 140.0],
+    [100.0, 120.0, 50.0, 90.0, 85.0, 125.0, 125.0, 165.0],
+    [120.0, 140.0, 60.0, 105.0, 100.0, 145.0, 145.0, 190.0],
 ];
 
 /// Least and largest radial internal clearance before mounting, m, of deep groove ball bearings or cylindrical roller bearings of the bore
 /// (m); `None` outside of the tables.
 pub fn radial_clearance(rollers: bool, class: ClearanceClass, bore: f64) -> Option<[f64; 2]> {
-    let bore = bore * 1e3;
-    let holds = |[over, up_to]: [f64; 2]| bore > over - 1e-9 && bore <= up_to + 1e-9;
-    // A bore on a limit belongs to the row that ends there.
+    let place = class as usize;
     let micrometres = match rollers {
-        false => {
-            let (_, classes) = DEEP_GROOVE.iter().find(|(range, _)| holds(*range))?;
-            classes[class.place()]
-        }
-        true => {
-            let (_, classes) = CYLINDRICAL.iter().find(|(range, _)| holds(*range))?;
-            classes[class.place().checked_sub(1)?]
-        }
+        false => entry(&DEEP_GROOVE, 1e3 * bore, place),
+        true => entry(&CYLINDRICAL, 1e3 * bore, place.checked_sub(1)?),
     };
-    Some(micrometres.map(|c| c * 1e-6))
+    Some(micrometres?.map(|c| c * 1e-6))
+}
+
+/// The clearances of a class, by its place, in the row of a bore (mm).
+fn entry<const N: usize>(table: &[[f64; N]], bore: f64, place: usize) -> Option<[f64; 2]> {
+    // A bore on a limit belongs to the row that ends there.
+    let is_it = |row: &&[f64; N]| bore > row[0] - 1e-9 && bore <= row[1] + 1e-9;
+    let row = table.iter().find(is_it)?;
+    Some([row[2 + 2 * place], row[3 + 2 * place]])
 }
 
 #[cfg(test)]

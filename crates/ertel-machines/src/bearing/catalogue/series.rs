@@ -1,7 +1,6 @@
 //! Series of bearings, and what they are called elsewhere.
 
 use super::{Boundary, Special};
-use crate::bearing::friction::{PalmgrenSeries, SkfSeries};
 
 /// Series of the catalogue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -113,41 +112,6 @@ impl Series {
             | Series::Tapered320X
             | Series::Tapered322
             | Series::Tapered323 => None,
-        }
-    }
-
-    /// Its series in SKF's model of friction.
-    pub fn skf(self) -> SkfSeries {
-        match self {
-            Series::DeepGroove60 => SkfSeries::S60,
-            Series::DeepGroove62 => SkfSeries::S62,
-            Series::DeepGroove63 => SkfSeries::S63,
-            Series::Angular72B | Series::Angular73B => SkfSeries::AngularContact,
-            Series::CylindricalNu10 => SkfSeries::Cylindrical10,
-            Series::CylindricalNu2 | Series::CylindricalNu3 => SkfSeries::Cylindrical2,
-            Series::Tapered302 => SkfSeries::Tapered302,
-            Series::Tapered303 => SkfSeries::Tapered303,
-            Series::Tapered320X => SkfSeries::Tapered320X,
-            Series::Tapered322 => SkfSeries::Tapered322,
-            Series::Tapered323 => SkfSeries::Tapered323,
-        }
-    }
-
-    /// Its series in Palmgren's model of friction.
-    pub fn palmgren(self) -> PalmgrenSeries {
-        match self {
-            Series::DeepGroove60 => PalmgrenSeries::DeepGroove60,
-            Series::DeepGroove62 => PalmgrenSeries::DeepGroove62,
-            Series::DeepGroove63 => PalmgrenSeries::DeepGroove63,
-            Series::Angular72B => PalmgrenSeries::Angular72B,
-            Series::Angular73B => PalmgrenSeries::Angular73B,
-            Series::CylindricalNu10 => PalmgrenSeries::Cylindrical10,
-            Series::CylindricalNu2 => PalmgrenSeries::Cylindrical2,
-            Series::CylindricalNu3 => PalmgrenSeries::Cylindrical3,
-            Series::Tapered302 | Series::Tapered303 => PalmgrenSeries::Tapered302,
-            Series::Tapered320X | Series::Tapered322 | Series::Tapered323 => {
-                PalmgrenSeries::Tapered320
-            }
         }
     }
 

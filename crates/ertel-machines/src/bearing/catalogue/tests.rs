@@ -366,14 +366,13 @@ fn from_designation_to_life_and_friction() {
         static_rating,
         axial_factor: 0.0,
     };
-    let skf = skf_moment(series.skf(), &state, &SkfParams::default()).unwrap();
+    let skf = skf_moment(series, &state, &SkfParams::default()).unwrap();
     assert_relative_eq!(skf.total(), 41.998_795e-3, max_relative = 1e-6);
     let load = static_equivalent_load([0.6, 0.5], 2000.0, 0.0);
     let factors = series
-        .palmgren()
-        .factors(PalmgrenOil::Bath, load, static_rating)
+        .palmgren_factors(PalmgrenOil::Bath, load, static_rating)
         .unwrap();
-    let decisive = palmgren_load(series.palmgren(), 2000.0, 0.0, 0.0);
+    let decisive = palmgren_load(series, 2000.0, 0.0, 0.0);
     let palmgren = palmgren_moment(factors, 0.046, speed, 30e-6, decisive).unwrap();
     assert_relative_eq!(palmgren.total(), 53.8e-3, max_relative = 5e-3);
 }

@@ -9,8 +9,6 @@ mod skf;
 mod skf_series;
 
 pub use error::Error;
-pub use palmgren::{
-    PalmgrenFactors, PalmgrenMoment, PalmgrenOil, PalmgrenSeries, palmgren_load, palmgren_moment,
-};
+pub use palmgren::{PalmgrenFactors, PalmgrenMoment, PalmgrenOil, palmgren_load, palmgren_moment};
 pub use skf::{SkfMoment, SkfParams, skf_moment};
-pub use skf_series::{SkfSeries, SkfState};
+pub use skf_series::SkfState;

@@ -1,6 +1,7 @@
 //! Palmgren's model of friction: a moment of the oil and one of the load.
 
 use super::error::{Error, not_negative, positive};
+use crate::bearing::catalogue::Series;
 
 /// Oil supply of the bearing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,33 +10,6 @@ pub enum PalmgrenOil {
     Grease,
     /// Oil bath to the middle of the lowest element, or circulating oil.
     Bath,
-}
-
-/// Series with factors f_0 and f_1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PalmgrenSeries {
-    /// Deep groove ball bearings 60.
-    DeepGroove60,
-    /// 62.
-    DeepGroove62,
-    /// 63.
-    DeepGroove63,
-    /// Angular contact ball bearings 72..B, 40 degrees.
-    Angular72B,
-    /// 73..B.
-    Angular73B,
-    /// Cylindrical roller bearings 10.
-    Cylindrical10,
-    /// 2..E.
-    Cylindrical2,
-    /// 3..E.
-    Cylindrical3,
-    /// 22..E.
-    Cylindrical22,
-    /// Tapered roller bearings 302, 303 and 313.
-    Tapered302,
-    /// 320, 322, 323 and 329.
-    Tapered320,
 }
 
 /// Factors of a bearing.
@@ -47,31 +21,32 @@ pub struct PalmgrenFactors {
     pub load: f64,
 }
 
-impl PalmgrenSeries {
+impl Series {
     /// f_0, and f_1 = a (P_0/C_0)^b with the static equivalent load and the static rating, both N; b = 0 of rollers, which need neither.
     ///
     /// Source: Schaeffler, Rolling Bearings, catalogue HR 1, 2006, pages 57 to 59.
     ///
     /// # Errors
     /// A static rating of ball bearings that is not positive, or a negative load.
-    pub fn factors(
+    pub fn palmgren_factors(
         self,
         oil: PalmgrenOil,
         static_load: f64,
         static_rating: f64,
     ) -> Result<PalmgrenFactors, Error> {
         let ([grease, bath], a, b) = match self {
-            PalmgrenSeries::DeepGroove60 => ([1.1, 1.7], 0.0007, 0.5),
-            PalmgrenSeries::DeepGroove62 => ([1.3, 2.0], 0.0009, 0.5),
-            PalmgrenSeries::DeepGroove63 => ([1.5, 2.3], 0.0009, 0.5),
-            PalmgrenSeries::Angular72B => ([1.3, 2.0], 0.001, 0.33),
-            PalmgrenSeries::Angular73B => ([2.0, 3.0], 0.001, 0.33),
-            PalmgrenSeries::Cylindrical10 => ([1.3, 2.0], 0.0002, 0.0),
-            PalmgrenSeries::Cylindrical2 => ([1.3, 2.0], 0.0003, 0.0),
-            PalmgrenSeries::Cylindrical3 => ([1.3, 2.0], 0.000_35, 0.0),
-            PalmgrenSeries::Cylindrical22 => ([2.0, 3.0], 0.0004, 0.0),
-            PalmgrenSeries::Tapered302 => ([2.0, 3.0], 0.0004, 0.0),
-            PalmgrenSeries::Tapered320 => ([3.0, 4.5], 0.0004, 0.0),
+            Series::DeepGroove60 => ([1.1, 1.7], 0.0007, 0.5),
+            Series::DeepGroove62 => ([1.3, 2.0], 0.0009, 0.5),
+            Series::DeepGroove63 => ([1.5, 2.3], 0.0009, 0.5),
+            Series::Angular72B => ([1.3, 2.0], 0.001, 0.33),
+            Series::Angular73B => ([2.0, 3.0], 0.001, 0.33),
+            Series::CylindricalNu10 => ([1.3, 2.0], 0.0002, 0.0),
+            Series::CylindricalNu2 => ([1.3, 2.0], 0.0003, 0.0),
+            Series::CylindricalNu3 => ([1.3, 2.0], 0.000_35, 0.0),
+            Series::Tapered302 | Series::Tapered303 => ([2.0, 3.0], 0.0004, 0.0),
+            Series::Tapered320X | Series::Tapered322 | Series::Tapered323 => {
+                ([3.0, 4.5], 0.0004, 0.0)
+            }
         };
         let load = match b > 0.0 {
             true => {
@@ -114,22 +89,19 @@ impl PalmgrenMoment {
 ///   cylindrical rollers: F_r                        tapered rollers: max(2 Y F_a, F_r)
 /// ```
 /// Source: Schaeffler, HR 1, 2006, page 60.
-pub fn palmgren_load(series: PalmgrenSeries, radial: f64, axial: f64, axial_factor: f64) -> f64 {
+pub fn palmgren_load(series: Series, radial: f64, axial: f64, axial_factor: f64) -> f64 {
     let (radial, axial) = (radial.abs(), axial.abs());
     match series {
-        PalmgrenSeries::DeepGroove60
-        | PalmgrenSeries::DeepGroove62
-        | PalmgrenSeries::DeepGroove63 => (3.3 * axial - 0.1 * radial).max(radial),
-        PalmgrenSeries::Angular72B | PalmgrenSeries::Angular73B => {
-            (axial - 0.1 * radial).max(radial)
+        Series::DeepGroove60 | Series::DeepGroove62 | Series::DeepGroove63 => {
+            (3.3 * axial - 0.1 * radial).max(radial)
         }
-        PalmgrenSeries::Cylindrical10
-        | PalmgrenSeries::Cylindrical2
-        | PalmgrenSeries::Cylindrical3
-        | PalmgrenSeries::Cylindrical22 => radial,
-        PalmgrenSeries::Tapered302 | PalmgrenSeries::Tapered320 => {
-            (2.0 * axial_factor * axial).max(radial)
-        }
+        Series::Angular72B | Series::Angular73B => (axial - 0.1 * radial).max(radial),
+        Series::CylindricalNu10 | Series::CylindricalNu2 | Series::CylindricalNu3 => radial,
+        Series::Tapered302
+        | Series::Tapered303
+        | Series::Tapered320X
+        | Series::Tapered322
+        | Series::Tapered323 => (2.0 * axial_factor * axial).max(radial),
     }
 }
 
@@ -175,8 +147,10 @@ mod tests {
     /// 965.489 · 46³ · 10⁻⁷ = 18.7953 N·mm, M_1 = 3.80319e-4 · 2000 · 46 = 34.9893 N·mm. SKF's model has 42.0 N·mm for the same bearing.
     #[test]
     fn deep_groove_by_hand() {
-        let series = PalmgrenSeries::DeepGroove62;
-        let factors = series.factors(PalmgrenOil::Bath, 2000.0, 11_200.0).unwrap();
+        let series = Series::DeepGroove62;
+        let factors = series
+            .palmgren_factors(PalmgrenOil::Bath, 2000.0, 11_200.0)
+            .unwrap();
         assert_relative_eq!(factors.load, 3.803_19e-4, max_relative = 1e-5);
         let moment = palmgren_moment(factors, 0.046, 1000.0 * PER_MINUTE, 30e-6, 2000.0).unwrap();
         assert_relative_eq!(moment.oil, 18.795_3e-3, max_relative = 1e-5);
@@ -186,8 +160,8 @@ mod tests {
     /// The moment of the oil has one value below ν n = 2000, and jumps by less than 1 % there: 2000^(2/3) = 158.74.
     #[test]
     fn slow_bearings() {
-        let factors = PalmgrenSeries::Cylindrical2
-            .factors(PalmgrenOil::Grease, 0.0, 0.0)
+        let factors = Series::CylindricalNu2
+            .palmgren_factors(PalmgrenOil::Grease, 0.0, 0.0)
             .unwrap();
         let at = |n: f64| palmgren_moment(factors, 0.046, n * PER_MINUTE, 20e-6, 0.0).unwrap();
         // 1.3 · 160 · 97336 · 10⁻⁷ N·mm
@@ -198,22 +172,22 @@ mod tests {
     /// Y = 1.6: 2 · 1.6 · 1000 N.
     #[test]
     fn decisive_loads() {
-        let tapered = |axial| palmgren_load(PalmgrenSeries::Tapered302, 1000.0, axial, 1.6);
+        let tapered = |axial| palmgren_load(Series::Tapered302, 1000.0, axial, 1.6);
         assert_eq!([tapered(1000.0), tapered(100.0)], [3200.0, 1000.0]);
         assert_eq!(
-            palmgren_load(PalmgrenSeries::DeepGroove62, 1000.0, 100.0, 0.0),
+            palmgren_load(Series::DeepGroove62, 1000.0, 100.0, 0.0),
             1000.0
         );
         assert_eq!(
-            palmgren_load(PalmgrenSeries::DeepGroove62, 1000.0, -1000.0, 0.0),
+            palmgren_load(Series::DeepGroove62, 1000.0, -1000.0, 0.0),
             3200.0
         );
         assert_eq!(
-            palmgren_load(PalmgrenSeries::Angular72B, 1000.0, 3000.0, 0.0),
+            palmgren_load(Series::Angular72B, 1000.0, 3000.0, 0.0),
             2900.0
         );
         assert_eq!(
-            palmgren_load(PalmgrenSeries::Cylindrical2, 1000.0, 3000.0, 0.0),
+            palmgren_load(Series::CylindricalNu2, 1000.0, 3000.0, 0.0),
             1000.0
         );
     }

@@ -1,7 +1,8 @@
 //! SKF's model of friction, without seals and drag.
 
 use super::error::{Error, not_negative, positive};
-use super::skf_series::{SkfSeries, SkfState, Variables};
+use super::skf_series::{SkfState, Variables};
+use crate::bearing::catalogue::Series;
 
 /// Constants of lubrication.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,7 +11,7 @@ pub struct SkfParams {
     pub replenishment: f64,
     /// μ_bl of boundary lubrication.
     pub boundary_friction: f64,
-    /// μ_EHL of a full film: 0.05 of mineral oils. Roller bearings have their own, [`SkfSeries::film_friction`].
+    /// μ_EHL of a full film: 0.05 of mineral oils. Roller bearings have their own.
     pub film_friction: f64,
 }
 
@@ -64,12 +65,12 @@ impl SkfMoment {
 ///   φ_ish = 1/[1 + 1.84e-9 (n d_m)^1.28 ν^0.64]     φ_rs = exp{−K_rs ν n (d + D) √[K_z/(2(D − d))]}
 ///   φ_bl = exp[−2.6e-8 (n ν)^1.4 d_m]
 /// ```
-/// in mm, N, 1/min, mm²/s, N·mm; G_rr and G_sl by the kind of bearing ([`SkfSeries`]). Source: SKF, Rolling Bearings (general catalogue).
+/// in mm, N, 1/min, mm²/s, N·mm; G_rr and G_sl by the series of the bearing. Source: SKF, Rolling Bearings (general catalogue).
 ///
 /// # Errors
 /// Numbers that are not positive.
 pub fn skf_moment(
-    series: SkfSeries,
+    series: Series,
     state: &SkfState,
     params: &SkfParams,
 ) -> Result<SkfMoment, Error> {
@@ -80,12 +81,12 @@ pub fn skf_moment(
     let n = not_negative("speed", speed)?;
     let nu = positive("viscosity", state.viscosity)? * 1e6;
     let pitch = 0.5 * (bore + outside);
-    let Variables { rolling, sliding } = series.variables(pitch, n, state)?;
+    let Variables { rolling, sliding } = series.skf_variables(pitch, n, state)?;
     let inlet_heating = 1.0 / (1.0 + 1.84e-9 * (n * pitch).powf(1.28) * nu.powf(0.64));
-    let width = (series.geometry_constant() / (2.0 * (outside - bore))).sqrt();
+    let width = (series.skf_geometry_constant() / (2.0 * (outside - bore))).sqrt();
     let starvation = (-params.replenishment * nu * n * (bore + outside) * width).exp();
     let boundary = (-2.6e-8 * (n * nu).powf(1.4) * pitch).exp();
-    let film = series.film_friction().unwrap_or(params.film_friction);
+    let film = series.skf_film_friction().unwrap_or(params.film_friction);
     let friction = boundary * params.boundary_friction + (1.0 - boundary) * film;
     Ok(SkfMoment {
         rolling_variable: rolling,
@@ -102,6 +103,18 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
+    /// A 6206 under 1000 N at 1000/min.
+    const STATE: SkfState = SkfState {
+        bore: 0.03,
+        outside: 0.062,
+        speed: 1000.0 * std::f64::consts::PI / 30.0,
+        viscosity: 3e-5,
+        radial: 1000.0,
+        axial: 0.0,
+        static_rating: 0.0,
+        axial_factor: 0.0,
+    };
+
     /// Every row of data/skf.csv.
     #[test]
     fn moments_of_an_independent_program() {
@@ -109,9 +122,9 @@ mod tests {
         for row in include_str!("data/skf.csv").lines() {
             let row: Vec<&str> = row.split(',').collect();
             let (series, static_rating) = match row[0] {
-                "6206" => (SkfSeries::S62, 11_200.0),
-                "6309" => (SkfSeries::S63, 31_500.0),
-                "6008" => (SkfSeries::S60, 11_000.0),
+                "6206" => (Series::DeepGroove62, 11_200.0),
+                "6309" => (Series::DeepGroove63, 31_500.0),
+                "6008" => (Series::DeepGroove60, 11_000.0),
                 _ => continue,
             };
             let v = |i: usize| row[i].parse::<f64>().unwrap();
@@ -123,7 +136,7 @@ mod tests {
                 radial: v(5) * 1e3,
                 axial: v(6) * 1e3,
                 static_rating,
-                axial_factor: 0.0,
+                ..STATE
             };
             let found = skf_moment(series, &state, &SkfParams::default()).unwrap();
             let numbers = [
@@ -150,16 +163,12 @@ mod tests {
     #[test]
     fn tapered_rollers_by_hand() {
         let state = SkfState {
-            bore: 0.030,
-            outside: 0.062,
-            speed: 1000.0 * std::f64::consts::PI / 30.0,
-            viscosity: 30e-6,
             radial: 2000.0,
             axial: 1000.0,
-            static_rating: 0.0,
             axial_factor: 1.6,
+            ..STATE
         };
-        let found = skf_moment(SkfSeries::Tapered302, &state, &SkfParams::default()).unwrap();
+        let found = skf_moment(Series::Tapered302, &state, &SkfParams::default()).unwrap();
         assert_relative_eq!(found.rolling, 158.86e-3, max_relative = 1e-3);
         assert_relative_eq!(found.sliding, 30.351e-3, max_relative = 1e-3);
     }
@@ -175,11 +184,10 @@ mod tests {
                 speed: 1500.0 * std::f64::consts::PI / 30.0,
                 viscosity: viscosity * 1e-6,
                 radial: 500.0,
-                axial: 0.0,
                 static_rating: 7850.0,
-                axial_factor: 0.0,
+                ..STATE
             };
-            skf_moment(SkfSeries::S62, &state, &SkfParams::default()).unwrap()
+            skf_moment(Series::DeepGroove62, &state, &SkfParams::default()).unwrap()
         };
         for viscosity in [10.0, 100.0, 400.0, 800.0, 1e4] {
             let rises = at(1.001 * viscosity).rolling > at(viscosity).rolling;
@@ -190,38 +198,15 @@ mod tests {
 
     #[test]
     fn bad_numbers() {
-        let state = SkfState {
-            bore: 0.03,
-            outside: 0.062,
-            speed: 100.0,
-            viscosity: 3e-5,
-            radial: 1000.0,
-            axial: 100.0,
-            static_rating: 0.0,
-            axial_factor: 0.0,
-        };
-        let solve = |state| skf_moment(SkfSeries::S62, &state, &SkfParams::default());
-        assert!(solve(state).is_err());
-        assert!(
-            solve(SkfState {
-                axial: 0.0,
-                ..state
-            })
-            .is_ok()
-        );
-        assert!(
-            solve(SkfState {
-                outside: 0.03,
-                ..state
-            })
-            .is_err()
-        );
-        assert!(
-            solve(SkfState {
-                viscosity: f64::NAN,
-                ..state
-            })
-            .is_err()
-        );
+        let solve = |state| skf_moment(Series::DeepGroove62, &state, &SkfParams::default());
+        assert!(solve(STATE).is_ok());
+        let (axial, outside, viscosity) = (100.0, 0.03, f64::NAN);
+        for state in [
+            SkfState { axial, ..STATE },
+            SkfState { outside, ..STATE },
+            SkfState { viscosity, ..STATE },
+        ] {
+            assert!(solve(state).is_err(), "{state:?}");
+        }
     }
 }

@@ -1,45 +1,7 @@
 //! Kinds of bearings in SKF's model of friction.
 
 use super::error::{Error, not_negative, positive};
-
-/// Series with constants R and S.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SkfSeries {
-    /// Deep groove ball bearings 2, 3.
-    S2,
-    /// 42, 43.
-    S42,
-    /// 60, 630.
-    S60,
-    /// 62, 622.
-    S62,
-    /// 63, 623.
-    S63,
-    /// 64.
-    S64,
-    /// 160, 161.
-    S160,
-    /// 618.
-    S618,
-    /// 619.
-    S619,
-    /// Angular contact ball bearings of a single row.
-    AngularContact,
-    /// Cylindrical roller bearings with a cage, 2 and 3.
-    Cylindrical2,
-    /// 10.
-    Cylindrical10,
-    /// Tapered roller bearings 302.
-    Tapered302,
-    /// 303.
-    Tapered303,
-    /// 320 X.
-    Tapered320X,
-    /// 322.
-    Tapered322,
-    /// 323.
-    Tapered323,
-}
+use crate::bearing::catalogue::Series;
 
 /// G_rr and G_sl, in the model's own units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,36 +22,30 @@ enum Constants {
     Tapered([f64; 4]),
 }
 
-impl SkfSeries {
+impl Series {
     /// Source: SKF, Rolling Bearings (general catalogue), tables 3 to 3d.
-    fn constants(self) -> Constants {
+    fn skf_constants(self) -> Constants {
         use Constants::{AngularContact, Cylindrical, DeepGroove, Tapered};
         match self {
-            SkfSeries::S2 => DeepGroove([4.4e-7, 1.7, 2.00e-3, 100.0]),
-            SkfSeries::S42 => DeepGroove([5.4e-7, 0.96, 3.00e-3, 40.0]),
-            SkfSeries::S60 => DeepGroove([4.1e-7, 1.7, 3.73e-3, 14.6]),
-            SkfSeries::S62 => DeepGroove([3.9e-7, 1.7, 3.23e-3, 36.5]),
-            SkfSeries::S63 => DeepGroove([3.7e-7, 1.7, 2.84e-3, 92.8]),
-            SkfSeries::S64 => DeepGroove([3.6e-7, 1.7, 2.43e-3, 198.0]),
-            SkfSeries::S160 => DeepGroove([4.3e-7, 1.7, 4.63e-3, 4.25]),
-            SkfSeries::S618 => DeepGroove([4.7e-7, 1.7, 6.50e-3, 0.78]),
-            SkfSeries::S619 => DeepGroove([4.3e-7, 1.7, 4.75e-3, 3.6]),
-            SkfSeries::AngularContact => {
+            Series::DeepGroove60 => DeepGroove([4.1e-7, 1.7, 3.73e-3, 14.6]),
+            Series::DeepGroove62 => DeepGroove([3.9e-7, 1.7, 3.23e-3, 36.5]),
+            Series::DeepGroove63 => DeepGroove([3.7e-7, 1.7, 2.84e-3, 92.8]),
+            Series::Angular72B | Series::Angular73B => {
                 AngularContact([5.03e-7, 1.97, 1.90e-12, 1.30e-2, 0.68, 1.91e-12])
             }
-            SkfSeries::Cylindrical2 => Cylindrical([1.09e-6, 0.16, 0.0015]),
-            SkfSeries::Cylindrical10 => Cylindrical([1.12e-6, 0.17, 0.0015]),
-            SkfSeries::Tapered302 => Tapered([1.76e-6, 10.9, 0.017, 2.0]),
-            SkfSeries::Tapered303 => Tapered([1.69e-6, 10.9, 0.017, 2.0]),
-            SkfSeries::Tapered320X => Tapered([2.38e-6, 10.9, 0.014, 2.0]),
-            SkfSeries::Tapered322 => Tapered([2.27e-6, 10.9, 0.018, 2.0]),
-            SkfSeries::Tapered323 => Tapered([2.38e-6, 10.9, 0.019, 2.0]),
+            Series::CylindricalNu10 => Cylindrical([1.12e-6, 0.17, 0.0015]),
+            Series::CylindricalNu2 | Series::CylindricalNu3 => Cylindrical([1.09e-6, 0.16, 0.0015]),
+            Series::Tapered302 => Tapered([1.76e-6, 10.9, 0.017, 2.0]),
+            Series::Tapered303 => Tapered([1.69e-6, 10.9, 0.017, 2.0]),
+            Series::Tapered320X => Tapered([2.38e-6, 10.9, 0.014, 2.0]),
+            Series::Tapered322 => Tapered([2.27e-6, 10.9, 0.018, 2.0]),
+            Series::Tapered323 => Tapered([2.38e-6, 10.9, 0.019, 2.0]),
         }
     }
 
     /// K_z of the reduction by starvation (table 5).
-    pub fn geometry_constant(self) -> f64 {
-        match self.constants() {
+    pub(super) fn skf_geometry_constant(self) -> f64 {
+        match self.skf_constants() {
             Constants::DeepGroove(_) => 3.1,
             Constants::AngularContact(_) => 4.4,
             Constants::Cylindrical(_) => 5.1,
@@ -98,8 +54,8 @@ impl SkfSeries {
     }
 
     /// μ_EHL of a full film where the kind of bearing has one: cylindrical 0.02 and tapered roller bearings 0.002.
-    pub fn film_friction(self) -> Option<f64> {
-        match self.constants() {
+    pub(super) fn skf_film_friction(self) -> Option<f64> {
+        match self.skf_constants() {
             Constants::Cylindrical(_) => Some(0.02),
             Constants::Tapered(_) => Some(0.002),
             Constants::DeepGroove(_) | Constants::AngularContact(_) => None,
@@ -117,7 +73,7 @@ impl SkfSeries {
     ///   α_F = 24.6 (F_a/C_0)^0.24 degrees;   F_g = R_3 d_m⁴ n² in G_rr, S_3 d_m⁴ n² in G_sl
     /// ```
     /// Source: SKF, Rolling Bearings (general catalogue), table 2a.
-    pub(super) fn variables(
+    pub(super) fn skf_variables(
         self,
         pitch: f64,
         n: f64,
@@ -125,7 +81,7 @@ impl SkfSeries {
     ) -> Result<Variables, Error> {
         let radial = not_negative("radial load", state.radial.abs())?;
         let axial = not_negative("axial load", state.axial.abs())?;
-        let [rolling, sliding] = match self.constants() {
+        let [rolling, sliding] = match self.skf_constants() {
             Constants::DeepGroove([r_1, r_2, s_1, s_2]) => {
                 let size = r_1 * pitch.powf(1.96);
                 match axial > 0.0 {
@@ -213,11 +169,11 @@ mod tests {
             static_rating: 0.0,
             axial_factor: 0.0,
         };
-        let of = |series: SkfSeries| series.variables(50.0, 1000.0, &state).unwrap();
-        let ball = of(SkfSeries::AngularContact);
+        let of = |series: Series| series.skf_variables(50.0, 1000.0, &state).unwrap();
+        let ball = of(Series::Angular72B);
         assert_relative_eq!(ball.rolling, 0.067_714_6, max_relative = 1e-3);
         assert_relative_eq!(ball.sliding, 462.234, max_relative = 1e-3);
-        let roller = of(SkfSeries::Cylindrical2);
+        let roller = of(Series::CylindricalNu2);
         assert_relative_eq!(roller.rolling, 0.115_358, max_relative = 1e-3);
         assert_relative_eq!(roller.sliding, 2779.98, max_relative = 1e-3);
     }
