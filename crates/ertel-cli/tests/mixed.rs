@@ -90,15 +90,11 @@ fn assert_worn(folder: &Path, report: &str) {
 fn wear_that_ends_on_the_way() {
     let folder = tempfile::tempdir().unwrap();
     let case = root().join("cases/wear.toml");
-    let arguments = [
-        "solve",
-        case.to_str().unwrap(),
-        "--set",
-        "wear.max_steps=1",
-        "--output",
-        "worn",
-    ];
-    let output = ertel(folder.path(), &arguments);
+    let case = case.to_str().unwrap();
+    let output = ertel(
+        &folder,
+        &format!("solve {case} --set wear.max_steps=1 --output worn"),
+    );
     let message = stderr_of(output, 3);
     for words in [
         "the wear came to",
@@ -196,7 +192,7 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
         contains(&picture, words);
     }
     // The folder is known as a result, with the picture, and may be written again.
-    let again = ertel(&folder, &format!("solve {case}"));
+    let again = ertel(&folder, "solve cases/stribeck.toml");
     code(&again, 0);
 }
 

@@ -191,8 +191,9 @@ impl HeatedBody {
 /// Two points between bounds that have the first three moments; one where the variance is noise.
 fn two_points([mean, square, cube]: [f64; 3], [low, high]: [f64; 2]) -> [[f64; 2]; 2] {
     let variance = square - mean * mean;
-    // Also where the rise itself is noise.
-    if !(variance > VARIED * mean * mean) {
+    // Neither where the rise itself is noise.
+    let is_varied = variance > VARIED * mean * mean;
+    if !is_varied {
         return [[1.0, mean.clamp(low, high)], [0.0, low]];
     }
     let width = variance.sqrt();

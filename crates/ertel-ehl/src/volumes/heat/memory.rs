@@ -711,7 +711,7 @@ mod tests {
                 let step = t.sqrt() / f64::from(n);
                 let sum: f64 = (0..n)
                     .map(|k| ((f64::from(k) + 0.5) * step).powi(2))
-                    .map(|time| bell_after(&body, [x, u], time))
+                    .map(|time| bell_after(body, [x, u], time))
                     .sum();
                 2.0 * HEAT * step * sum / (body.capacity * (PI * chi).sqrt())
             };
@@ -756,7 +756,7 @@ mod tests {
             let step = (last - first) / f64::from(n);
             let sum: f64 = (0..n)
                 .map(|k| (first + (f64::from(k) + 0.5) * step).powi(2))
-                .map(|time| bell_after(&body, [x, u], time))
+                .map(|time| bell_after(body, [x, u], time))
                 .sum();
             2.0 * HEAT * step * sum / (body.capacity * (PI * body.diffusivity()).sqrt())
         };
