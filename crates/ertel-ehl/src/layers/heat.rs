@@ -45,7 +45,7 @@ pub struct HeatLayer {
     pub material: ThermalMaterial,
 }
 
-/// What a pulse of heat of 1 J/m² at the surface has left there after some time.
+/// A pulse of heat of 1 J/m² at the surface, some time later.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pulse {
     /// g, K·m²/J.
