@@ -153,7 +153,10 @@ fn coated_ball() {
     let [coat, steel] = &ball.parts[..] else {
         panic!("{:?}", ball.parts);
     };
-    let materials = [case.body_1.layers[0].body.elasticity, case.body_1.elasticity];
+    let materials = [
+        case.body_1.layers[0].body.elasticity,
+        case.body_1.elasticity,
+    ];
     let lower = (ball.layers.iter())
         .position(|layer| layer.site.unwrap().layer.is_none())
         .unwrap();
