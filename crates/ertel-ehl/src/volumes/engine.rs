@@ -141,6 +141,25 @@ fn ended(info: NewtonInfo) -> Result<NewtonInfo, SolveError> {
     }
 }
 
+/// Takes the unknowns of a similar solution on the same grid, with its film at the centre; pressures at the edges remain those of the grid before.
+fn start_from(system: &System, state: &mut State, similar: &Level) {
+    let (grid, other) = (&system.grid, &similar.state);
+    let unknown = |k: usize| grid.is_unknown(k % grid.n[0], k / grid.n[0]);
+    for (own, other) in [
+        (&mut state.pressure, &other.pressure),
+        (&mut state.oil, &other.oil),
+        (&mut state.contents, &other.contents),
+    ] {
+        let pairs = own.iter_mut().zip(other).enumerate();
+        (pairs.filter(|(k, _)| unknown(*k))).for_each(|(_, (own, other))| *own = *other);
+    }
+    let pairs = state.wetted.iter_mut().zip(&other.wetted).enumerate();
+    (pairs.filter(|(k, _)| unknown(*k))).for_each(|(_, (own, other))| *own = *other);
+    let [i, j] = grid.centre();
+    let centre = grid.index(i, j);
+    state.separation += similar.films[centre] - system.films(state)[centre];
+}
+
 /// Relative errors of the films of a level, from those before.
 fn film_errors(stats: &[LevelStats]) -> [f64; 2] {
     let mut newest = stats.iter().rev().map(|level| &level.figures);
@@ -165,6 +184,19 @@ impl FiniteVolumes {
     pub fn solve(
         self,
         problem: &Problem<Plan>,
+        observer: &mut dyn Observer,
+    ) -> Result<Volumes, SolveError> {
+        self.solve_from(problem, None, observer)
+    }
+
+    /// Solves a problem on each grid from a solution of a similar one on that grid, where there is one.
+    ///
+    /// # Errors
+    /// As [`FiniteVolumes::solve`].
+    pub fn solve_from(
+        self,
+        problem: &Problem<Plan>,
+        similar: Option<&Volumes>,
         observer: &mut dyn Observer,
     ) -> Result<Volumes, SolveError> {
         let [mut h, _] = first_cells(problem);
@@ -203,6 +235,10 @@ impl FiniteVolumes {
                 }
                 Some(before) => refined(problem, before, grid, deflection),
             };
+            let similar = similar.and_then(|similar| similar.levels.get(n));
+            if let Some(similar) = similar.filter(|level| level.system.grid == system.grid) {
+                start_from(&system, &mut state, similar);
+            }
             let rounds = Rounds::new(problem, problem.plan.heat);
             let start =
                 (rounds.as_ref()).map(|rounds| rounds.start(&system, found.levels.last(), None));

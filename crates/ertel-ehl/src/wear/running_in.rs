@@ -1,4 +1,4 @@
-//! Contact and wear in turn: solve the contact, wear the bodies by a step, solve it again, until the sliding distance.
+//! Contact and wear in turn: solve the contact, wear the bodies by a step, solve it again from the last solution, until the sliding distance.
 //!
 //! Steps are explicit; each is limited by the largest depth. The run is repeated with steps of twice the depth: the change of a figure by that is the error bar of the steps, whose
 //! errors are of the first order.
@@ -205,8 +205,12 @@ impl<'a> Run<'a> {
                 }
             }
             self.shape(problem, n_terms);
-            // From the coarsest grid: from the last solution of each grid, the edges of the film, which move on by a node in each iteration, would fall behind.
-            self.latest = Some(match FiniteVolumes.solve(problem, observer) {
+            let found = match FiniteVolumes.solve_from(problem, Some(self.solved()), observer) {
+                Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+                Err(_) => FiniteVolumes.solve(problem, observer),
+                found => found,
+            };
+            self.latest = Some(match found {
                 Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
                 Err(error) => return Err(stopped(Some(error))),
                 Ok(found) => found,
