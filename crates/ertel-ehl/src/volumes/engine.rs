@@ -141,22 +141,14 @@ fn ended(info: NewtonInfo) -> Result<NewtonInfo, SolveError> {
     }
 }
 
-/// Takes the unknowns of a similar solution on the same grid, with its film at the centre; pressures at the edges remain those of the grid before.
+/// Takes pressures and contents of a similar solution on the same first grid, and its film at the centre.
 fn start_from(system: &System, state: &mut State, similar: &Level) {
-    let (grid, other) = (&system.grid, &similar.state);
-    let unknown = |k: usize| grid.is_unknown(k % grid.n[0], k / grid.n[0]);
-    for (own, other) in [
-        (&mut state.pressure, &other.pressure),
-        (&mut state.oil, &other.oil),
-        (&mut state.contents, &other.contents),
-    ] {
-        let pairs = own.iter_mut().zip(other).enumerate();
-        (pairs.filter(|(k, _)| unknown(*k))).for_each(|(_, (own, other))| *own = *other);
+    if similar.system.grid != system.grid {
+        return;
     }
-    let pairs = state.wetted.iter_mut().zip(&other.wetted).enumerate();
-    (pairs.filter(|(k, _)| unknown(*k))).for_each(|(_, (own, other))| *own = *other);
-    let [i, j] = grid.centre();
-    let centre = grid.index(i, j);
+    *state = similar.state.clone();
+    let [i, j] = system.grid.centre();
+    let centre = system.grid.index(i, j);
     state.separation += similar.films[centre] - system.films(state)[centre];
 }
 
@@ -189,7 +181,8 @@ impl FiniteVolumes {
         self.solve_from(problem, None, observer)
     }
 
-    /// Solves a problem on each grid from a solution of a similar one on that grid, where there is one.
+    /// Solves a problem from a solution of a similar one on the same first grid. Finer grids start from the grid before: a solution of the other problem there is no nearer, and Newton's
+    /// method ended with mass balances open by 5 %.
     ///
     /// # Errors
     /// As [`FiniteVolumes::solve`].
@@ -235,8 +228,7 @@ impl FiniteVolumes {
                 }
                 Some(before) => refined(problem, before, grid, deflection),
             };
-            let similar = similar.and_then(|similar| similar.levels.get(n));
-            if let Some(similar) = similar.filter(|level| level.system.grid == system.grid) {
+            if let (0, Some(similar)) = (n, similar.and_then(|similar| similar.levels.first())) {
                 start_from(&system, &mut state, similar);
             }
             let rounds = Rounds::new(problem, problem.plan.heat);
