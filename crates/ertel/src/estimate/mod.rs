@@ -326,7 +326,9 @@ fn warnings(case: &Case, estimate: &CaseEstimate) -> Vec<Warning> {
     };
     warnings.extend(thin_film_warning(name, thickness));
     warnings.extend(thick_film(name, thickness, smallest_radius(case)));
-    warnings.extend((case.roughness).and_then(|sigma| roughness_warning(name, thickness, sigma)));
+    // With asperities the surfaces are not smooth: their share of the load is compared below.
+    let smooth = case.roughness.filter(|_| case.asperities.is_none());
+    warnings.extend(smooth.and_then(|sigma| roughness_warning(name, thickness, sigma)));
     if let Some(lambda) = &estimate.lambda {
         warnings.extend(lambda.asperity_load_share.and_then(share_warning));
     }
