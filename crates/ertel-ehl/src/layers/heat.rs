@@ -256,7 +256,7 @@ mod tests {
     fn waves_of_heat_by_pulses() {
         for [k, capacity, wave, speed, real, imaginary] in WAVES {
             let body = coated(*k, *capacity);
-            let (low, high, n) = (1e-9_f64.ln(), 1e4_f64.ln(), 3000);
+            let (low, high, n) = (1e-9_f64.ln(), 1e4_f64.ln(), 8000);
             let step = (high - low) / f64::from(n);
             let mut sum = Complex64::default();
             for i in 0..n {
