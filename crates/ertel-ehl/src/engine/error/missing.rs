@@ -61,10 +61,8 @@ impl MissingHeatData {
             places.push(match (*part, material) {
                 ("lubricant", _) => format!("add {datum} to [lubricant]"),
                 (part, Some(name)) if part.starts_with("the layers") => {
-                    format!(
-                        "add {datum} to the layer `{name}` in {} in [bodies]",
-                        &part[4..]
-                    )
+                    let body = part.trim_start_matches("the layers of ");
+                    format!("add {datum} to the layer `{name}` of {body} in [bodies]")
                 }
                 (_, Some(name)) => {
                     format!("add {datum} in [bodies], {part} = {{ name = \"{name}\", {datum} }}")
