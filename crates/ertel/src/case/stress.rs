@@ -320,7 +320,7 @@ mod tests {
             ("depth_um,along_MPa\n0,-800\n100,0\n", "across"),
             (
                 "depth_um,along_MPa,across_MPa\n0,-800,nan\n100,0,0\n",
-                "line 2",
+                "bad.csv:2:3: across",
             ),
             (
                 "depth_um,along_MPa,across_MPa\n0,-800,-1e6\n100,0,0\n",
