@@ -89,13 +89,16 @@ pub fn rise(case: &Case, power: f64, film: f64) -> Rise {
     let flux = power.abs() / case.hertz().area(&case.contact);
     let temperature = case.lubricant.temperature;
     let speeds = [case.motion.body_1_speed(), case.motion.body_2_speed()];
+    let width = 2.0 * along.half_width;
     let own = [0, 1].map(|b: usize| {
         let body = [&case.body_1, &case.body_2][b];
-        let passage = 2.0 * along.half_width / speeds[b].abs().max(f64::MIN_POSITIVE);
-        effusivity(body, temperature, passage)
+        uptake(body, temperature, speeds[b].abs(), width)
     });
-    let taken: f64 = (own.iter().zip(speeds))
-        .map(|(own, u)| own.unwrap_or(STEEL) * u.abs().sqrt())
+    let steel = speeds.map(|u| STEEL * u.abs().sqrt());
+    let taken: f64 = own
+        .iter()
+        .zip(steel)
+        .map(|(own, steel)| own.unwrap_or(steel))
         .sum();
     let surfaces = 4.0 / 3.0 * flux * (2.0 * along.half_width / PI).sqrt() / taken;
     let conductivity = (case.lubricant.thermal_conductivity.as_ref())
@@ -107,19 +110,17 @@ pub fn rise(case: &Case, power: f64, film: f64) -> Rise {
     }
 }
 
-/// √(kρc) of a body, W√s/(m²K), if it is known; with layers 1/(Z√s) of heat that grows over the time of a passage, 1/s.
-fn effusivity(body: &Body, temperature: f64, passage: f64) -> Option<f64> {
+/// e√u of a body that passes the band of a width, m, at a speed, m/s, if its data are known; with layers √w/Z of heat that grows over the passage, s = u/w.
+fn uptake(body: &Body, temperature: f64, speed: f64, width: f64) -> Option<f64> {
     let mut missing = Vec::new();
     let heat = body.heat(["body"; 2], temperature, &mut missing)?;
     let material = heat.constants();
     if heat.layers.is_empty() || !missing.is_empty() {
-        return Some((material.conductivity * material.capacity).sqrt());
+        return Some((material.conductivity * material.capacity * speed).sqrt());
     }
-    let s = 1.0 / passage;
-    let rise = HeatedBody::new(&heat.heat_layers(), material, DEEP)
-        .impedance(0.0.into(), s.into())
-        .re;
-    Some(1.0 / (rise * s.sqrt()))
+    let body = HeatedBody::new(&heat.heat_layers(), material, DEEP);
+    let rise = body.impedance(0.0.into(), (speed / width).into());
+    Some(width.sqrt() / rise.re)
 }
 
 /// Depth that no heat reaches in a passage, m.

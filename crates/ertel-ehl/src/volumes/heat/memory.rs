@@ -70,8 +70,6 @@ const RATE_RATIO: f64 = 1.75;
 const VALUES: usize = 3;
 /// Modes faster than needed, so that all others are free of what the fastest ones lack.
 const FASTER: usize = 4;
-/// The slowest heat of the least squares, as a power of that ratio over the decay of the whole body.
-const STEADY: f64 = -20.0;
 /// Singular values below this share of the largest are left out: weights stay small.
 const SMALLEST: f64 = 1e-12;
 
@@ -122,13 +120,10 @@ impl Modes {
         let needed = ((needed * decay).ln() / RATE_RATIO.ln()).ceil().max(1.0) as usize;
         let count = needed + FASTER;
         let values = VALUES * (needed + 2);
-        // Periodic heat, from nearly steady to as fast as needed: that which only grows leaves the weights undetermined.
-        let s = |i: usize| {
-            let power = match i / 2 {
-                0 => STEADY,
-                i => i as f64 / VALUES as f64 - 2.0,
-            };
-            Complex64::new(0.0, rate(power))
+        // Periodic heat, from steady to as fast as needed: that which only grows leaves the weights undetermined.
+        let s = |i: usize| match i / 2 {
+            0 => Complex64::default(),
+            i => Complex64::new(0.0, rate(i as f64 / VALUES as f64 - 2.0)),
         };
         let part = |i: usize, value: Complex64| {
             if i.is_multiple_of(2) {
@@ -513,7 +508,7 @@ fn sinc(x: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::contact::{HertzZone, Turn};
-    use crate::layers::{HeatLayer, ThermalMaterial};
+    use crate::layers::HeatLayer;
     use crate::volumes::rows::Rows;
     use approx::assert_relative_eq;
 
@@ -548,16 +543,6 @@ mod tests {
         body.velocity = peclet.map(|p| p * unit);
         let speed = body.velocity.iter().fold(0.0_f64, |m, u| m.max(u.abs()));
         Below::new(grid, body, A, speed)
-    }
-
-    fn layer(thickness: f64, conductivity: f64, capacity: f64) -> HeatLayer {
-        HeatLayer {
-            thickness,
-            material: ThermalMaterial {
-                conductivity,
-                capacity,
-            },
-        }
     }
 
     /// Heat q e^{−r²/s²} with s half a half-width.
@@ -609,8 +594,11 @@ mod tests {
     /// A thin insulating coat below a good conductor, and a liner.
     fn stacks() -> [Vec<HeatLayer>; 2] {
         [
-            vec![layer(1e-6, 100.0, 3e6), layer(3e-6, 1.0, 2e6)],
-            vec![layer(1e-4, 0.25, 2e6)],
+            vec![
+                HeatLayer::new(1e-6, 100.0, 3e6),
+                HeatLayer::new(3e-6, 1.0, 2e6),
+            ],
+            vec![HeatLayer::new(1e-4, 0.25, 2e6)],
         ]
     }
 

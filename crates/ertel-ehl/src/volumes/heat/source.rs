@@ -388,13 +388,7 @@ mod tests {
     fn waves_over_layers() {
         let (h, wavelength) = (5e-6, 40_usize);
         let turn = 2.0 * PI / wavelength as f64;
-        let layer = |thickness, conductivity, capacity| HeatLayer {
-            thickness,
-            material: ThermalMaterial {
-                conductivity,
-                capacity,
-            },
-        };
+        let layer = HeatLayer::new;
         for (layers, speed, most) in [
             (vec![layer(3e-6, 1.0, 2e6)], 2.0, 2e-5),
             (vec![layer(3e-6, 1.0, 2e6)], 0.0, 2e-5),
@@ -405,7 +399,7 @@ mod tests {
                 5e-4,
             ),
             (vec![layer(3e-5, 0.25, 2e6)], 0.05, 2e-3),
-            // Here the second moments of the spread do not suffice.
+            // Three moments of the spread do not suffice here.
             (vec![layer(2e-5, 0.25, 2e6)], 0.0, 4e-2),
         ] {
             let body = MovingBody {
