@@ -97,8 +97,8 @@ fn wear_that_ends_on_the_way() {
     );
     let message = stderr_of(output, 3);
     for words in [
-        "the wear came to",
-        "of 2.0000e2 m in 1 steps",
+        "the wear ends at a sliding distance of",
+        "of 200 m, after 1 steps",
         "max_steps",
         "nothing was written",
     ] {

@@ -63,7 +63,7 @@ fn pressure_on_a_soft_layer() {
 const COAT: &str = "youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, thickness = \"3 um\"";
 const STEEL: &str = "density = \"7850 kg/m^3\", thermal_conductivity = \"46 W/(m.K)\", heat_capacity = \"470 J/(kg.K)\"";
 
-/// Sliding with heat; the coat has the elastic constants of the bodies.
+/// Sliding with heat; the coating has the elastic constants of the bodies.
 fn warm_text(kind: &str, load: &str, coat: &str) -> String {
     format!(
         "[contact]\nkind = \"{kind}\"\nradius = \"10 mm\"\nload = \"{load}\"\n\
@@ -80,7 +80,7 @@ fn warm(kind: &str, load: &str, coat: &str) -> Solution {
     run::solve(&case, &mut NoObserver).unwrap()
 }
 
-/// A coat of the same material leaves heat unchanged; one that insulates warms the film and lowers its friction, most of all on the coated side.
+/// A coating of the same material leaves heat unchanged; one that insulates warms the film and lowers its friction, most of all on the coated side.
 #[test]
 fn coats_with_heat() {
     for (kind, load) in [("circular", "5 N"), ("line", "30 kN/m")] {

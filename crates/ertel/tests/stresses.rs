@@ -143,7 +143,7 @@ fn coated(layers: &str) -> (Case, Solution) {
     (case, solution)
 }
 
-/// A coat of 2 µm: both sides of its interface have the tractions and the strains along it in common, and the steel below hardly knows of it.
+/// A coating of 2 µm: both sides of its interface have the tractions and the strains along it in common, and the steel below is hardly affected.
 #[test]
 fn coated_ball() {
     let (case, solution) = coated("[{ name = \"dlc\", thickness = \"2 um\" }]");

@@ -12,7 +12,7 @@ mod response;
 mod waves;
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 pub use heat::{HeatLayer, HeatedBody, Pulse, ThermalMaterial};
 pub use images::{Fit, Image, Images, geometric};

@@ -13,7 +13,7 @@ fn material(youngs_modulus: f64, poissons_ratio: f64) -> Material {
 }
 
 /// Layers by modulus, Poisson's ratio and thickness, on a body of modulus 1.
-fn coated(layers: &[[f64; 3]], poisson: f64) -> Coated {
+pub(crate) fn coated(layers: &[[f64; 3]], poisson: f64) -> Coated {
     let layer = |[e, nu, thickness]: &[f64; 3]| Layer {
         thickness: *thickness,
         material: material(*e, *nu),

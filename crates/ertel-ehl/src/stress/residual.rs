@@ -1,4 +1,4 @@
-//! Residual stress over depth, as of shot peening, case hardening or a coat.
+//! Residual stress over depth, as of shot peening, case hardening or a coating.
 //!
 //! It depends on the depth alone: equilibrium leaves σ_xx and σ_yy, which add to those of the contact at all times.
 

@@ -30,8 +30,8 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
         out.row(
             BODIES[n - 1],
             format!(
-                "k {}, H {}{}",
-                digits(body.wear_coefficient, 6),
+                "k {:e}, H {}{}",
+                body.wear_coefficient,
                 pressure(body.hardness),
                 track(body)
             ),
@@ -44,8 +44,8 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
             }
         }
         out.row(
-            "  volume in the gap over k W_a s/H",
-            format!("1 {:+.0e}", body.volume_deviation),
+            "  volume balance error",
+            format!("{:.0e} of k W_a s/H", body.volume_deviation),
         );
     }
     if let (Some(new), Some(worn)) = (wear.course.first(), wear.course.last()) {
@@ -53,7 +53,7 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
             format!("{} new, {} worn", words(new), words(worn))
         };
         out.row(
-            "load of the asperities",
+            "load on asperities",
             of(&|at| format!("{} %", digits(100.0 * at.asperity_load_share, 3))),
         );
         out.row("central film", of(&|at| length(at.film_central)));

@@ -116,7 +116,7 @@ fn uptake(body: &Body, temperature: f64, speed: f64, width: f64) -> Option<f64> 
     let heat = body.heat(["body"; 2], temperature, &mut missing)?;
     let material = heat.constants();
     if heat.layers.is_empty() || !missing.is_empty() {
-        return Some((material.conductivity * material.capacity * speed).sqrt());
+        return Some((material.conductivity * material.capacity).sqrt() * speed.sqrt());
     }
     let body = HeatedBody::new(&heat.heat_layers(), material, DEEP);
     let rise = body.impedance(0.0.into(), (speed / width).into());

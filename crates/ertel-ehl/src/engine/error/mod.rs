@@ -11,6 +11,7 @@ use ertel_fem::linear::gmres::GmresError;
 use ertel_fem::linear::lu::LuError;
 
 use crate::elastic::FiniteBodyError;
+use crate::words::length;
 
 /// Why Newton's method stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -151,7 +152,9 @@ pub enum SolveError {
     },
     /// A contact that wears did not reach its sliding distance.
     #[error(
-        "the wear came to {distance:.4e} m of {of:.4e} m in {steps} steps: {}",
+        "the wear ends at a sliding distance of {} of {}, after {steps} steps: {}",
+        length(*distance),
+        length(*of),
         error.as_ref().map_or("[wear] max_steps allows no more".to_owned(), ToString::to_string)
     )]
     Worn {

@@ -10,7 +10,8 @@ use super::super::{Depths, HertzLoad, Planes, Response, Stress};
 use super::grid::hertz_grid;
 use super::worst;
 use crate::contact::Material;
-use crate::layers::{Coated, Layer, Plane};
+use crate::layers::Plane;
+use crate::layers::tests::coated;
 
 /// E₁/E₂, ν, h/a, layer or substrate, x/a, z/a; σ_xx, σ_zz, σ_xz under Hertz's pressure over it, the same under a traction of that form; by Fourier integrals.
 #[rustfmt::skip]
@@ -120,22 +121,6 @@ const AXIS: [[f64; 9]; 42] = [
     [4.0, 0.2, 0.3, 1.0, 1.0, 1.0, -0.3418791018, -0.002787633934, 0.3390914678],
     [4.0, 0.2, 0.3, 1.0, 0.8, 0.0, -0.4511655182, 0.1843712859, 0.6355368041],
 ];
-
-/// Layers by modulus, Poisson's ratio and thickness, on a body of modulus 1.
-fn coated(layers: &[[f64; 3]], poisson: f64) -> Coated {
-    let material = |youngs_modulus: f64, poissons_ratio: f64| Material {
-        youngs_modulus,
-        poissons_ratio,
-    };
-    let layer = |[e, nu, thickness]: &[f64; 3]| Layer {
-        thickness: *thickness,
-        material: material(*e, *nu),
-    };
-    Coated {
-        layers: layers.iter().map(layer).collect(),
-        substrate: material(1.0, poisson),
-    }
-}
 
 fn hertz(half_width_y: Option<f64>, friction: f64, poisson: f64) -> HertzLoad {
     HertzLoad {

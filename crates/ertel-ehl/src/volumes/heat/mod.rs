@@ -12,7 +12,7 @@
 //! | [`source`] | temperature of a moving body by the heat that flows into cells |
 //! | [`spreading`] | the same on a grid, by fast Fourier transforms |
 //! | [`turning`] | spinning bodies, mapped to a plane |
-//! | [`memory`] | stored heat of the bodies in time |
+//! | [`memory`], [`modes`] | stored heat of the bodies in time |
 //! | [`columns`] | the energy equation of the film over each node |
 //! | [`flow`], [`transport`] | heat flow from node to node |
 //! | [`march`] | temperatures of the film by those of the walls, along the flow |
@@ -29,6 +29,7 @@ pub mod figures;
 pub mod flow;
 pub mod march;
 pub mod memory;
+pub mod modes;
 pub mod output;
 pub mod rounds;
 pub mod source;

@@ -36,7 +36,7 @@ pub(super) fn picture(title: &str, solution: &Solution, wear: &Wear) -> Drawing 
         title,
         axis(),
         Axis::linear_around(
-            &format!("Largest worn depth ({depth_unit})"),
+            &format!("Largest worn depth, trend ({depth_unit})"),
             [0.0, per_depth * deepest],
         ),
     );
@@ -65,14 +65,12 @@ pub(super) fn picture(title: &str, solution: &Solution, wear: &Wear) -> Drawing 
     let mut load = Chart::new(
         title,
         axis(),
-        Axis::linear("Load of the asperities (%)", 0.0, 100.0),
+        Axis::linear("Load on asperities (%)", 0.0, 100.0),
     );
-    load.series.push(over(
-        "load of the asperities",
-        PALETTE[0],
-        Side::Left,
-        &|at| 100.0 * at.asperity_load_share,
-    ));
+    load.series
+        .push(over("load on asperities", PALETTE[0], Side::Left, &|at| {
+            100.0 * at.asperity_load_share
+        }));
     let friction = |at: &WearStep| at.friction_total.map(f64::abs);
     if let Some(all) = wear
         .course
@@ -93,12 +91,15 @@ pub(super) fn picture(title: &str, solution: &Solution, wear: &Wear) -> Drawing 
     let mut profile = Chart::new(
         title,
         Axis::linear_around(
-            "*x*/*a*, *y*/*a*",
+            match solution.shape.is_line() {
+                true => "*x*/*a*",
+                false => "*x*/*a*, *y*/*a*",
+            },
             wear.bodies()
                 .flat_map(|(_, body)| body.profiles.iter().flatten().map(move |[x, _]| x / a)),
         ),
         Axis::linear_around(
-            &format!("Worn depth ({depth_unit})"),
+            &format!("Worn depth, trend ({depth_unit})"),
             [0.0, per_depth * deepest],
         ),
     );
