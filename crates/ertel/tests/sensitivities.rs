@@ -126,6 +126,38 @@ fn has_exponents(text: &str, expected: &[(Figure, &str, f64, f64)]) {
     }
 }
 
+/// A ball in its groove, whose first grid ends with the contact area: that of a problem with more film is larger. Against differences of whole solves with inputs 1 % below and above.
+#[test]
+fn ball_in_its_groove() {
+    let text = include_str!("../../../cases/ball-in-groove.toml");
+    let expected = [
+        (
+            Figure::FilmCentral,
+            "lubricant.viscosity.alpha",
+            0.719,
+            0.01,
+        ),
+        (
+            Figure::FilmMinimum,
+            "lubricant.viscosity.alpha",
+            0.740,
+            0.02,
+        ),
+        (Figure::FilmCentral, "motion.entrainment_speed", 0.712, 0.01),
+        (Figure::FilmMinimum, "motion.entrainment_speed", 0.709, 0.02),
+        (
+            Figure::PressureCentral,
+            "motion.entrainment_speed",
+            -0.0078,
+            0.002,
+        ),
+    ];
+    has_exponents(
+        &format!("{text}\n[mesh]\ntarget_error = 0.01\n[output]\nsensitivities = true\n"),
+        &expected,
+    );
+}
+
 /// A line with heat, whose inlet has layers that flow back, against differences of solves by finite elements with inputs 1 % below and above, under the same edges.
 #[test]
 fn heated_line() {

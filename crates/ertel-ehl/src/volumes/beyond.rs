@@ -42,9 +42,14 @@ impl Beyond {
         if problem.shape.inlet != Inlet::Flooded || is_whole {
             return None;
         }
-        let boxes = [grid.bounds(), bounds(problem)];
-        let [inside, whole] = boxes.map(|bounds| bounds[0][0].abs().max(bounds[1][1]));
-        (inside * (1.0 + ROUNDING) < whole).then(|| Beyond::around(problem, grid, boxes[1]))
+        let beyond = Beyond::up_to_area(problem, grid);
+        let [inside, whole] = (beyond.boxes).map(|bounds| bounds[0][0].abs().max(bounds[1][1]));
+        (inside * (1.0 + ROUNDING) < whole).then_some(beyond)
+    }
+
+    /// Between the edges of a grid and those of the contact area of a problem.
+    pub fn up_to_area<Plan>(problem: &Problem<Plan>, grid: &Grid) -> Beyond {
+        Beyond::around(problem, grid, bounds(problem))
     }
 
     /// Between the edges of a grid and a box.
@@ -65,12 +70,10 @@ impl Beyond {
         }
     }
 
-    /// Where the contact area extends beyond a first grid: imposes these pressures at its edge, and subtracts the load beyond from that of the grid.
-    pub fn note<Plan>(problem: &Problem<Plan>, system: &mut System, state: &mut State) {
-        system.beyond = Beyond::of(problem, &system.grid);
-        if let Some(beyond) = system.beyond.clone() {
-            beyond.give(&problem.shape, system, state);
-        }
+    /// Imposes these pressures at the edges of a first grid, and subtracts the load beyond from that of the grid.
+    pub fn note(&self, shape: &Shape, system: &mut System, state: &mut State) {
+        self.give(shape, system, state);
+        system.beyond = Some(self.clone());
     }
 
     /// Imposes these pressures at the edges of a grid, and subtracts the load outside from that of the grid.
@@ -89,15 +92,12 @@ impl Beyond {
     }
 
     /// Raises the pressures of a start to these: otherwise the film far from the contact would spread by only one node per step.
-    pub fn start<Plan>(problem: &Problem<Plan>, system: &System, state: &mut State) {
-        let Some(beyond) = &system.beyond else {
-            return;
-        };
+    pub fn start(&self, shape: &Shape, system: &System, state: &mut State) {
         let films = system.films(state);
         for (k, [i, j]) in system.grid.nodes().enumerate() {
             let place = system.grid.place(i, j);
             if system.grid.is_unknown(i, j) && place != [0.0; 2] {
-                let pressure = beyond.pressure(&problem.shape, place, films[k]).value;
+                let pressure = self.pressure(shape, place, films[k]).value;
                 let raised = state.pressure[k].max(pressure);
                 if let Some(oil) = state.oil.get_mut(k) {
                     *oil += raised - state.pressure[k];

@@ -222,8 +222,10 @@ impl FiniteVolumes {
                 None => {
                     let mut system = first_system(problem, grid, deflection);
                     let mut state = first_state(problem, &system);
-                    Beyond::note(problem, &mut system, &mut state);
-                    Beyond::start(problem, &system, &mut state);
+                    if let Some(beyond) = Beyond::of(problem, &system.grid) {
+                        beyond.note(&problem.shape, &mut system, &mut state);
+                        beyond.start(&problem.shape, &system, &mut state);
+                    }
                     (system, state)
                 }
                 Some(before) => refined(problem, before, grid, deflection),

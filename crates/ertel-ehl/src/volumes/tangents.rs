@@ -223,7 +223,11 @@ impl<Plan> Side<'_, Plan> {
             None => {
                 let mut system = first_system(self.problem, grid, deflection);
                 state.contents = system.arrival.contents(&state.wetted);
-                Beyond::note(self.problem, &mut system, &mut state);
+                // As on the grid of the solution: edges would jump where only the contact area of this side goes beyond it.
+                if own.system.beyond.is_some() {
+                    let beyond = Beyond::up_to_area(self.problem, &system.grid);
+                    beyond.note(&self.problem.shape, &mut system, &mut state);
+                }
                 system
             }
             Some(before) => {

@@ -171,10 +171,12 @@ fn side_of<Plan>(problem: &Problem<Plan>, side: f64) -> f64 {
     roller.map_or(side, |roller| roller.half_length())
 }
 
-/// Whether a figure has derivatives. These are of the film solve: friction by a law that is not part of it has none.
-pub(super) fn has_derivatives(case: &Case, figure: Figure) -> bool {
+/// Whether a resolved figure has derivatives. These are of the film solve: friction by a law that is not part of it has none. They are relative: a zero, such as the traction of
+/// surfaces that slide by rounding alone, has none.
+pub(super) fn has_derivatives(case: &Case, solution: &Solution, figure: Figure) -> bool {
     let is_of_law = figure.section() == Section::Traction || figure == Figure::FrictionTotal;
-    !(case.friction_by_law && is_of_law)
+    let is_zero = (solution.figure(figure)).is_some_and(|at| at.value == 0.0);
+    solution.resolves(figure) && !is_zero && !(case.friction_by_law && is_of_law)
 }
 
 /// Adds the sensitivities to the inputs and the resulting uncertainty. A solution without them remains valid.

@@ -60,7 +60,7 @@ pub(super) fn solve(
     drop(film);
     let start = Start::new(&problem, solved.finest);
     if case.wants_sensitivities() {
-        let resolved = |figure| solution.resolves(figure) && has_derivatives(case, figure);
+        let resolved = |figure| has_derivatives(case, &solution, figure);
         let only_uncertain = case.output.sensitivities != SensitivityDemand::All;
         let observer = recorder.observer;
         let found = by_differences(case, &problem, &start, only_uncertain, resolved, observer);

@@ -119,7 +119,7 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
     if case.wants_sensitivities() {
         let own = problem::problem(case);
         let tangents = Tangents::new(&own, &solved, |figure| {
-            solution.resolves(figure) && has_derivatives(case, figure)
+            has_derivatives(case, &solution, figure)
         });
         let found = by_derivatives(case, &own, &tangents);
         note_sensitivities(&mut solution, case, Ok(found))?;
