@@ -159,6 +159,15 @@ fn a_study_of_whole_machines() {
     assert_eq!(read(&folder, "results/torques/results.csv"), table);
 }
 
+/// A second solve replaces the result of the first one.
+#[test]
+fn a_machine_is_solved_again() {
+    let folder = workspace(GEARS);
+    for _ in 0..2 {
+        code(&common::ertel(&folder, "solve gears.toml -q -o out"), 0);
+    }
+}
+
 /// A contact that fails is a point that fails, with its reason; a load that no gear carries is refused before anything is solved.
 #[test]
 fn points_of_machines_that_fail() {

@@ -8,11 +8,12 @@
 
 use ertel_machines::bearing::Geometry;
 use ertel_machines::bearing::kinematics::deformed_radius;
+use rayon::prelude::*;
 
 use super::contacts::{figure_of, sum};
 use super::rolling::rolling_coefficient;
 use super::slip::Slip;
-use crate::case::{BearingMechanics, Case, ContactKind};
+use crate::case::{BearingMechanics, Case, ContactKind, RINGS};
 use crate::figures::Row;
 use crate::figures::bearing::{
     BEARING_TEMPERATURE, ELEMENT_LOAD_MAXIMUM, FRICTION_POWER, FRICTION_POWER_DIFFERENTIAL_SLIP,
@@ -123,36 +124,14 @@ fn friction(
     [film, rolling]: [Marked; 2],
     warnings: &mut Vec<Warning>,
 ) -> Vec<Row> {
-    let is_ball = matches!(mechanics.bearing.geometry, Geometry::Ball(_));
     let mut figures = vec![FRICTION_POWER_ROLLING.row(
         rolling,
         "rolling: resistance of the films to rolling, at both walls",
     )];
-    let elements = &mechanics.distribution.elements;
-    let spins = elements
-        .iter()
-        .any(|e| e.contacts.iter().any(|c| c.spin[0] != c.spin[1]));
-    if spins {
-        figures.push(FRICTION_POWER_SPIN.row(film - rolling, ""));
-    }
-    let slip = match is_ball {
-        true => differential_slip(case, mechanics, solved),
-        false => Some(0.0),
-    };
-    match slip {
-        Some(slip) if is_ball => figures.push(FRICTION_POWER_DIFFERENTIAL_SLIP.row(
-            slip,
-            "differential slip (Heathcote 1921): by the laws of the lubricant at the dry pressure and the central film of each contact",
-        )),
-        Some(_) => {}
-        None => warnings.push(Warning::new(
-            WarningKind::Friction,
-            "differential slip is omitted from the friction: its traction would exceed 0.15, because the laws of this lubricant do not limit the shear \
-             stress; give `shear_thinning`, such as `{ law = \"estimate\" }` with `base_oil`",
-        )),
-    }
+    let (slip, rows) = sliding(case, mechanics, solved, [film, rolling], warnings);
+    figures.extend(rows);
     let power = Marked {
-        value: film.value + slip.unwrap_or(0.0),
+        value: film.value + slip,
         ..film
     };
     figures.push(FRICTION_POWER.row(power, ""));
@@ -194,21 +173,83 @@ fn friction(
     figures
 }
 
-/// Power of the differential slip in all contacts, W; `None` where it is implausible.
-fn differential_slip(
+/// Power of sliding that the films do not include, W, and the rows of spin and of differential slip.
+fn sliding(
     case: &Case,
     mechanics: &BearingMechanics,
     solved: &MachineSolution,
+    [film, rolling]: [Marked; 2],
+    warnings: &mut Vec<Warning>,
+) -> (f64, Vec<Row>) {
+    let contacts = || (mechanics.distribution.elements.iter()).flat_map(|e| &e.contacts);
+    let spins = contacts().any(|c| c.spin[0] != c.spin[1]);
+    let by_law = spins && case.friction_by_law;
+    let mut rows = Vec::new();
+    if spins && !by_law {
+        rows.push(FRICTION_POWER_SPIN.row(film - rolling, ""));
+    }
+    if !matches!(mechanics.bearing.geometry, Geometry::Ball(_)) {
+        return (0.0, rows);
+    }
+    let slip = slip_power(case, mechanics, solved, |_| 0.0);
+    let both = match by_law {
+        true => slip_power(case, mechanics, solved, |i| spin_of(mechanics, i)),
+        false => slip,
+    };
+    let (Some(slip), Some(both)) = (slip, both) else {
+        warnings.push(Warning::new(
+            WarningKind::Friction,
+            format!(
+                "differential slip{} omitted from the friction: its traction would exceed 0.15, because the laws of this lubricant do not limit the shear \
+                 stress; give `shear_thinning`, such as `{{ law = \"estimate\" }}` with `base_oil`",
+                if by_law { " and spin are" } else { " is" }
+            ),
+        ));
+        return (0.0, rows);
+    };
+    if by_law {
+        rows.push(FRICTION_POWER_SPIN.row(
+            both - slip,
+            "spin: by the laws of the lubricant at the dry pressure and the central film of each contact",
+        ));
+    }
+    rows.push(FRICTION_POWER_DIFFERENTIAL_SLIP.row(
+        slip,
+        "differential slip (Heathcote 1921): by the laws of the lubricant at the dry pressure and the central film of each contact",
+    ));
+    (both, rows)
+}
+
+/// Power of differential slip and of the spin (rad/s, of each contact) in all contacts, W; `None` where it is implausible.
+fn slip_power(
+    case: &Case,
+    mechanics: &BearingMechanics,
+    solved: &MachineSolution,
+    spin: impl Fn(usize) -> f64 + Sync,
 ) -> Option<f64> {
-    let slip = sum(solved, |i, point| {
-        let slip = slip_of(mechanics, solved.machine.contacts[i].side, point)?;
+    let power = |i: usize| {
+        let point = solved.contacts[i].as_ref()?;
+        let slip = Slip {
+            spin: spin(i),
+            ..slip_of(mechanics, solved.machine.contacts[i].side, point)?
+        };
         let boundary = boundary_of(case, point);
         let film = stress_of(case);
-        let found = slip
-            .friction(|pressure, rate| film(pressure, rate) + boundary * pressure * rate.signum());
-        (found.mean_traction < LARGEST_TRACTION).then_some(Marked::exact(found.power))
-    });
-    slip.map(|slip| slip.value)
+        let found = slip.friction(|pressure, rate| film(pressure, rate) + boundary * pressure);
+        (found.mean_traction < LARGEST_TRACTION).then_some(found.power)
+    };
+    let powers: Vec<Option<f64>> = (0..solved.contacts.len())
+        .into_par_iter()
+        .map(power)
+        .collect();
+    Some(sum(solved, |i, _| powers[i].map(Marked::exact))?.value)
+}
+
+/// Difference of the spins of a ball and of the ring at a contact, rad/s.
+fn spin_of(mechanics: &BearingMechanics, contact: usize) -> f64 {
+    let of = &mechanics.distribution.elements[contact / RINGS.len()];
+    let [ring, ball] = of.contacts[contact % RINGS.len()].spin;
+    ball - ring
 }
 
 /// Friction of the asperities of a contact over its pressure: that of boundary lubrication times their share of the load.
@@ -254,6 +295,7 @@ fn slip_of(mechanics: &BearingMechanics, side: usize, point: &PointSolution) -> 
             .map_or(solution.summary.film_central.value, |gap| gap.value),
         speed: point.case.motion.entrainment_speed,
         curvature: 0.5 / (deformed * point.case.contact.radius),
+        spin: 0.0,
     })
 }
 

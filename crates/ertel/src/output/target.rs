@@ -22,11 +22,13 @@ pub const REPORT_PAGE: &str = "report.html";
 pub(super) const FIELDS: [&str; 2] = ["fields-", ".vtu"];
 
 /// Files of a result that are no pictures; a folder with any other file is not replaced.
-const FILES: [&str; 23] = [
+const FILES: [&str; 25] = [
     "result.json",
     REPORT_PAGE,
     "curve.json",
     "curve.csv",
+    "machine.json",
+    "machine.csv",
     "report.txt",
     "case.toml",
     "centreline.csv",

@@ -12,6 +12,7 @@ use super::Mechanics;
 use crate::case::study::values::AxisValue;
 use crate::case::study::{Setting, StudyColumn, StudyPoint, to_toml};
 use crate::case::{Case, Study};
+use crate::params::SensitivityDemand;
 
 /// A whole machine.
 #[derive(Clone, Debug)]
@@ -197,6 +198,7 @@ pub(in crate::case) fn contacts(
             contact.name.clone()
         })?;
         point.label.clone_from(&contact.name);
+        simplify(&mut point.case, machine, document);
         point.case.source = format!("# {}\n{}", contact.name, to_toml(varied.tree()));
         points.push(point);
     }
@@ -204,6 +206,28 @@ pub(in crate::case) fn contacts(
         machine: machine.clone(),
         study: Study::of_samples(case, columns, points),
     })
+}
+
+/// Target error of the films of a whole bearing, whose figures are sums or extremes of ten to thirty contacts.
+const TARGET_ERROR: f64 = 0.01;
+
+/// What the figures of a machine do not need is not computed. Sensitivities to estimated inputs have no figure of a machine. Contacts of a bearing whose films are Newtonian
+/// and whose friction follows from the law have no spin: it hardly changes such films, breaks their symmetry, and its friction is by the law. The default target of bearings is
+/// [`TARGET_ERROR`].
+fn simplify(case: &mut Case, machine: &WholeMachine, document: &Document) {
+    if case.output.sensitivities == SensitivityDemand::WhereUncertain && !machine.folders {
+        case.output.sensitivities = SensitivityDemand::Off;
+    }
+    let Mechanics::Bearing(_) = &machine.mechanics else {
+        return;
+    };
+    if case.friction_by_law {
+        case.motion.spin = [0.0; 2];
+    }
+    let is_given = document.tree().entry("mesh.target_error").is_some();
+    if case.mesh.target_error.is_some() && !is_given {
+        case.mesh.target_error = Some(TARGET_ERROR);
+    }
 }
 
 #[cfg(test)]
