@@ -45,11 +45,9 @@ fn a_bearing_under_thrust() {
         let solution = solved.solution(contact).unwrap();
         solution.figure(Figure::FrictionPower).unwrap().value
     };
-    // Friction follows the law although the films are solved without it.
-    let parts = value("friction_power_rolling") + value("friction_power_spin");
+    // Films are solved without spin, whose friction follows the law: all of their power is rolling.
     let films = 9.0 * (power(0) + power(1));
-    assert_relative_eq!(parts, films, max_relative = 1e-12);
-    // The error of spin does not affect the rolling: it is the same at both walls.
+    assert_relative_eq!(value("friction_power_rolling"), films, max_relative = 2e-2);
     let rolling = found.find("friction_power_rolling").unwrap().estimate;
     let share = rolling.error.unwrap() / rolling.value;
     assert!(share < 0.12, "{share}");
@@ -61,13 +59,14 @@ fn a_bearing_under_thrust() {
     assert!(value("friction_power_spin") < most, "{most}");
     let slip = value("friction_power_differential_slip");
     assert!(slip > 0.0);
-    assert_relative_eq!(value("friction_power"), parts + slip, max_relative = 1e-12);
+    let all = films + value("friction_power_spin") + slip;
+    assert_relative_eq!(value("friction_power"), all, max_relative = 1e-12);
     // 3000 rpm = 314.159 rad/s; 20 °C and half a Kelvin per Watt.
     let torque = value("friction_power") / 314.159_265;
     assert_relative_eq!(value("friction_torque"), torque, max_relative = 1e-8);
     let temperature = 293.15 + 0.5 * value("friction_power");
     near(value("bearing_temperature"), temperature, 1e-12);
-    // The contact of the last ball is the one of the first; alone it is the same to the last bit.
+    // The contact of the last ball is the one of the first; alone, solved with its spin, it has the same film.
     let central = |contact: usize| solved.solution(contact).unwrap().summary.film_central.value;
     assert_eq!(central(0), central(16));
     let alone = read(format!(
@@ -75,7 +74,11 @@ fn a_bearing_under_thrust() {
         THRUST.replace("axial_load", "element = 5\nring = \"outer\"\naxial_load")
     ));
     let alone = run::solve(&alone, &mut NoObserver).unwrap();
-    assert_eq!(alone.summary.film_central.value, central(11));
+    assert_relative_eq!(
+        alone.summary.film_central.value,
+        central(11),
+        max_relative = 1e-5
+    );
 
     let json = output::machine_json(&case.echo(), solved, &found).unwrap();
     assert_eq!(json["format"], "ertel-machine");

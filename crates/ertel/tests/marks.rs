@@ -146,7 +146,7 @@ target_error = 0.1
 }
 
 /// Spin that takes more than dry metal would is not resolved, and nothing made of it. By the law it is below Coulomb's bound: 9.4 W at the coefficient 0.056 of
-/// the limiting stress, 3/8 µ Q a E(k) ω over the contacts (computed outside).
+/// the limiting stress, 3/8 µ Q a E(k) ω over the contacts (computed outside). The stress of differential slip is part of the limit.
 #[test]
 fn spin_is_bounded_or_not_resolved() {
     let (case, solved, found) = solved_machine(bearing(""));
@@ -170,7 +170,7 @@ fn spin_is_bounded_or_not_resolved() {
 
     let (_, solved, found) = solved_machine(bearing("base_oil = 'mineral'"));
     let spin = value(&found, "friction_power_spin");
-    assert!((3.0..9.4).contains(&spin), "{spin}");
+    assert!((2.0..9.4).contains(&spin), "{spin}");
     assert!(
         !found
             .find("friction_torque")
@@ -178,7 +178,7 @@ fn spin_is_bounded_or_not_resolved() {
             .estimate
             .is_doubtful()
     );
-    // One machine has one power: that of its contacts, and the differential slip next to it.
+    // One machine has one power: that of its films, of spin and of differential slip.
     let power = |contact: usize| {
         let solution = solved.solution(contact).unwrap();
         solution.traction.friction_power.value
@@ -186,7 +186,7 @@ fn spin_is_bounded_or_not_resolved() {
     let contacts = 9.0 * (power(0) + power(1));
     let slip = value(&found, "friction_power_differential_slip");
     let whole = value(&found, "friction_power");
-    assert!((contacts + slip - whole).abs() < 1e-9 * whole);
+    assert!((contacts + spin + slip - whole).abs() < 1e-9 * whole);
 }
 
 /// A curve over the load stage: its table names the figures that are not to be used, and the warnings.

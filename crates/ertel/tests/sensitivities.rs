@@ -107,12 +107,16 @@ const HEATED: &str = "[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
     viscosity = { law = \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"18 1/GPa\", beta = \"0.048 1/K\", reference_temperature = \"40 degC\" }\n\
     shear_thinning = { law = \"ree-eyring\", tau_0 = \"6 MPa\" }\n[thermal]\n[output]\nsensitivities = true\n";
 
-/// That all inputs have derivatives, and figures these logarithmic ones by some inputs, within a distance.
+/// That all inputs but a temperature without effect have derivatives, and figures these logarithmic ones by some inputs, within a distance.
 fn has_exponents(text: &str, expected: &[(Figure, &str, f64, f64)]) {
     let solution = solve_from(&read(text), None, &mut NoObserver).unwrap().0;
     let found = solution.sensitivities.as_ref().unwrap();
     assert_eq!(found.by, SensitivityMethod::LinearSolves);
-    assert!(found.left_out.is_empty(), "{:#?}", found.left_out);
+    let left_out = found
+        .left_out
+        .iter()
+        .filter(|input| input.key != "lubricant.temperature");
+    assert_eq!(left_out.count(), 0, "{:#?}", found.left_out);
     for (figure, key, expected, within) in expected {
         let of = found.figures.iter().find(|own| own.figure == *figure);
         let exponents = found.logarithmic(of.unwrap());

@@ -211,8 +211,15 @@ mod tests {
         assert_relative_eq!(power(&alone), expected, max_relative = 1e-3);
         assert_relative_eq!(
             power(&turning),
-            expected + power(&SLIP),
+            power(&alone) + power(&SLIP),
             max_relative = 1e-6
+        );
+        // Under one stress they share it: both lose more than either, and less than their sum.
+        let limited = |slip: &Slip| slip.friction(|_, _| 40e6).power;
+        let (both, spin, slip) = (limited(&turning), limited(&alone), limited(&SLIP));
+        assert!(
+            both > spin.max(slip) && both < 0.99 * (spin + slip),
+            "{both} {spin} {slip}"
         );
         let circle = Slip {
             half_widths: [a, a],
