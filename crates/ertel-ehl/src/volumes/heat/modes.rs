@@ -7,7 +7,7 @@
 //! ```
 //! The heat of a mode spreads along the surface with the mean χ of the heat that is 1/λ old.
 //!
-//! Theory: Heat in time, Layers on the bodies.
+//! Theory: Heat in time.
 
 use std::f64::consts::PI;
 

@@ -211,7 +211,7 @@ pub(in crate::case) fn contacts(
 /// Target error of the films of a whole bearing, whose figures are sums or extremes of ten to thirty contacts.
 const TARGET_ERROR: f64 = 0.01;
 
-/// What the figures of a machine do not need is not computed. Sensitivities to estimated inputs have no figure of a machine. Contacts of a bearing whose films are Newtonian
+/// Leaves out of a contact all that the figures of its machine do not need. No figure of a machine has sensitivities. Contacts of a bearing whose films are Newtonian
 /// and whose friction follows from the law have no spin: it hardly changes such films, breaks their symmetry, and its friction is by the law. The default target of bearings is
 /// [`TARGET_ERROR`].
 fn simplify(case: &mut Case, machine: &WholeMachine, document: &Document) {
