@@ -28,7 +28,7 @@ for shell in bash zsh fish; do "$program" completions "$shell" > "$parts/ertel.$
 name=ertel-$version-$triple
 mkdir "$parts/$name"
 cp "$program" THIRD_PARTY_NOTICES.txt README.md CHANGELOG.md LICENSE-APACHE LICENSE-MIT CITATION.cff "$parts/$name/"
-cp -r cases studies validation "$parts/man" "$parts/$name/"
+cp -r cases studies validation benchmark-suite "$parts/man" "$parts/$name/"
 mkdir "$parts/$name/completions"
 cp "$parts"/ertel.{bash,zsh,fish} "$parts/$name/completions/"
 tar -C "$parts" --sort=name --owner=0 --group=0 --numeric-owner -czf "$out/$name.tar.gz" "$name"

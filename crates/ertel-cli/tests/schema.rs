@@ -68,6 +68,7 @@ pub fn cases() -> Vec<(PathBuf, Value)> {
         "cases",
         "validation",
         "studies",
+        "benchmark-suite",
         "crates/ertel-cli/tests/good",
         "crates/ertel/tests/golden/cases",
     ]);

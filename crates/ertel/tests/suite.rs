@@ -2,6 +2,7 @@
 
 mod arrows;
 mod behind_the_film;
+mod benchmark_suite;
 mod both_methods;
 mod common;
 mod developer;
