@@ -187,6 +187,25 @@ fn spin_is_bounded_or_not_resolved() {
     let slip = value(&found, "friction_power_differential_slip");
     let whole = value(&found, "friction_power");
     assert!((contacts + spin + slip - whole).abs() < 1e-9 * whole);
+
+    // A law whose stress grows to a third of the pressure gives no spin: the power lacks it.
+    let growing =
+        "shear_thinning = { law = 'ree-eyring', tau_0 = '60 MPa' }\n[solver]\nnewtonian = true";
+    let (_, _, found) = solved_machine(bearing(growing));
+    assert!(found.find("friction_power_spin").is_none());
+    assert!(
+        found
+            .warnings
+            .iter()
+            .any(|w| w.contains("and spin are omitted"))
+    );
+    assert!(
+        found
+            .find("friction_torque")
+            .unwrap()
+            .estimate
+            .is_doubtful()
+    );
 }
 
 /// A curve over the load stage: its table names the figures that are not to be used, and the warnings.

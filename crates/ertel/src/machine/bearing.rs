@@ -130,10 +130,7 @@ fn friction(
     )];
     let (slip, rows) = sliding(case, mechanics, solved, [film, rolling], warnings);
     figures.extend(rows);
-    let power = Marked {
-        value: film.value + slip,
-        ..film
-    };
+    let power = film + slip;
     figures.push(FRICTION_POWER.row(power, ""));
     let relative = mechanics.speeds.relative().abs();
     if relative > 0.0 {
@@ -173,23 +170,27 @@ fn friction(
     figures
 }
 
-/// Power of sliding that the films do not include, W, and the rows of spin and of differential slip.
+/// Power of sliding that the films do not include, W, and the rows of spin and of differential slip. Without that of spin it is not resolved.
 fn sliding(
     case: &Case,
     mechanics: &BearingMechanics,
     solved: &MachineSolution,
     [film, rolling]: [Marked; 2],
     warnings: &mut Vec<Warning>,
-) -> (f64, Vec<Row>) {
+) -> (Marked, Vec<Row>) {
     let contacts = || (mechanics.distribution.elements.iter()).flat_map(|e| &e.contacts);
     let spins = contacts().any(|c| c.spin[0] != c.spin[1]);
     let by_law = spins && case.friction_by_law;
+    let power = |value: f64| Marked {
+        error: Some(0.0),
+        ..Marked::exact(value)
+    };
     let mut rows = Vec::new();
     if spins && !by_law {
         rows.push(FRICTION_POWER_SPIN.row(film - rolling, ""));
     }
     if !matches!(mechanics.bearing.geometry, Geometry::Ball(_)) {
-        return (0.0, rows);
+        return (power(0.0), rows);
     }
     let slip = slip_power(case, mechanics, solved, |_| 0.0);
     let both = match by_law {
@@ -205,7 +206,7 @@ fn sliding(
                 if by_law { " and spin are" } else { " is" }
             ),
         ));
-        return (0.0, rows);
+        return (power(0.0).with(Marks::when(by_law, Mark::Unresolved)), rows);
     };
     if by_law {
         rows.push(FRICTION_POWER_SPIN.row(
@@ -217,7 +218,7 @@ fn sliding(
         slip,
         "differential slip (Heathcote 1921): by the laws of the lubricant at the dry pressure and the central film of each contact",
     ));
-    (both, rows)
+    (power(both), rows)
 }
 
 /// Power of differential slip and of the spin (rad/s, of each contact) in all contacts, W; `None` where it is implausible.
