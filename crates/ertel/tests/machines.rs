@@ -31,6 +31,21 @@ static UNDER_THRUST: LazyLock<MachineSolution> = LazyLock::new(|| {
     solve_machine(case.contacts.as_ref().unwrap(), &mut NoObserver)
 });
 
+/// The friction of spin follows from the law: contacts have none, nor have they with another temperature; one contact alone has it.
+#[test]
+fn contacts_of_a_bearing_are_solved_without_spin() {
+    let case = read(THRUST);
+    assert!(case.friction_by_law && case.motion.spin[0] != case.motion.spin[1]);
+    for point in &case.contacts.as_ref().unwrap().study.points {
+        let warmer = [("lubricant.temperature".to_owned(), 350.0)];
+        let warmer = point.case.with_values(warmer.into()).unwrap();
+        assert_eq!(warmer.lubricant.temperature, 350.0);
+        for contact in [&point.case, &warmer] {
+            assert_eq!(contact.motion.spin, [0.0; 2]);
+        }
+    }
+}
+
 /// Two contacts represent eighteen; their sums are nine times theirs, and each is what it is when solved alone.
 #[test]
 fn a_bearing_under_thrust() {

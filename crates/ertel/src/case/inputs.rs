@@ -155,6 +155,11 @@ impl Case {
         };
         let mut case = Self::without_curve(&origin.document, &origin.folder, values.clone())?;
         case.read_contacts(&origin.document, &origin.folder, &values)?;
+        // A contact of a bearing whose spin follows from the law of friction.
+        let by_law = self.friction_by_law && self.motion.spin == [0.0; 2];
+        if by_law && !values.keys().any(|key| key.ends_with("_spin")) {
+            case.motion.spin = [0.0; 2];
+        }
         Ok(case)
     }
 }
