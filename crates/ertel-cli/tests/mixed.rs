@@ -98,7 +98,7 @@ fn wear_that_ends_on_the_way() {
     let message = stderr_of(output, 3);
     for words in [
         "the wear ends at a sliding distance of",
-        "of 200 m, after 1 steps",
+        "of 200 m, after 1 step:",
         "max_steps",
         "nothing was written",
     ] {

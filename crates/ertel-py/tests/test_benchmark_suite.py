@@ -14,7 +14,7 @@ sys.path.insert(0, str(SUITE))
 import benchmark  # noqa: E402
 
 
-def compared(folder: Path, rows: list[tuple[str, str, float]]) -> subprocess.CompletedProcess[str]:
+def compared(folder: Path, rows: list[tuple[str, str, object]]) -> subprocess.CompletedProcess[str]:
     results = folder / "mine.csv"
     with results.open("w", newline="") as file:
         out = csv.writer(file)
@@ -35,9 +35,16 @@ def test_results_are_compared(tmp_path: Path) -> None:
     other = compared(tmp_path, [(case, figure, 1.1 * value)])
     assert other.returncode == 1
     assert "OUTSIDE" in other.stdout
-    unknown = compared(tmp_path, [("nothing", figure, value)])
-    assert unknown.returncode == 1
-    assert "nothing" in unknown.stderr
+    for row, words in [
+        (("nothing", figure, value), "nothing"),
+        ((case, figure, "thin"), "numbers"),
+        ((case, figure, "nan"), "finite"),
+    ]:
+        refused = compared(tmp_path, [(case, values[1][1], values[1][2]), row])
+        assert refused.returncode == 2
+        assert "mine.csv:3: " in refused.stderr and words in refused.stderr, refused.stderr
+    twice = compared(tmp_path, [(case, figure, value), (case, figure, value)])
+    assert twice.returncode == 2 and "given twice" in twice.stderr
 
 
 def test_ertel_solves_a_case(tmp_path: Path) -> None:

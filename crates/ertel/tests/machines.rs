@@ -62,7 +62,7 @@ fn a_bearing_under_thrust() {
     };
     // Films are solved without spin, whose friction follows the law: all of their power is rolling.
     let films = 9.0 * (power(0) + power(1));
-    assert_relative_eq!(value("friction_power_rolling"), films, max_relative = 2e-2);
+    assert_relative_eq!(value("friction_power_rolling"), films, max_relative = 1e-12);
     let rolling = found.find("friction_power_rolling").unwrap().estimate;
     let share = rolling.error.unwrap() / rolling.value;
     assert!(share < 0.12, "{share}");

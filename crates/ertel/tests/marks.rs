@@ -145,8 +145,8 @@ target_error = 0.1
     )
 }
 
-/// Spin that takes more than dry metal would is not resolved, and nothing made of it. By the law it is below Coulomb's bound: 9.4 W at the coefficient 0.056 of
-/// the limiting stress, 3/8 µ Q a E(k) ω over the contacts (computed outside). The stress of differential slip is part of the limit.
+/// Spin that takes more than dry metal would is not resolved, and nothing made of it. By the law spin and differential slip together lose
+/// less than under the limiting stress everywhere, 0.056 of the pressure: 11.69 W (9.36 W of spin alone, 7.14 W of slip alone; computed outside).
 #[test]
 fn spin_is_bounded_or_not_resolved() {
     let (case, solved, found) = solved_machine(bearing(""));
@@ -170,7 +170,11 @@ fn spin_is_bounded_or_not_resolved() {
 
     let (_, solved, found) = solved_machine(bearing("base_oil = 'mineral'"));
     let spin = value(&found, "friction_power_spin");
-    assert!((2.0..9.4).contains(&spin), "{spin}");
+    let slip = value(&found, "friction_power_differential_slip");
+    assert!(
+        spin > 0.0 && slip < 7.14 && spin + slip < 11.69,
+        "{spin} {slip}"
+    );
     assert!(
         !found
             .find("friction_torque")
@@ -184,7 +188,6 @@ fn spin_is_bounded_or_not_resolved() {
         solution.traction.friction_power.value
     };
     let contacts = 9.0 * (power(0) + power(1));
-    let slip = value(&found, "friction_power_differential_slip");
     let whole = value(&found, "friction_power");
     assert!((contacts + spin + slip - whole).abs() < 1e-9 * whole);
 

@@ -42,9 +42,9 @@ impl Beyond {
         if problem.shape.inlet != Inlet::Flooded || is_whole {
             return None;
         }
-        let beyond = Beyond::up_to_area(problem, grid);
-        let [inside, whole] = (beyond.boxes).map(|bounds| bounds[0][0].abs().max(bounds[1][1]));
-        (inside * (1.0 + ROUNDING) < whole).then_some(beyond)
+        let boxes = [grid.bounds(), bounds(problem)];
+        let [inside, whole] = boxes.map(|bounds| bounds[0][0].abs().max(bounds[1][1]));
+        (inside * (1.0 + ROUNDING) < whole).then(|| Beyond::up_to_area(problem, grid))
     }
 
     /// Between the edges of a grid and those of the contact area of a problem.

@@ -106,7 +106,7 @@ rows! {
     /// `[mesh]`.
     pub MESH {
         target_error: Share, bounds [2e-4, 0.1], default "0.2 %" => r#"error of central and minimum film at which grids and meshes are no longer refined,
-            in per cent, `"0.5 %"`, or as a ratio{}, of the contacts of a whole bearing 1 %. Cannot be combined with `preset`, explicit cell sizes or growth"#;
+            in per cent, `"0.5 %"`, or as a ratio{}, 1 % for the contacts of a whole bearing. Cannot be combined with `preset`, explicit cell sizes or growth"#;
         max_unknowns: Count, bounds [1e3, 2e6] => r"approximate limit of the pressure unknowns in this refinement{}; default 30,000, twice that where both halves of a contact are solved, of finite volumes 400,000, with
             finite-element bodies 16,000. If a limit is reached before the target, a warning names it, and the error bar is correspondingly
             wider. Case files from before the half-space operator counted displacements here: their numbers are still valid, and allow finer

@@ -152,9 +152,10 @@ pub enum SolveError {
     },
     /// A contact that wears did not reach its sliding distance.
     #[error(
-        "the wear ends at a sliding distance of {} of {}, after {steps} steps: {}",
+        "the wear ends at a sliding distance of {} of {}, after {steps} step{}: {}",
         length(*distance),
         length(*of),
+        if *steps == 1 { "" } else { "s" },
         error.as_ref().map_or("[wear] max_steps allows no more".to_owned(), ToString::to_string)
     )]
     Worn {
