@@ -34,16 +34,17 @@ pub fn problem(case: &Case) -> Problem {
     make(case, None)
 }
 
-/// The same for a case close to that of a fluid, with which it shares tabulated properties: for residuals, not for solves.
-pub fn nearby_problem(case: &Case, own: &FilmFluid) -> Problem {
+/// The same for a case close to that of `own`, with which it shares tabulated properties of the fluid: for residuals, not for solves.
+pub fn nearby_problem(case: &Case, own: &Problem) -> Problem {
     make(case, Some(own))
 }
 
-fn make(case: &Case, own: Option<&FilmFluid>) -> Problem {
+fn make(case: &Case, own: Option<&Problem>) -> Problem {
     let contact = case.contact.along_motion();
     let hertz = Hertz::new(&contact, case.reduced_modulus());
-    let mut scales = scales(case, &contact, &hertz);
-    let shape = Shape::new(&contact, &hertz, &case.motion).with_inlet(inlet(case, &scales));
+    let shape = Shape::near(&contact, &hertz, &case.motion, own.map(|own| &own.shape));
+    let mut scales = scales(case, (&contact, &hertz, &shape));
+    let shape = shape.with_inlet(inlet(case, &scales));
     let shape = reliefs::with_reliefs(shape, case.standing_reliefs(), &mut scales);
     let flooded_film = predicted_film(case) / scales.film;
     let start_film = starved_film(
@@ -56,7 +57,7 @@ fn make(case: &Case, own: Option<&FilmFluid>) -> Problem {
     let mesh_film = thinning::film_of_mesh(case, start_film * scales.film) / scales.film;
     let elasticity = elasticity(case, &scales);
     let (heat, heat_plan) = heat(case, &scales).unzip();
-    let (fluid, friction) = fluids(case, own, &scales, heat_plan.as_ref());
+    let (fluid, friction) = fluids(case, own.map(|own| &own.fluid), &scales, heat_plan.as_ref());
     let reach = area::reach(
         contact.kind.family(),
         case.elastic_model(),
@@ -328,11 +329,10 @@ pub fn predicted_film(case: &Case) -> f64 {
 }
 
 /// Scales of the variables of a case whose first principal direction is the one nearest to the motion.
-fn scales(case: &Case, contact: &Contact, hertz: &Hertz) -> Scales {
+fn scales(case: &Case, of: (&Contact, &Hertz, &Shape)) -> Scales {
     let lubricant = &case.lubricant;
     Scales::new(
-        contact,
-        hertz,
+        of,
         &case.motion,
         lubricant.ambient_viscosity(),
         lubricant.ambient_density(),

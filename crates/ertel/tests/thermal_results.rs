@@ -32,13 +32,7 @@ fn case(kind: ContactKind, load: f64, slide_to_roll_ratio: f64) -> Case {
 }
 
 fn scales(case: &Case) -> Scales {
-    Scales::new(
-        &case.contact,
-        &case.hertz(),
-        &case.motion,
-        case.lubricant.ambient_viscosity(),
-        case.lubricant.ambient_density(),
-    )
+    problem(case).scales
 }
 
 fn stages(case: &Case) -> (Problem, StageSolution, Vec<LevelStats>) {

@@ -5,7 +5,7 @@ use crate::common;
 use std::sync::Arc;
 
 use common::noise;
-use ertel::contact::{ContactKind, Scales, pressure_profile};
+use ertel::contact::{ContactKind, pressure_profile};
 use ertel::elastic::Accuracy;
 use ertel::params::{ElasticModel, Formulation};
 use ertel::run::problem;
@@ -99,8 +99,7 @@ fn check(
         case = common::heated(case);
     }
     let mut problem = problem(&case);
-    let hertz = case.hertz();
-    let scales = Scales::new(&case.contact, &hertz, &case.motion, 0.04, 870.0);
+    let scales = problem.scales;
     let thins = thinned.is_some();
     let sliding = case.motion.sliding(scales.length);
     problem.fluid = problem

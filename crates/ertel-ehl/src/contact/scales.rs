@@ -28,16 +28,14 @@ pub struct Scales {
 }
 
 impl Scales {
-    /// Scales of a contact with ambient viscosity (Pa·s) and density (kg/m³).
+    /// Scales of a contact of some shape with ambient viscosity (Pa·s) and density (kg/m³).
     pub fn new(
-        contact: &Contact,
-        hertz: &Hertz,
+        (contact, hertz, shape): (&Contact, &Hertz, &Shape),
         motion: &Motion,
         viscosity: f64,
         density: f64,
     ) -> Scales {
         let (a, p_h, r) = (hertz.half_width, hertz.pressure, contact.radius);
-        let load = Shape::new(contact, hertz, motion).load();
         Scales {
             length: a,
             pressure: p_h,
@@ -46,7 +44,7 @@ impl Scales {
             density,
             lambda: 12.0 * motion.entrainment_speed * viscosity * r * r / (a * a * a * p_h),
             elastic_stress: r * p_h / a,
-            load,
+            load: shape.load(),
         }
     }
 

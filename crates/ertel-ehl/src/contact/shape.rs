@@ -73,14 +73,20 @@ impl Shape {
         ends: [f64::INFINITY; 2],
     };
 
-    /// Of a roller of the reduced radius R (m) whose line contact has the half-width b (m).
-    fn of_roller(roller: &Roller, radius: f64, half_width: f64) -> Shape {
+    /// Of a roller of the reduced radius R (m) whose line contact has the half-width b (m); with the dry contact of a `similar` shape if its gap is the same.
+    fn of_roller(roller: &Roller, radius: f64, half_width: f64, similar: Option<&Shape>) -> Shape {
         let gap = RollerGap::new(roller.clone(), half_width, half_width * half_width / radius);
         let half_length = 0.5 * roller.length / half_width;
-        let slices = Slices::new(half_length, |y| gap.at([0.0, y]).value);
-        let kinks: Vec<f64> = (roller.profile.kinks().iter())
-            .map(|y| y / half_width)
-            .collect();
+        let known =
+            similar.filter(|shape| shape.gap.terms.first() == Some(&GapTerm::Roller(gap.clone())));
+        let known = known.and_then(|shape| shape.zone.roller.clone());
+        let zone = known.filter(|zone| zone.half_length() == half_length);
+        let zone = zone.unwrap_or_else(|| {
+            let slices = Slices::new(half_length, |y| gap.at([0.0, y]).value);
+            let kinks = roller.profile.kinks();
+            let kinks: Vec<f64> = kinks.iter().map(|y| y / half_width).collect();
+            Arc::new(RollerZone::new(half_length, |y| slices.load(y), &kinks))
+        });
         Shape {
             dim: 2,
             gap: Gap {
@@ -88,11 +94,7 @@ impl Shape {
                 ..Gap::paraboloid(0.0)
             },
             zone: HertzZone {
-                roller: Some(Arc::new(RollerZone::new(
-                    half_length,
-                    |y| slices.load(y),
-                    &kinks,
-                ))),
+                roller: Some(zone),
                 ..Shape::LINE.zone
             },
             symmetry: match roller.is_symmetric() {
@@ -108,9 +110,24 @@ impl Shape {
     /// # Panics
     /// For rollers without a length.
     pub fn new(contact: &Contact, hertz: &Hertz, motion: &Motion) -> Shape {
+        Shape::near(contact, hertz, motion, None)
+    }
+
+    /// The same, without solving the dry contact of a roller again if a `similar` shape has it.
+    ///
+    /// # Panics
+    /// For rollers without a length.
+    pub fn near(
+        contact: &Contact,
+        hertz: &Hertz,
+        motion: &Motion,
+        similar: Option<&Shape>,
+    ) -> Shape {
         let turn = Turn::by(contact.entrainment_angle);
         let shape = match (contact.kind, &contact.roller) {
-            (_, Some(roller)) => Shape::of_roller(roller, contact.radius, hertz.half_width),
+            (_, Some(roller)) => {
+                Shape::of_roller(roller, contact.radius, hertz.half_width, similar)
+            }
             (ContactKind::Roller, None) => panic!("a roller has a length"),
             (ContactKind::Line, None) => Shape::LINE,
             (ContactKind::Circular, None) => Shape::CIRCULAR,

@@ -20,14 +20,12 @@ pub enum NoDerivative {
     NotFinite,
 }
 
-/// A problem on either side of the solution's, by the same step of an input.
+/// A problem whose input differs a little from that of the solution.
 pub struct Perturbed<Plan> {
-    /// Below and above.
-    pub problems: [Problem<Plan>; 2],
-    /// By how much the input differs between them.
-    pub distance: f64,
-    /// By how much that of the second differs from the solution's.
-    pub above: f64,
+    /// The problem.
+    pub problem: Problem<Plan>,
+    /// By how much the input differs.
+    pub step: f64,
 }
 
 /// A solution that provides its derivatives.

@@ -481,7 +481,7 @@ fn level_off(p: Dual2_64, value: f64, slope: f64) -> Dual2_64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{Contact, Hertz, Motion};
+    use crate::contact::{Contact, Hertz, Motion, Shape};
     use approx::assert_relative_eq;
 
     /// Values and slopes meet at P = 0, and nothing runs away below: ρ̄ = (1 + 2.266e-9 p)/
@@ -490,7 +490,13 @@ mod tests {
     fn properties_pass_through_ambient_pressure() {
         let contact = Contact::circular(0.016, 100.0);
         let hertz = Hertz::new(&contact, 230e9);
-        let scales = Scales::new(&contact, &hertz, &Motion::straight(1.0, 0.0), 0.04, 870.0);
+        let shape = Shape::new(&contact, &hertz, &Motion::straight(1.0, 0.0));
+        let scales = Scales::new(
+            (&contact, &hertz, &shape),
+            &Motion::straight(1.0, 0.0),
+            0.04,
+            870.0,
+        );
         let density = DensityLaw::dowson_higginson(870.0).unwrap();
         let viscosity = ViscosityLaw::barus(0.04, 2.2e-8).unwrap();
         let fluid = FilmFluid::new(&density, &viscosity, 313.15, &scales);

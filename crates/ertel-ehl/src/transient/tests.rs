@@ -70,13 +70,19 @@ impl Given {
         };
         let motion = Motion::straight(self.speed, 0.0);
         let hertz = Hertz::new(&self.contact, self.reduced_modulus);
-        let scales = Scales::new(&self.contact, &hertz, &motion, self.viscosity, 870.0);
+        let shape = Shape::new(&self.contact, &hertz, &motion);
+        let scales = Scales::new(
+            (&self.contact, &hertz, &shape),
+            &motion,
+            self.viscosity,
+            870.0,
+        );
         let density = DensityLaw::dowson_higginson(870.0).unwrap();
         let viscosity = ViscosityLaw::roelands(self.viscosity, 2.2e-8).unwrap();
         let sliding = motion.sliding(scales.length);
         let bodies = [material.over(scales.elastic_stress); 2];
         Problem {
-            shape: Shape::new(&self.contact, &hertz, &motion),
+            shape,
             extents: Extents {
                 inlet: -4.5,
                 outlet: 1.5,

@@ -331,13 +331,9 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
 
     fn derivatives(&self, inputs: &[Perturbed<Plan>]) -> Vec<Result<Vec<f64>, NoDerivative>> {
         let mut sides: Vec<MovedSide<Plan>> = (inputs.iter())
-            .map(|input| {
-                // The one above: a second one would double the time and improve no more than the error of a step of 1e-5.
-                let [_, problem] = &input.problems;
-                match self.obstacle(problem) {
-                    Some(obstacle) => Err(obstacle),
-                    None => Ok(Side::new(problem)),
-                }
+            .map(|input| match self.obstacle(&input.problem) {
+                Some(obstacle) => Err(obstacle),
+                None => Ok(Side::new(&input.problem)),
             })
             .collect();
         let mut own = Side::new(self.problem);
@@ -421,7 +417,7 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
                         (Some(_), Figure::FilmCentral | Figure::FilmMinimum) => 1.0,
                         _ => self.value(*figure) / of(&self.coarser),
                     };
-                    ratio * (of(&there) - of(&here)) / input.above
+                    ratio * (of(&there) - of(&here)) / input.step
                 };
                 Ok(self.figures.iter().map(derivative).collect())
             })

@@ -47,12 +47,13 @@ pub(super) fn problem_of(contact: &Contact, motion: &Motion, target: f64) -> Pro
         poissons_ratio: 0.3,
     };
     let hertz = Hertz::new(contact, 230.769_230_77e9);
-    let scales = Scales::new(contact, &hertz, motion, 0.04, 870.0);
+    let shape = Shape::new(contact, &hertz, motion);
+    let scales = Scales::new((contact, &hertz, &shape), motion, 0.04, 870.0);
     let (density, viscosity) = laws();
     let sliding = motion.sliding(scales.length);
     let bodies = [steel.over(scales.elastic_stress); 2];
     Problem {
-        shape: Shape::new(contact, &hertz, motion),
+        shape,
         extents: Extents {
             inlet: -9.0,
             outlet: 1.5,
@@ -498,9 +499,8 @@ fn tangents_against_differences_of_solves() {
     let tangents = Tangents::new(&own, &found, |_| true);
     let step = 1e-5;
     let sides = |of: &dyn Fn(f64) -> Problem<Plan>, size: f64| Perturbed {
-        problems: [of(-step * size), of(step * size)],
-        distance: 2.0 * step * size,
-        above: step * size,
+        problem: of(step * size),
+        step: step * size,
     };
     let by_speed = |d: f64| at(0.8 + d, 0.04);
     let by_sliding = |d: f64| at(0.8, 0.04 + d);

@@ -213,7 +213,7 @@ impl Thinned {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{Contact, Hertz, Motion, Scales};
+    use crate::contact::{Contact, Hertz, Motion, Scales, Shape};
     use approx::assert_relative_eq;
     use ertel_rheology::density::DensityLaw;
     use ertel_rheology::shear::{ReeEyring, ShearLaw, ShearThinning};
@@ -222,7 +222,8 @@ mod tests {
     fn fluid(motion: &Motion) -> FilmFluid {
         let contact = Contact::circular(0.016, 100.0);
         let hertz = Hertz::new(&contact, 230e9);
-        let scales = Scales::new(&contact, &hertz, motion, 0.04, 870.0);
+        let shape = Shape::new(&contact, &hertz, motion);
+        let scales = Scales::new((&contact, &hertz, &shape), motion, 0.04, 870.0);
         let density = DensityLaw::dowson_higginson(870.0).unwrap();
         let viscosity = ViscosityLaw::barus(0.04, 1.5e-8).unwrap();
         let law = ShearThinning {

@@ -21,7 +21,8 @@ const MODULUS: f64 = 230.769_230_77e9;
 fn contact(contact: &Contact, speed: f64, sigma: f64, kappa: f64, grids: usize) -> Problem<Plan> {
     let motion = Motion::straight(speed, 2.0);
     let hertz = Hertz::new(contact, MODULUS);
-    let scales = Scales::new(contact, &hertz, &motion, 0.04, 870.0);
+    let shape = Shape::new(contact, &hertz, &motion);
+    let scales = Scales::new((contact, &hertz, &shape), &motion, 0.04, 870.0);
     let steel = Material {
         youngs_modulus: 0.91 * MODULUS,
         poissons_ratio: 0.3,
@@ -40,7 +41,7 @@ fn contact(contact: &Contact, speed: f64, sigma: f64, kappa: f64, grids: usize) 
     let mut plan = Plan::new(1e-9, 400_000);
     plan.most_grids = grids;
     Problem {
-        shape: Shape::new(contact, &hertz, &motion),
+        shape,
         extents: Extents {
             inlet: -9.0,
             outlet: 5.0,

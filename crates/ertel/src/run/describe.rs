@@ -1,7 +1,7 @@
 //! Figures and fields of a solved case, independent of the engine.
 
 use crate::case::Case;
-use crate::contact::{Hertz, Scales};
+use crate::contact::Hertz;
 use crate::engine::{Extents, Film, Problem, SolveError};
 use crate::plausible;
 use crate::plausible::neglected::Known;
@@ -61,13 +61,7 @@ pub(super) fn describe<Plan>(
         .ok();
     let groups = groups_of(case, slope);
     let groups_asymptotic = asymptotic.map(|alpha| groups_of(case, alpha));
-    let scales = Scales::new(
-        &contact,
-        &hertz,
-        &case.motion,
-        case.lubricant.ambient_viscosity(),
-        case.lubricant.ambient_density(),
-    );
+    let scales = problem.scales;
     let traction = post::summary::traction(&measured);
     let (checks, summed_to) = post::checks::checks(problem, film, &summary, thermal.as_ref());
     let mut warnings = case.warnings.clone();
@@ -83,7 +77,7 @@ pub(super) fn describe<Plan>(
             thermal,
             &case.lubricant.temperature_ranges,
             params,
-            &problem.scales,
+            &scales,
             problem.shape.symmetry,
             [
                 extents.inlet,

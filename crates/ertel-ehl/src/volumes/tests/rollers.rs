@@ -242,9 +242,8 @@ fn tangents_of_rollers_against_differences_of_solves() {
     let tangents = Tangents::new(&own, &found, |_| true);
     let step = 1e-5;
     let sides = Perturbed {
-        problems: [at(-step), at(step)],
-        distance: 2.0 * step,
-        above: step,
+        problem: at(step),
+        step,
     };
     let derivatives = tangents.derivatives(&[sides]).remove(0).unwrap();
     let n = tangents.grids();

@@ -20,10 +20,11 @@ fn contact(contact: &Contact, modulus: f64, viscosity: &ViscosityLaw, speed: f64
     };
     let hertz = Hertz::new(contact, modulus);
     let ambient = viscosity.viscosity(0.0, 313.15);
-    let scales = Scales::new(contact, &hertz, &motion, ambient, 870.0);
+    let shape = Shape::new(contact, &hertz, &motion);
+    let scales = Scales::new((contact, &hertz, &shape), &motion, ambient, 870.0);
     let density = DensityLaw::constant(870.0).unwrap();
     let mut problem = problem_of(contact, &motion, 1e-3);
-    problem.shape = Shape::new(contact, &hertz, &motion);
+    problem.shape = shape;
     problem.elasticity = Elasticity::half_space(1, &[material.over(scales.elastic_stress); 2]);
     problem.fluid = FilmFluid::new(&density, viscosity, 313.15, &scales).with_shear(
         None,
@@ -250,9 +251,8 @@ fn tangents_of_rough_surfaces_against_differences() {
     let tangents = Tangents::new(&own, &found, |_| true);
     let step = 1e-5;
     let sides = |of: &dyn Fn(f64) -> Problem<Plan>, size: f64| Perturbed {
-        problems: [of(-step * size), of(step * size)],
-        distance: 2.0 * step * size,
-        above: step * size,
+        problem: of(step * size),
+        step: step * size,
     };
     let by_speed = |d: f64| at(0.8 + d, 0.08);
     let by_roughness = |d: f64| at(0.8, 0.08 + d);
