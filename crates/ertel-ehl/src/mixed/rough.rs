@@ -49,7 +49,7 @@ const APART: f64 = 9.0;
 const LEAST_GAP: f64 = 0.05;
 
 /// Rms height that cells of the size h resolve, in h²: a parabola rises by twice as much over a cell. On coarser grids films err by more than the height of all asperities.
-const RESOLVED: f64 = 0.25;
+const RESOLVED: f64 = 1.0;
 
 /// Asperity pressure of the start at the centre, in p_h: from thicker films Newton's method overshoots, since it sees no asperities there.
 const PRESSURE_OF_START: f64 = 0.3;

@@ -49,13 +49,15 @@ const LEAST_END: f64 = 1e-5;
 const MOST_END: f64 = 1e-3;
 
 /// History of the steps on a grid.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Progress {
     /// H before the last step, and changes by the last steps, the newest first.
     films: Vec<f64>,
     film: [f64; 2],
     pressure: [f64; 2],
     load: [f64; 2],
+    /// Error of the mass balance when films and pressures last met their ends.
+    pub open_balance: f64,
 }
 
 /// Smallest film for relative changes, over the central film: coarse grids have films near zero.
@@ -63,6 +65,18 @@ pub const LEAST_FILM: f64 = 0.1;
 
 /// Share of a change that the linear solves may leave.
 const LEAST_SHARE: f64 = 0.02;
+
+impl Default for Progress {
+    fn default() -> Progress {
+        Progress {
+            films: Vec::new(),
+            film: [0.0; 2],
+            pressure: [0.0; 2],
+            load: [0.0; 2],
+            open_balance: f64::INFINITY,
+        }
+    }
+}
 
 impl Progress {
     /// Notes the largest change of a pressure in a step, and the load of all changes over that of the pressures.

@@ -89,6 +89,19 @@ fn solve_on(
     if only_once {
         return ended(all);
     }
+    if system.rough.is_some() && level > 0 && !all.converged && !all.interrupted {
+        state.clone_from(&start);
+        raise(problem, system, state);
+        let damped = NewtonParams {
+            damped: true,
+            max_iterations: RETRY.1,
+            ..*params
+        };
+        all = all.and(newton(system, &pattern, state, &damped, about, observer));
+    }
+    if !problem.plan.continues {
+        return ended(all);
+    }
     let patient = NewtonParams {
         largest_change: RETRY.0.min(newton_params(problem, 0).largest_change),
         max_iterations: RETRY.1,
@@ -139,6 +152,22 @@ fn ended(info: NewtonInfo) -> Result<NewtonInfo, SolveError> {
         true => Err(SolveError::Interrupted),
         false => Ok(info),
     }
+}
+
+/// Lifts the surfaces to at least the film of the start at the centre. Gaps between rough surfaces grow ever more slowly as these approach: from a coarse grid on which they overlap
+/// too far, Newton's steps lift them by many times the film; from above they close in.
+fn raise(problem: &Problem<Plan>, system: &System, state: &mut State) {
+    let Some(rough) = &system.rough else {
+        return;
+    };
+    let films = system.films(state);
+    let [i, j] = system.grid.centre();
+    let centre = films[system.grid.index(i, j)];
+    let lowest = films.into_iter().fold(centre, f64::min);
+    let least = rough.least_start();
+    let missing = (problem.start_film - centre).max(least - lowest);
+    state.separation += missing.max(0.0);
+    system.settle(state);
 }
 
 /// Takes pressures and contents of a similar solution on the same first grid, and its film at the centre.

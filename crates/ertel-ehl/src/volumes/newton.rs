@@ -27,6 +27,8 @@ pub struct NewtonParams {
     pub most_imbalance: f64,
     /// Whether a factorisation follows where the cycle is not enough; without it, the attempt ends there.
     pub factorises: bool,
+    /// Whether steps between rough surfaces are shortened as a whole, not node by node.
+    pub damped: bool,
 }
 
 impl Default for NewtonParams {
@@ -39,6 +41,7 @@ impl Default for NewtonParams {
             max_krylov_iterations: 60,
             most_imbalance: f64::INFINITY,
             factorises: true,
+            damped: false,
         }
     }
 }
@@ -91,35 +94,56 @@ fn imbalance(system: &System, at: &Linearised) -> f64 {
     largest * system.grid.spacing[0] / at.nodes[system.grid.index(i, j)].film.abs()
 }
 
-/// Updates this far below tolerance end the iteration even if the mass balance is open: the linear solves cannot close it further in thick films far from the contact.
+/// Updates this far below tolerance leave only the mass balance open: tighter linear solves then close it, until a step leaves more than a share of its error. In thick films far from the
+/// contact they cannot close it further.
 const NEGLIGIBLE_UPDATE: f64 = 2e-2;
+const CLOSING_TOLERANCE: f64 = 1e-5;
+const STALLED: f64 = 0.98;
 
 /// Mass that a node with pressure may gain, over the entrained flow there. Nodes by the ridge gain most.
 const MOST_GAIN: f64 = 5e-2;
 
-/// Whether the iteration has converged.
-fn has_ended(
+/// How far the iteration has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Ending {
+    /// The next step counts.
+    Open,
+    /// But for the mass balance, it has converged.
+    Unbalanced,
+    /// It has converged.
+    Converged,
+}
+
+/// How far the iteration has come.
+fn ending(
     system: &System,
     state: &State,
     at: &Linearised,
-    progress: &Progress,
+    progress: &mut Progress,
     ends: &Ends,
-) -> bool {
+) -> Ending {
     let [film, pressure, load] = progress.remaining();
     let is_kept = at.contents.is_empty() || imbalance(system, at) < MOST_IMBALANCE;
     if !(film < ends.film && pressure < ends.pressure && load < ends.load && is_kept) {
-        return false;
+        return Ending::Open;
     }
     let h = system.grid.spacing[0];
     let is_kept_by_nodes =
         (at.nodes.iter().zip(&at.outflow).zip(&at.wetted)).all(|((node, outflow), wetted)| {
             !wetted || (outflow * h).abs() < MOST_GAIN * node.mass.abs()
         });
-    let is_balanced = is_kept_by_nodes
-        && balance_error(system, at).abs() < ends.balance
-        && entered(system, state, at) < ends.balance;
-    is_balanced
-        || (film < NEGLIGIBLE_UPDATE * ends.film && pressure < NEGLIGIBLE_UPDATE * ends.pressure)
+    let open = balance_error(system, at)
+        .abs()
+        .max(entered(system, state, at));
+    let before = std::mem::replace(&mut progress.open_balance, open);
+    let is_negligible =
+        film < NEGLIGIBLE_UPDATE * ends.film && pressure < NEGLIGIBLE_UPDATE * ends.pressure;
+    match is_negligible {
+        _ if is_kept_by_nodes && open < ends.balance => Ending::Converged,
+        true if open > STALLED * before => Ending::Converged,
+        true => Ending::Unbalanced,
+        false => Ending::Open,
+    }
 }
 
 /// Moves the pressures between smooth surfaces on by a step, each by at most `most` and not below zero; returns the largest change.
@@ -159,25 +183,53 @@ fn move_pressures(
     largest
 }
 
-/// Moves the pressures of oil and asperities between rough surfaces on by a step, each of them by at most `most` and not below zero; returns the largest change.
+/// Changes of a gap between rough surfaces in a damped step, over the length g/g' in which it changes by a factor of e or so: down and up; and the smallest share of a step.
+const MOST_FALL: f64 = 0.75;
+const MOST_RISE: f64 = 3.0;
+const LEAST_SHARE: f64 = 0.01;
+
+/// Share of a step that changes no pressure of the oil by more than `most`, and no gap between rough surfaces by many times itself. Gaps grow ever more slowly as the surfaces approach:
+/// a step from a gap that is too narrow lifts the surfaces by many times the film, and the next one presses them together again.
+fn share_of_step(at: &Linearised, step: &Step, films: &[f64], most: f64) -> f64 {
+    let mut share = 1.0_f64;
+    for (k, of) in at.touching.iter().enumerate() {
+        if !at.wetted[k] {
+            continue;
+        }
+        let rise = films[k] * of.gap[1] / of.gap[0];
+        let of_gap = if rise < 0.0 { -MOST_FALL } else { MOST_RISE } / rise;
+        let change = of.change_of_oil(step.pressure[k], films[k]) + of.slack;
+        // Zero over zero, NaN, leaves the share.
+        share = share.min(of_gap).min(most / change.abs());
+    }
+    share.max(LEAST_SHARE)
+}
+
+/// Moves the pressures of oil and asperities between rough surfaces on by a step; returns the largest change, and the share of the step. No pressure falls below zero. Each changes by at
+/// most `most`; in a damped step all of them by the same share of the step, so that the deflection follows them.
 fn move_parts(
     (system, at): (&System, &Linearised),
     (state, step): (&mut State, &Step),
-    most: f64,
+    (most, damped): (f64, bool),
     moved: &mut [f64],
-) -> f64 {
+) -> [f64; 2] {
     let grid = &system.grid;
     let films = system.change_of_film(&step.pressure, step.separation);
+    let share = match damped {
+        true => share_of_step(at, step, &films, most),
+        false => 1.0,
+    };
     let mut largest = 0.0;
     for (k, [i, j]) in grid.nodes().enumerate() {
-        let (of, change) = (&at.touching[k], step.pressure[k]);
+        let of = &at.touching[k];
         if !grid.is_unknown(i, j) {
             state.wetted[k] = false;
             continue;
         }
-        let change = of.change_of_oil(change, films[k]) + of.slack;
+        let change = of.change_of_oil(step.pressure[k], films[k]) + of.slack;
         // Not `clamp`: it would turn NaN into a bound.
         let limited = |change: f64| match change.abs() > most {
+            _ if damped => share * change,
             true => most.copysign(change),
             false => change,
         };
@@ -186,7 +238,10 @@ fn move_parts(
         let next = if at.wetted[k] { next.max(0.0) } else { 0.0 };
         // The asperities bear the rest, no less than nothing.
         let [touch, slope] = of.pressure;
-        let pressure = next + (touch + limited(slope * films[k])).max(0.0);
+        let pressure = match damped {
+            true => (state.pressure[k] + share * step.pressure[k]).max(next),
+            false => next + (touch + limited(slope * films[k])).max(0.0),
+        };
         let size = (pressure - state.pressure[k]).abs();
         moved[k] = size;
         let size = size.max((next - state.oil[k]).abs());
@@ -196,7 +251,7 @@ fn move_parts(
         state.oil[k] = next;
         state.pressure[k] = pressure;
     }
-    largest
+    [largest, share]
 }
 
 /// Solves on a grid, starting from `state` and ending with the solution in it. `film_scale` is a²/R in m.
@@ -211,7 +266,7 @@ pub fn newton(
     let mut info = NewtonInfo::default();
     let [i, j] = system.grid.centre();
     let centre = system.grid.index(i, j);
-    let linear = GmresParams {
+    let mut linear = GmresParams {
         tolerance: params.krylov_tolerance,
         max_iterations: params.max_krylov_iterations,
         // A loose tolerance.
@@ -229,15 +284,22 @@ pub fn newton(
         let clock = Instant::now();
         let at = system.linearise(state);
         progress.note_films(system, &at);
-        let ended = exact && has_ended(system, state, &at, &progress, &params.ends);
+        let ending = match exact {
+            true => ending(system, state, &at, &mut progress, &params.ends),
+            false => Ending::Open,
+        };
         info.seconds[0] += clock.elapsed().as_secs_f64();
-        if ended {
+        let is_last = info.iterations == params.max_iterations;
+        if ending == Ending::Converged || (ending == Ending::Unbalanced && is_last) {
             state.contents = at.contents;
             info.converged = true;
             return info;
         }
-        if info.iterations == params.max_iterations {
+        if is_last {
             return info;
+        }
+        if ending == Ending::Unbalanced {
+            linear.tolerance = linear.tolerance.min(CLOSING_TOLERANCE);
         }
         let clock = Instant::now();
         let approximated = match direct {
@@ -269,13 +331,15 @@ pub fn newton(
         info.iterations += 1;
         info.krylov_iterations += step.krylov_iterations;
         let mut moved = vec![0.0; step.pressure.len()];
-        let move_on = match at.touching.is_empty() {
-            true => move_pressures,
-            false => move_parts,
-        };
         let most = params.largest_change;
-        info.change = move_on((system, &at), (state, &step), most, &mut moved);
-        state.separation += step.separation;
+        let mut share = 1.0;
+        if at.touching.is_empty() {
+            info.change = move_pressures((system, &at), (state, &step), most, &mut moved);
+        } else {
+            let limits = (most, params.damped);
+            [info.change, share] = move_parts((system, &at), (state, &step), limits, &mut moved);
+        }
+        state.separation += share * step.separation;
         // Around thick films all pressures are far below that of the dry contact.
         let largest = state.pressure.iter().fold(0.0_f64, |m, p| m.max(*p));
         if largest < 1.0 && largest > 0.0 {
@@ -302,7 +366,7 @@ pub fn newton(
             iteration: info.iterations,
             residual: info.imbalance,
             update: info.change,
-            step: 1.0,
+            step: share,
             krylov_iterations: step.krylov_iterations,
             film_central: film_scale * at.nodes[centre].film,
             heat: None,

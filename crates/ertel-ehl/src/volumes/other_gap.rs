@@ -44,6 +44,8 @@ pub fn other_gap(
     other.plan.most_grids = most;
     // All of these grids.
     other.plan.target_error = 0.0;
+    // Where mean planes overlap no oil flows through their distance: most such contacts have no solution, and a search takes longer than the contact.
+    other.plan.continues = false;
     let found = match FiniteVolumes.solve(&other, observer) {
         Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
         Err(_) => return Ok(None),

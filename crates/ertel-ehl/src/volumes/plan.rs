@@ -26,6 +26,8 @@ pub struct Plan {
     pub inner: f64,
     /// Heat, in thermal contacts.
     pub heat: Params,
+    /// Whether a grid is solved by continuation where Newton's method does not converge.
+    pub continues: bool,
 }
 
 impl Plan {
@@ -44,6 +46,7 @@ impl Plan {
             margin: 45.0,
             inner: 1.0,
             heat: Params::default(),
+            continues: true,
         }
     }
 }
