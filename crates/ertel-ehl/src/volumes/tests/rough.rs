@@ -3,6 +3,7 @@
 use approx::assert_relative_eq;
 
 use super::super::ending::Ends;
+use super::super::newton::NewtonParams;
 use super::*;
 use crate::mixed::{Flow, Rough};
 
@@ -232,6 +233,65 @@ fn smooth_limit() {
     }
     assert!(own.find(Figure::AsperityLoadShare).is_none());
     assert!(limit.find(Figure::AsperityLoadShare).unwrap().value < 1e-12);
+}
+
+/// Damped steps from a film above lead to the same solution as full ones from the grid before.
+#[test]
+fn damped_steps_have_the_same_end() {
+    let [full, damped] = [false, true].map(|damped| {
+        let mut problem = problem(&Motion::straight(0.2, 0.0), 0.02);
+        problem.rough = Some(surfaces(0.08, 1.0, Flow::AverageGap));
+        problem.plan.newton = NewtonParams {
+            damped,
+            max_iterations: 100,
+            ends: Ends::of(2e-5),
+            ..problem.plan.newton
+        };
+        let found = solved(&problem);
+        let figures = found.stats.last().unwrap().figures;
+        [
+            Figure::FilmCentral,
+            Figure::MeanGapMinimum,
+            Figure::AsperityLoadShare,
+        ]
+        .map(|figure| figures.value(figure).unwrap())
+    });
+    for (full, damped) in full.into_iter().zip(damped) {
+        assert_relative_eq!(full, damped, max_relative = 2e-4);
+    }
+}
+
+/// A ball at twice the Hertz pressure of the other tests in films far below the roughness, from 1 % of the speed down: the load and the mass are kept, and the less oil is entrained, the more of
+/// the load the asperities bear, up to all but what oil too viscous to leave carries.
+#[test]
+fn heavy_balls_at_low_speeds() {
+    let heavy = Contact::circular(0.004, 60.0);
+    let mut before = 0.0;
+    for (speed, sigma) in [(0.1, 0.05), (0.01, 0.05), (0.001, 0.05), (0.01, 0.006)] {
+        let mut problem = problem_of(&heavy, &Motion::straight(speed, 0.0), 0.05);
+        let stiffness = 0.05;
+        problem.rough = Some(surfaces(sigma, stiffness, Flow::AverageGap));
+        let found = solved(&problem);
+        let finest = found.levels.last().unwrap();
+        let force = finest.system.load - finest.system.integral(&finest.state.pressure);
+        assert!(
+            force.abs() < 1e-6 * problem.load,
+            "{speed} {sigma}: {force}"
+        );
+        assert!(
+            found.balance_error.abs() < 2e-3,
+            "{speed} {sigma}: {}",
+            found.balance_error
+        );
+        let figures = found.stats.last().unwrap().figures;
+        let share = figures.value(Figure::AsperityLoadShare).unwrap();
+        let gap = figures.value(Figure::MeanGapCentral).unwrap();
+        assert!(gap > 0.0 && share < 1.0, "{speed} {sigma}: {gap} {share}");
+        if sigma == 0.05 {
+            assert!(share > before, "{speed}: {share} after {before}");
+            before = share;
+        }
+    }
 }
 
 /// Derivatives of film, load share and pressure by speed and roughness against differences of whole solves.
