@@ -527,3 +527,35 @@ fn any_number_of_a_machine_varies() {
         assert!(points.iter().all(|p| p.case.contacts.is_some()), "{key}");
     }
 }
+
+/// A 6206 at 20/min, κ 0.036, on rough rings: all contacts are solved, and the asperities rub more than at 100/min. The friction of asperities in rolling contacts without slip is that of
+/// the differential slip alone, far below Coulomb's for sliding ones.
+#[test]
+fn a_bearing_in_boundary_lubrication() {
+    let at = |speed: &str| {
+        let rough = "[surface_roughness]\nbody_1_rms_height = \"0.15 um\"\nbody_2_rms_height = \"0.10 um\"\nasperity_group = 0.05\nrms_height_to_asperity_radius = 5e-3\nboundary_friction_coefficient = 0.11\n";
+        let text = THRUST
+            .replace("3000 rpm", speed)
+            .replace("axial_load = \"500 N\"", "radial_load = \"2 kN\"");
+        let case = read(text + rough);
+        let solved = solve_machine(case.contacts.as_ref().unwrap(), &mut NoObserver);
+        assert_eq!((solved.n_contacts(), solved.n_failed()), (4, 0));
+        let shares = (0..4).map(|contact| {
+            let found = solved.solution(contact).unwrap();
+            assert!(found.checks.mass.abs() < 0.05);
+            found
+                .measured
+                .find(Figure::AsperityLoadShare)
+                .unwrap()
+                .value
+        });
+        let shares: Vec<f64> = shares.collect();
+        (shares, figures(&case, &solved))
+    };
+    let [(fast, of_fast), (slow, of_slow)] = ["100 rpm", "20 rpm"].map(at);
+    for (fast, slow) in fast.iter().zip(&slow) {
+        assert!(0.05 < *fast && fast < slow && *slow < 0.5, "{fast} {slow}");
+    }
+    let torque = |of| value(of, "friction_torque");
+    assert!(torque(&of_slow) > torque(&of_fast));
+}

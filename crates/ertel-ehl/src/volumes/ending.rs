@@ -56,8 +56,8 @@ pub struct Progress {
     film: [f64; 2],
     pressure: [f64; 2],
     load: [f64; 2],
-    /// Error of the mass balance when films and pressures last met their ends.
-    pub open_balance: f64,
+    /// Errors of the mass balance when films and pressures last met their ends, the newest first.
+    pub open_balances: [f64; 3],
 }
 
 /// Smallest film for relative changes, over the central film: coarse grids have films near zero.
@@ -73,7 +73,7 @@ impl Default for Progress {
             film: [0.0; 2],
             pressure: [0.0; 2],
             load: [0.0; 2],
-            open_balance: f64::INFINITY,
+            open_balances: [f64::INFINITY; 3],
         }
     }
 }
