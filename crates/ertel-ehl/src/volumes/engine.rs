@@ -92,11 +92,7 @@ fn solve_on(
     if system.rough.is_some() && level > 0 && !all.converged && !all.interrupted {
         state.clone_from(&start);
         raise(problem, system, state);
-        let damped = NewtonParams {
-            damped: true,
-            max_iterations: RETRY.1,
-            ..*params
-        };
+        let damped = damped(params);
         all = all.and(newton(system, &pattern, state, &damped, about, observer));
     }
     if !problem.plan.continues {
@@ -151,6 +147,15 @@ fn ended(info: NewtonInfo) -> Result<NewtonInfo, SolveError> {
     match info.interrupted {
         true => Err(SolveError::Interrupted),
         false => Ok(info),
+    }
+}
+
+/// Damped steps, and as many as the second attempt may take.
+fn damped(params: &NewtonParams) -> NewtonParams {
+    NewtonParams {
+        damped: true,
+        max_iterations: RETRY.1,
+        ..*params
     }
 }
 
