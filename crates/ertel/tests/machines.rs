@@ -528,8 +528,7 @@ fn any_number_of_a_machine_varies() {
     }
 }
 
-/// A 6206 at 20/min, κ 0.036, on rough rings: all contacts are solved, and the asperities rub more than at 100/min. The friction of asperities in rolling contacts without slip is that of
-/// the differential slip alone, far below Coulomb's for sliding ones.
+/// A 6206 at 20/min, κ 0.036, on rough rings: all contacts are solved with their mass balances, the asperities bear more than at 100/min, and the torque is higher.
 #[test]
 fn a_bearing_in_boundary_lubrication() {
     let at = |speed: &str| {

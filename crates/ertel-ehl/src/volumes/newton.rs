@@ -188,26 +188,18 @@ fn move_pressures(
     largest
 }
 
-/// Changes of a gap between rough surfaces in a damped step, over the length g/g' in which it changes by a factor of e or so: down and up; and the smallest share of a step.
-const MOST_FALL: f64 = 0.75;
-const MOST_RISE: f64 = 3.0;
-const LEAST_SHARE: f64 = 0.01;
+/// The smallest share of a damped step.
+const SHORTEST_STEP: f64 = 0.01;
 
-/// Share of a step that changes no pressure of the oil by more than `most`, and no gap between rough surfaces by many times itself. Gaps grow ever more slowly as the surfaces approach:
-/// a step from a gap that is too narrow lifts the surfaces by many times the film, and the next one presses them together again.
+/// Share of a step that changes no pressure of the oil by more than `most`.
 fn share_of_step(at: &Linearised, step: &Step, films: &[f64], most: f64) -> f64 {
-    let mut share = 1.0_f64;
-    for (k, of) in at.touching.iter().enumerate() {
-        if !at.wetted[k] {
-            continue;
-        }
-        let rise = films[k] * of.gap[1] / of.gap[0];
-        let of_gap = if rise < 0.0 { -MOST_FALL } else { MOST_RISE } / rise;
-        let change = of.change_of_oil(step.pressure[k], films[k]) + of.slack;
-        // Zero over zero, NaN, leaves the share.
-        share = share.min(of_gap).min(most / change.abs());
-    }
-    share.max(LEAST_SHARE)
+    let nodes = at.touching.iter().zip(step.pressure.iter().zip(films));
+    let changes = nodes.map(|(of, (p, film))| of.change_of_oil(*p, *film) + of.slack);
+    let largest = changes
+        .zip(&at.wetted)
+        .filter(|(_, wetted)| **wetted)
+        .fold(0.0_f64, |largest, (change, _)| largest.max(change.abs()));
+    (most / largest).clamp(SHORTEST_STEP, 1.0)
 }
 
 /// Moves the pressures of oil and asperities between rough surfaces on by a step; returns the largest change, and the share of the step. No pressure falls below zero. Each changes by at
@@ -354,9 +346,11 @@ pub fn newton(
         info.iterations += 1;
         info.krylov_iterations += step.krylov_iterations;
         let mut moved = vec![0.0; step.pressure.len()];
-        let entered_nodes: Vec<usize> = (0..moved.len())
-            .filter(|k| at.wetted[*k] && !state.wetted[*k])
-            .collect();
+        let has_filled = |k: &usize| at.wetted[*k] && !state.wetted[*k];
+        let filled: Vec<usize> = match ending {
+            Ending::Unbalanced => (0..moved.len()).filter(has_filled).collect(),
+            _ => Vec::new(),
+        };
         let most = params.largest_change;
         let mut share = 1.0;
         if at.touching.is_empty() {
@@ -366,9 +360,7 @@ pub fn newton(
             [info.change, share] = move_parts((system, &at), (state, &step), limits, &mut moved);
         }
         state.separation += share * step.separation;
-        if ending == Ending::Unbalanced {
-            spread(system, state, &entered_nodes);
-        }
+        spread(system, state, &filled);
         // Around thick films all pressures are far below that of the dry contact.
         let largest = state.pressure.iter().fold(0.0_f64, |m, p| m.max(*p));
         if largest < 1.0 && largest > 0.0 {

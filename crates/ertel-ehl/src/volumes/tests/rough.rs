@@ -235,7 +235,7 @@ fn smooth_limit() {
     assert!(limit.find(Figure::AsperityLoadShare).unwrap().value < 1e-12);
 }
 
-/// Damped steps from a film above lead to the same solution as full ones from the grid before.
+/// Damped steps lead to the same solution as full ones.
 #[test]
 fn damped_steps_have_the_same_end() {
     let [full, damped] = [false, true].map(|damped| {
@@ -261,8 +261,7 @@ fn damped_steps_have_the_same_end() {
     }
 }
 
-/// A ball at twice the Hertz pressure of the other tests in films far below the roughness, from 1 % of the speed down: the load and the mass are kept, and the less oil is entrained, the more of
-/// the load the asperities bear, up to all but what oil too viscous to leave carries.
+/// A ball at twice the Hertz pressure of the other tests in films below the roughness: the load and the mass are kept, and the slower it rolls, the more of the load the asperities bear.
 #[test]
 fn heavy_balls_at_low_speeds() {
     let heavy = Contact::circular(0.004, 60.0);
