@@ -16,12 +16,12 @@ use super::rows::RING;
 use super::system::{State, System};
 
 impl System {
-    /// Contents of the nodes at a solution, infinite where gaps are full: those that are known, or by the fluxes of full gaps.
+    /// Contents of the nodes at a solution, infinite where gaps are full: those that are known, or by the fluxes of full gaps through the faces around nodes that are not.
     pub fn held(
         &self,
         state: &State,
         known: &[f64],
-        faces: impl FnOnce() -> [Vec<Face>; 2],
+        faces: impl FnOnce(&[bool]) -> [Vec<Face>; 2],
     ) -> Vec<f64> {
         let grid = &self.grid;
         let mut contents = match known.is_empty() {
@@ -34,7 +34,7 @@ impl System {
                         false => self.entering(state.separation, k, grid.place(i, j)),
                     })
                     .collect();
-                distribute(grid, &mut faces(), None, &full, &before)
+                distribute(grid, &mut faces(&full), None, &full, &before)
             }
         };
         for (k, [i, j]) in grid.nodes().enumerate() {
@@ -110,7 +110,7 @@ mod tests {
         let grid = &system.grid;
         let [nx, ny] = grid.n;
         let known: Vec<f64> = (0..nx * ny).map(|k| 0.1 + 0.001 * k as f64).collect();
-        let held = system.held(&state, &known, || unreachable!());
+        let held = system.held(&state, &known, |_| unreachable!());
         let at = |values: &[f64], j: usize| values[grid.index(nx / 2, j)];
         assert_eq!(at(&held, 0), at(&known, 0));
         assert_eq!(at(&held, ny - 1), at(&known, ny - 1 - RING));

@@ -59,7 +59,7 @@ impl Level {
 
     /// Contents of the nodes, infinite where gaps are full.
     pub fn held(&self) -> &[f64] {
-        let faces = || self.system.linearise(&self.state).faces;
+        let faces = |full: &[bool]| (self.system).faces_around(&self.state, &self.films, full);
         (self.contents).get_or_init(|| self.system.held(&self.state, &self.state.contents, faces))
     }
 

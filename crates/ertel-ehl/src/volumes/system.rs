@@ -220,21 +220,11 @@ impl System {
 
     fn linearise_by(&self, state: &State, thinned: impl Fn(&[Node]) -> Vec<Thinned>) -> Linearised {
         let films = self.films(state);
-        let rough = self.rough.as_ref();
         let pressures = [&state.pressure[..], state.oil()];
-        let touching = touching(rough, &self.grid, pressures, &films);
-        let nodes: Vec<Node> = (state.oil().par_iter().zip(&films).enumerate())
-            .with_min_len(BATCH)
-            .map(|(k, (p, film))| match touching.get(k) {
-                None => self.node(k, *p, *film),
-                Some(of) => Node {
-                    ln_passage: of.ln_passage,
-                    ..self.node(k, *p, of.gap[0])
-                },
-            })
-            .collect();
+        let touching = touching(self.rough.as_ref(), &self.grid, pressures, &films);
+        let nodes = self.nodes(state, &films, &touching, |_| true);
         let thinned = thinned(&nodes);
-        let mut faces = [0, 1].map(|direction| self.faces(&nodes, &thinned, direction));
+        let mut faces = [0, 1].map(|direction| self.faces(&nodes, &thinned, direction, |_| true));
         let grid = &self.grid;
         let stored = self.storage.as_ref().map(|storage| (storage, &nodes[..]));
         let contents = match state.contents.is_empty() {
@@ -278,6 +268,48 @@ impl System {
             outflow,
             wetted,
         }
+    }
+
+    /// Faces of full gaps around nodes where some are not; no others.
+    pub fn faces_around(&self, state: &State, films: &[f64], full: &[bool]) -> [Vec<Face>; 2] {
+        let nx = self.grid.n[0];
+        let mut near = vec![false; full.len()];
+        for k in (0..full.len()).filter(|k| !full[*k]) {
+            // Fluxes depend on two nodes on either side.
+            for reach in [0, 1, 2, nx, 2 * nx] {
+                near[k.saturating_sub(reach)] = true;
+                near[(k + reach).min(full.len() - 1)] = true;
+            }
+        }
+        let pressures = [&state.pressure[..], state.oil()];
+        let touching = touching(self.rough.as_ref(), &self.grid, pressures, films);
+        let nodes = self.nodes(state, films, &touching, |k| near[k]);
+        let thinned = self.thinned(&nodes, state.oil(), |k| near[k]);
+        [0, 1].map(|direction| {
+            let step = [1, nx][direction];
+            self.faces(&nodes, &thinned, direction, |k| !full[k] || !full[k + step])
+        })
+    }
+
+    /// The selected nodes.
+    fn nodes(
+        &self,
+        state: &State,
+        films: &[f64],
+        touching: &[Touch],
+        wanted: impl Fn(usize) -> bool + Sync,
+    ) -> Vec<Node> {
+        (state.oil().par_iter().zip(films).enumerate())
+            .with_min_len(BATCH)
+            .map(|(k, (p, film))| match touching.get(k) {
+                _ if !wanted(k) => Node::default(),
+                None => self.node(k, *p, *film),
+                Some(of) => Node {
+                    ln_passage: of.ln_passage,
+                    ..self.node(k, *p, of.gap[0])
+                },
+            })
+            .collect()
     }
 
     /// Shear thinning at the selected nodes.
@@ -358,8 +390,14 @@ impl System {
         }
     }
 
-    /// Faces from each node to the next one along a direction; none where no unknown node has them.
-    fn faces(&self, nodes: &[Node], thinned: &[Thinned], direction: usize) -> Vec<Face> {
+    /// The selected faces from each node to the next one along a direction; none where no unknown node has them.
+    fn faces(
+        &self,
+        nodes: &[Node],
+        thinned: &[Thinned],
+        direction: usize,
+        wanted: impl Fn(usize) -> bool + Sync,
+    ) -> Vec<Face> {
         let grid = &self.grid;
         let [nx, ny] = grid.n;
         let step = [1, nx][direction];
@@ -378,6 +416,9 @@ impl System {
             }
             for i in columns.clone() {
                 let k = grid.index(i, j);
+                if !wanted(k) {
+                    continue;
+                }
                 let [x, y] = grid.on_axes(i, j);
                 let at = [
                     x + middle[0] * grid.spacing[0],

@@ -10,7 +10,7 @@
 
 use std::sync::Arc;
 
-use ertel_fem::linear::gmres::{GmresParams, dot};
+use ertel_fem::linear::gmres::{GmresParams, add, dot};
 use ertel_fem::linear::recycled::Recycled;
 use rayon::prelude::*;
 
@@ -72,6 +72,9 @@ const LINEAR: GmresParams = GmresParams {
 
 /// Right sides, as heights of the film, that are rounding: steps of inputs that count make some of 1e-7 to 1e-3.
 const ROUNDING: f64 = 1e-11;
+
+/// Relative error of right sides, which are differences over 1e-5 of an input. Iterations that follow it improve nothing.
+const TRUNCATION: f64 = 1e-5;
 
 /// A solution whose derivatives are computed.
 pub struct Tangents<'a, Plan> {
@@ -320,6 +323,27 @@ impl Moved {
     }
 }
 
+/// A right side without the error of its difference: the combination of those before, `independent` and orthonormal, if nothing else is left. Otherwise it is one of them.
+fn combined(independent: &mut Vec<Vec<f64>>, right: &[f64]) -> Vec<f64> {
+    let mut rest = right.to_vec();
+    for of in independent.iter() {
+        let share = dot(of, &rest);
+        add(&mut rest, -share, of);
+    }
+    let size = |of: &[f64]| dot(of, of).sqrt();
+    let left = size(&rest);
+    if left <= TRUNCATION * size(right) {
+        return right
+            .iter()
+            .zip(rest)
+            .map(|(right, rest)| right - rest)
+            .collect();
+    }
+    rest.iter_mut().for_each(|value| *value /= left);
+    independent.push(rest);
+    right.to_vec()
+}
+
 impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
     fn figures(&self) -> Vec<Figure> {
         self.figures.clone()
@@ -373,10 +397,12 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
             let mut inverse = Inverse::new(&equation, &mut preconditioner);
             // Many inputs, such as speed and viscosity, change the equation in the same way: directions of one are reused for others.
             let mut recycled = Recycled::default();
+            let mut independent = Vec::new();
             let mut solve = |right: &[f64]| {
+                let right = combined(&mut independent, right);
                 let mut x = vec![0.0; equation.n_rows()];
                 let apply = |x: &[f64], y: &mut [f64]| equation.apply(x, y);
-                let solved = recycled.solve(apply, |r| inverse.solve(r), right, &mut x, LINEAR);
+                let solved = recycled.solve(apply, |r| inverse.solve(r), &right, &mut x, LINEAR);
                 solved.map(|_| x).map_err(|_| NoDerivative::LinearSolver)
             };
             let solved: Vec<_> = (moved.iter())

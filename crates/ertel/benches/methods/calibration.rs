@@ -177,7 +177,7 @@ fn report(rows: &[Row]) {
     println!();
     head("contacts");
     let mut families: Vec<&str> = Vec::new();
-    for row in &rows {
+    for row in rows {
         if !families.contains(&row.family.as_str()) {
             families.push(&row.family);
         }

@@ -368,7 +368,7 @@ fn has_settled(change: f64, share: f64, ratio: f64, tolerance: f64) -> bool {
 /// Missing oil of the gaps at the nodes.
 pub(super) fn lacking(system: &System, state: &State, at: &Linearised) -> Vec<f64> {
     let density = system.fluid.at(0.0).density[0];
-    let contents = system.held(state, &at.contents, || at.faces.clone());
+    let contents = system.held(state, &at.contents, |_| at.faces.clone());
     (at.nodes.iter().zip(contents))
         .map(|(node, content)| missing(node.film, content, density))
         .collect()
