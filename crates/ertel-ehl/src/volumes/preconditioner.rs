@@ -11,6 +11,7 @@ use ertel_fem::linear::lu::LuError;
 use ertel_fem::linear::ordering::OrderingError;
 use rayon::prelude::*;
 
+use super::contents::Arrival;
 use super::deflection::Deflection;
 use super::grid::Grid;
 use super::inverse::Stencils;
@@ -36,11 +37,14 @@ pub struct Pattern {
     line: Option<LineKernel>,
 }
 
-/// Most unknowns for a complete factorisation; at about half of them it costs as much as the cycle. That of a row is proportional to its nodes.
-const DIRECT: usize = 10_000;
+/// Most unknowns for a complete factorisation, and of the coarsest grid of a cycle; a factorisation of 7,000 unknowns takes three times as long as the cycle. That of a row is proportional to
+/// its nodes.
+const DIRECT: usize = 4_000;
+const COARSEST: usize = 1_000;
 
-/// Unknowns up to which the coarsest grid of a cycle is factorised: in some milliseconds.
-const COARSEST: usize = 4_000;
+/// The same where contents of the nodes are unknown: there coarse grids are poor, and on the first grid of a ball with a layer of oil the cycle took 2,400 Krylov iterations instead of 27.
+const DIRECT_STARVED: usize = 10_000;
+const COARSEST_STARVED: usize = 4_000;
 
 /// Fewest nodes of a line with special factors: on fewer, Krylov iterations cost little, and 10 to 46 of them do.
 const LONG_LINE: usize = 2_000;
@@ -49,14 +53,22 @@ const LONG_LINE: usize = 2_000;
 const BATCH: usize = 1024;
 
 impl Pattern {
-    /// For a grid and how the bodies deflect there.
+    /// For the grid of a system.
     ///
     /// # Errors
     /// When no order of elimination is found.
-    pub fn new(grid: &Grid, deflection: &Deflection) -> Result<Pattern, OrderingError> {
-        let n = grid.n_nodes();
-        let is_small = n <= DIRECT || grid.is_line();
-        Pattern::with_coarsest(grid, deflection, if is_small { n } else { COARSEST })
+    pub fn new(system: &System) -> Result<Pattern, OrderingError> {
+        let (grid, n) = (&system.grid, system.grid.n_nodes());
+        let (direct, coarsest) = match system.arrival {
+            Arrival::Flooded | Arrival::From(_) => (DIRECT, COARSEST),
+            Arrival::FromEdges | Arrival::Layer(_) => (DIRECT_STARVED, COARSEST_STARVED),
+        };
+        let is_small = n <= direct || grid.is_line();
+        Pattern::with_coarsest(
+            grid,
+            &system.convolution,
+            if is_small { n } else { coarsest },
+        )
     }
 
     /// The same with this many unknowns of the coarsest grid at most.
@@ -383,7 +395,7 @@ impl<'a> Preconditioner<'a> {
 /// # Errors
 /// When no order of elimination is found.
 pub fn pattern(system: &System) -> Result<Pattern, SolveError> {
-    Pattern::new(&system.grid, &system.convolution).map_err(|error| {
+    Pattern::new(system).map_err(|error| {
         SolveError::Factorisation(LuError {
             n: system.grid.n_nodes(),
             reason: error.to_string(),

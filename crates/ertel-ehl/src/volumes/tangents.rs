@@ -364,7 +364,7 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
         let mut moving = vec![true; sides.len()];
         for level in self.levels {
             let at = level.system.linearise(&level.settled());
-            let pattern = Pattern::new(&level.system.grid, &level.system.convolution).ok();
+            let pattern = Pattern::new(&level.system).ok();
             let preconditioner = (pattern.as_ref()).and_then(|p| Preconditioner::new(p, &at));
             let Some(mut preconditioner) = preconditioner else {
                 return (inputs.iter())
