@@ -98,6 +98,27 @@ mod tests {
         assert_eq!(system.entering(0.4, 0, [-1.0, 0.5]), f64::INFINITY);
     }
 
+    /// The faces around nodes without pressure are enough: contents are those by all faces, which include the pressures next to the rupture.
+    #[test]
+    fn faces_around_the_broken_film_are_enough() {
+        let (system, mut state) = system(false, Planar::along_x(1.0));
+        let grid = &system.grid;
+        for (k, [i, j]) in grid.nodes().enumerate() {
+            let [x, y] = grid.place(i, j);
+            if x + 0.5 * y > 0.3 {
+                state.pressure[k] = 0.0;
+                state.wetted[k] = false;
+            }
+        }
+        let films = system.films(&state);
+        let all = system.held(&state, &[], |_| system.linearise(&state).faces);
+        let around = system.held(&state, &[], |full| {
+            system.faces_around(&state, &films, full)
+        });
+        assert!(all.iter().filter(|content| content.is_finite()).count() > 20);
+        assert_eq!(all, around);
+    }
+
     /// Flow across the motion alone: along the edge that it enters contents stay those that are known, along the one that it leaves they are those of the next nodes within.
     #[test]
     fn contents_along_edges_follow_the_flow() {

@@ -35,7 +35,7 @@ use crate::warning::{Warning, WarningKind, silence};
 
 /// Version of the numerics: incremented whenever the figures of some case change by more than rounding. Study points
 /// solved by an earlier version are then recomputed.
-pub const NUMERICS: u32 = 30;
+pub const NUMERICS: u32 = 31;
 
 /// Checks that a case can be solved: it has the required data, and an allowed mesh resolves its film.
 /// Takes milliseconds.
