@@ -90,11 +90,6 @@ impl Orientation {
         ORIENTATIONS[self.0].0
     }
 
-    /// Whether the flow is the same in all directions.
-    pub fn is_isotropic(self) -> bool {
-        self == Orientation::default()
-    }
-
     /// That of the other direction, 1/γ.
     fn across(self) -> Orientation {
         Orientation(FACTORS.len() - 1 - self.0)

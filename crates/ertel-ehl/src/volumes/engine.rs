@@ -98,6 +98,13 @@ fn solve_on(
     if !problem.plan.continues {
         return ended(all);
     }
+    // Coarse grids of lines may fail; on their fine ones, films in time have not been tried.
+    let may_march = !problem.shape.is_line() && !is_large;
+    let has_layer = matches!(system.arrival, Arrival::Layer(_));
+    if may_march && has_layer && !all.converged && !all.interrupted {
+        state.clone_from(&start);
+        all = all.and(march(system, &pattern, state, params, about, observer));
+    }
     let patient = NewtonParams {
         largest_change: RETRY.0.min(newton_params(problem, 0).largest_change),
         max_iterations: RETRY.1,
@@ -134,9 +141,7 @@ fn solve_on(
     }
     system.lambda = problem.scales.lambda;
     system.fluid = problem.fluid.clone();
-    // Coarse grids of lines may fail; on their fine ones, films in time have not been tried.
-    let may_march = !problem.shape.is_line() && !is_large;
-    if !all.converged && !all.interrupted && may_march {
+    if !all.converged && !all.interrupted && may_march && !has_layer {
         *state = start;
         all = all.and(march(system, &pattern, state, params, about, observer));
     }

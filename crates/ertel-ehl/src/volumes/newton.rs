@@ -29,6 +29,8 @@ pub struct NewtonParams {
     pub factorises: bool,
     /// Whether steps between rough surfaces are shortened as a whole, not node by node.
     pub damped: bool,
+    /// Whether a preconditioner serves several iterations, whose states differ little.
+    pub keeps_preconditioner: bool,
 }
 
 impl Default for NewtonParams {
@@ -42,6 +44,7 @@ impl Default for NewtonParams {
             most_imbalance: f64::INFINITY,
             factorises: true,
             damped: false,
+            keeps_preconditioner: false,
         }
     }
 }
@@ -106,8 +109,8 @@ const STALLED: f64 = 0.98;
 /// Mass that a node with pressure may gain, over the entrained flow there. Nodes by the ridge gain most.
 const MOST_GAIN: f64 = 5e-2;
 
-/// In time, a preconditioner is kept until the Krylov iterations of a step have grown by this factor: states within a step in time differ little. A ramp of the speed took 18 % less time. Steady
-/// contacts need a new one in each iteration: kept from the third on, those of a groove took twice as many Krylov iterations.
+/// A preconditioner is kept, if at all, until the Krylov iterations of a step have grown by this factor. In time, a ramp of the speed took 18 % less time. Steady contacts need a new one in each
+/// iteration: kept from the third on, those of a groove took twice as many Krylov iterations; and films as the end of one in time, whose first steps are long, were not found.
 const MOST_GROWTH: usize = 2;
 
 /// How far the iteration has come.
@@ -366,7 +369,7 @@ pub fn newton(
         if !is_kept {
             of_renewed = step.krylov_iterations;
         }
-        let may_keep = system.storage.is_some() && !failed;
+        let may_keep = params.keeps_preconditioner && !failed;
         if may_keep && step.krylov_iterations <= MOST_GROWTH * of_renewed {
             kept = Some(preconditioner);
         }
