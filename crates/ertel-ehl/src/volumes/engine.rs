@@ -14,7 +14,7 @@ use super::level::{Level, convolution, first_state, first_system, refined};
 use super::newton::{NewtonInfo, NewtonParams, newton};
 use super::patches::{first_cells, grid};
 use super::plan::{LEAST_GRIDS, Plan, newton_params};
-use super::preconditioner::pattern;
+use super::preconditioner::{Pattern, pattern};
 use super::pseudo_time::march;
 use super::rows::RING;
 use super::system::{State, System};
@@ -106,6 +106,35 @@ fn solve_on(
         state.clone_from(&start);
         all = all.and(march(system, &pattern, state, params, about, observer));
     }
+    if !all.converged && !all.interrupted {
+        state.clone_from(&start);
+        all = all.and(continued(
+            problem,
+            (system, state),
+            &pattern,
+            level,
+            observer,
+        ));
+    }
+    if !all.converged && !all.interrupted && may_march && !has_layer {
+        *state = start;
+        all = all.and(march(system, &pattern, state, params, about, observer));
+    }
+    ended(all)
+}
+
+/// Newton's method on a grid with shorter steps, or by continuation from softer laws or higher speeds; `state` holds the start.
+fn continued(
+    problem: &Problem<Plan>,
+    (system, state): (&mut System, &mut State),
+    pattern: &Pattern,
+    level: usize,
+    observer: &mut dyn Observer,
+) -> NewtonInfo {
+    let about = (level, problem.scales.film);
+    let params = &newton_params(problem, level);
+    let start = state.clone();
+    let mut all = NewtonInfo::default();
     let patient = NewtonParams {
         largest_change: RETRY.0.min(newton_params(problem, 0).largest_change),
         max_iterations: RETRY.1,
@@ -133,7 +162,7 @@ fn solve_on(
         for (speed, softness, params) in attempt {
             system.lambda = speed * problem.scales.lambda;
             system.fluid = problem.fluid.with_softness(*softness);
-            let info = newton(system, &pattern, state, params, about, observer);
+            let info = newton(system, pattern, state, params, about, observer);
             all = all.and(info);
             if info.interrupted || !info.converged {
                 break;
@@ -142,11 +171,7 @@ fn solve_on(
     }
     system.lambda = problem.scales.lambda;
     system.fluid = problem.fluid.clone();
-    if !all.converged && !all.interrupted && may_march && !has_layer {
-        *state = start;
-        all = all.and(march(system, &pattern, state, params, about, observer));
-    }
-    ended(all)
+    all
 }
 
 fn ended(info: NewtonInfo) -> Result<NewtonInfo, SolveError> {
