@@ -18,7 +18,7 @@ use crate::volumes::deflection::Deflection;
 use crate::volumes::engine::BAR_GRIDS;
 use crate::volumes::heat::rounds::Rounds;
 use crate::volumes::level::{Level, convolution, first_system, refined};
-use crate::volumes::newton::{NewtonInfo, NewtonParams, newton};
+use crate::volumes::newton::{NewtonInfo, newton};
 use crate::volumes::patches::{first_cells, grid as patch};
 use crate::volumes::plan::newton_params;
 use crate::volumes::preconditioner::Pattern;
@@ -286,10 +286,7 @@ impl Levels {
             error: None,
         };
         for (l, (own, fixed)) in self.levels.iter().zip(&self.fixed).enumerate() {
-            let params = NewtonParams {
-                keeps_preconditioner: true,
-                ..newton_params(problem, l)
-            };
+            let params = newton_params(problem, l);
             let (grid, deflection) = (own.system.grid.clone(), fixed.deflection.clone());
             let (mut system, mut state) = match trial.levels.last_mut() {
                 None => {

@@ -29,8 +29,6 @@ pub struct NewtonParams {
     pub factorises: bool,
     /// Whether steps between rough surfaces are shortened as a whole, not node by node.
     pub damped: bool,
-    /// Whether a preconditioner serves several iterations, whose states differ little.
-    pub keeps_preconditioner: bool,
 }
 
 impl Default for NewtonParams {
@@ -44,7 +42,6 @@ impl Default for NewtonParams {
             most_imbalance: f64::INFINITY,
             factorises: true,
             damped: false,
-            keeps_preconditioner: false,
         }
     }
 }
@@ -108,10 +105,6 @@ const STALLED: f64 = 0.98;
 
 /// Mass that a node with pressure may gain, over the entrained flow there. Nodes by the ridge gain most.
 const MOST_GAIN: f64 = 5e-2;
-
-/// A preconditioner is kept, if at all, until the Krylov iterations of a step have grown by this factor. In time, a ramp of the speed took 18 % less time. Steady contacts need a new one in each
-/// iteration: kept from the third on, those of a groove took twice as many Krylov iterations; and films as the end of one in time, whose first steps are long, were not found.
-const MOST_GROWTH: usize = 2;
 
 /// How far the iteration has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -298,9 +291,6 @@ pub fn newton(
     let mut progress = Progress::default();
     // A step from an unfinished linear solve, or a share of one, is no evidence of convergence.
     let mut exact = false;
-    // The preconditioner of the last iteration, where the next one takes it, and the Krylov iterations that it took at first.
-    let mut kept = None;
-    let mut of_renewed = 0;
     loop {
         if observer.cancelled() {
             info.interrupted = true;
@@ -327,12 +317,11 @@ pub fn newton(
             linear.tolerance = linear.tolerance.min(CLOSING_TOLERANCE);
         }
         let clock = Instant::now();
-        let is_kept = kept.is_some();
-        let approximated = kept.take().or_else(|| match direct {
+        let approximated = match direct {
             true => Preconditioner::factorised(pattern, &at),
             false => Preconditioner::new(pattern, &at)
                 .or_else(|| Preconditioner::factorised(pattern, &at)),
-        });
+        };
         let Some(mut preconditioner) = approximated else {
             return info;
         };
@@ -340,18 +329,8 @@ pub fn newton(
         let clock = Instant::now();
         state.contents.clone_from(&at.contents);
         let mut step = system.step(&at, state, &mut preconditioner, linear);
-        let has_failed = |step: &Step| {
-            step.krylov_iterations >= params.max_krylov_iterations || !step.separation.is_finite()
-        };
-        if has_failed(&step)
-            && is_kept
-            && let Some(renewed) = Preconditioner::new(pattern, &at)
-        {
-            info.krylov_iterations += step.krylov_iterations;
-            preconditioner = renewed;
-            step = system.step(&at, state, &mut preconditioner, linear);
-        }
-        let failed = has_failed(&step);
+        let failed =
+            step.krylov_iterations >= params.max_krylov_iterations || !step.separation.is_finite();
         if failed && !params.factorises {
             return info;
         }
@@ -366,13 +345,6 @@ pub fn newton(
         info.seconds[2] += clock.elapsed().as_secs_f64();
         info.iterations += 1;
         info.krylov_iterations += step.krylov_iterations;
-        if !is_kept {
-            of_renewed = step.krylov_iterations;
-        }
-        let may_keep = params.keeps_preconditioner && !failed;
-        if may_keep && step.krylov_iterations <= MOST_GROWTH * of_renewed {
-            kept = Some(preconditioner);
-        }
         let mut moved = vec![0.0; step.pressure.len()];
         let has_filled = |k: &usize| at.wetted[*k] && !state.wetted[*k];
         let filled: Vec<usize> = match ending {
