@@ -16,7 +16,7 @@ use super::rows::RING;
 use super::system::{State, System};
 
 impl System {
-    /// Contents of the nodes at a solution, infinite where gaps are full: those that are known, or by the fluxes of full gaps through the faces around nodes that are not.
+    /// Contents of the nodes at a solution, infinite where gaps are full: those that are known, or by the fluxes of full gaps. `faces` returns the faces around the nodes that are not full.
     pub fn held(
         &self,
         state: &State,

@@ -73,8 +73,8 @@ const LINEAR: GmresParams = GmresParams {
 /// Right sides, as heights of the film, that are rounding: steps of inputs that count make some of 1e-7 to 1e-3.
 const ROUNDING: f64 = 1e-11;
 
-/// Relative error of right sides, which are differences over 1e-5 of an input. Iterations that follow it improve nothing: derivatives by the two temperatures of a viscosity law, which are opposite,
-/// differed by 1.4e-4, and differ by 1.0e-4 without it.
+/// Relative error of right sides, which are differences over 1e-5 of an input. Iterations for it improve nothing: derivatives by the two temperatures of a viscosity law, which are opposite,
+/// differ by 1.4e-4 with these iterations and by 1.0e-4 without.
 const TRUNCATION: f64 = 1e-5;
 
 /// A solution whose derivatives are computed.
@@ -324,7 +324,8 @@ impl Moved {
     }
 }
 
-/// A right side without the error of its difference: the combination of those before, `independent` and orthonormal, if nothing else is left. Otherwise it is one of them.
+/// A right side without the error of its difference. If it is a combination of those before, except for this error, that combination is returned; otherwise the right side itself, and its
+/// new direction is added to `independent`, which are orthonormal.
 fn combined(independent: &mut Vec<Vec<f64>>, right: &[f64]) -> Vec<f64> {
     let mut rest = right.to_vec();
     for of in independent.iter() {
@@ -457,7 +458,7 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// By hand: 3 (1, 0, 1) + 2 (0, 1, 0) is left of a right side that differs from it by 2e-6 in a third direction; one that differs by 2e-4 is independent.
+    /// By hand: a right side that differs from 3 (1, 0, 1) + 2 (0, 1, 0) by 2e-6 in a third direction becomes that combination; one that differs by 2e-4 is independent.
     #[test]
     fn errors_of_differences_are_no_new_right_side() {
         let mut independent = Vec::new();

@@ -135,6 +135,22 @@ mod tests {
         }
     }
 
+    /// How far an attempt came is a number, or that it diverges.
+    #[test]
+    fn no_message_has_a_number_that_is_none() {
+        let text = not_on_grid(false).to_string();
+        assert!(text.ends_with("after 130 Newton iterations pressures still change by 5.0e-2 p_h"));
+        for change in [f64::NAN, f64::INFINITY] {
+            let error = SolveError::GridNotConverged {
+                level: 1,
+                iterations: 130,
+                change,
+                has_reliefs: false,
+            };
+            assert!(error.to_string().ends_with("the last attempt diverges"));
+        }
+    }
+
     /// The reasons of both methods are shown, and no method that was tried is advised.
     #[test]
     fn both_methods_are_named() {

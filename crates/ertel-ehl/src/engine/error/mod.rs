@@ -60,15 +60,16 @@ pub enum SolveError {
     },
     /// Newton's method of finite volumes did not converge.
     #[error(
-        "no convergence of finite volumes on grid {}: after {iterations} Newton iterations pressures still change by {change:.1e} p_h",
-        level + 1
+        "no convergence of finite volumes on grid {}: after {iterations} Newton iterations {}",
+        level + 1,
+        pressures(*change)
     )]
     GridNotConverged {
         /// Grid, 0 the first.
         level: usize,
         /// Newton iterations in all, over all speeds that were tried.
         iterations: usize,
-        /// Last change of a pressure over p_h.
+        /// Last change of a pressure over p_h; not finite where the last attempt diverged.
         change: f64,
         /// Whether the surfaces have reliefs, which finite volumes alone solve.
         has_reliefs: bool,
@@ -233,6 +234,14 @@ pub enum HeatError {
         /// That share.
         share: f64,
     },
+}
+
+/// How far the pressures came.
+fn pressures(change: f64) -> String {
+    match change.is_finite() {
+        true => format!("pressures still change by {change:.1e} p_h"),
+        false => "the last attempt diverges".to_owned(),
+    }
 }
 
 impl From<FiniteBodyError> for SolveError {
